@@ -2063,8 +2063,8 @@
 <context>
     <name>Login</name>
     <message>
-        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
-        <translation>Name oder Passwort ist falsch. Versuchen Sie es noch einmal, oder bitten Sie die Verwaltung um einen Einmalcode.</translation>
+        <source>Wrong username or password. Try again, or ask an admin for a one-time code.</source>
+        <translation>Benutzername oder Passwort ist falsch. Versuchen Sie es noch einmal, oder bitten Sie die Verwaltung um einen Einmalcode.</translation>
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
@@ -2074,20 +2074,20 @@
         </translation>
     </message>
     <message>
-        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
-        <translation>Inzwischen wurde hier jemand eingetragen. Melden Sie sich als Verwaltung an.</translation>
+        <source>A user was added here in the meantime. Log in as an admin.</source>
+        <translation>Inzwischen wurde hier ein Benutzer angelegt. Melden Sie sich als Admin an.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, oder üben Sie ohne Anmeldung.</translation>
     </message>
     <message>
-        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>Ein Passwort hat acht Zeichen oder mehr, enthält nicht den Namen und ist keines, das alle zuerst versuchen, wie „passwort1“.</translation>
+        <source>A password has at least eight characters, does not contain the username and is not a common one such as &quot;password1&quot;.</source>
+        <translation>Ein Passwort hat mindestens acht Zeichen, enthält nicht den Benutzernamen und ist kein gängiges wie „passwort1“.</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
-        <translation>Ein anderes Programm schreibt gerade in die Daten der Schule; so lange kann niemand angemeldet werden. Versuchen Sie es gleich noch einmal.</translation>
+        <source>Another program is writing to the school&apos;s database, so nobody can log in. Try again in a moment.</source>
+        <translation>Ein anderes Programm schreibt gerade in die Datenbank der Schule, deshalb kann sich niemand anmelden. Versuchen Sie es gleich noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -3090,8 +3090,8 @@
         <translation>Suche: ein Name, eine Klasse, eine Rolle</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Anmeldename</translation>
+        <source>Username</source>
+        <translation>Benutzername</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -3266,8 +3266,8 @@
         <translation>Mit dem Einmalcode von %1 oben käme niemand mehr hinein: einen anderen erstellen?</translation>
     </message>
     <message>
-        <source>The name to log in with is missing.</source>
-        <translation>Der Anmeldename fehlt.</translation>
+        <source>The username is missing.</source>
+        <translation>Der Benutzername fehlt.</translation>
     </message>
     <message numerus="yes">
         <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
@@ -4935,8 +4935,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>Log in, so that your attempts are kept.</source>
-        <translation>Melden Sie sich an, damit Ihre Versuche behalten werden.</translation>
+        <source>Log in to save your attempts.</source>
+        <translation>Melden Sie sich an, damit Ihre Versuche gespeichert werden.</translation>
     </message>
     <message>
         <source>Log in</source>
@@ -4947,8 +4947,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Passwort wählen</translation>
     </message>
     <message>
-        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
-        <translation>Der Einmalcode stimmt. Von nun an melden Sie sich mit einem eigenen Passwort an: acht Zeichen oder mehr.</translation>
+        <source>The one-time code is correct. Choose your own password: at least eight characters.</source>
+        <translation>Der Einmalcode ist richtig. Wählen Sie ein eigenes Passwort: mindestens acht Zeichen.</translation>
     </message>
     <message>
         <source>Set the password</source>
@@ -4959,8 +4959,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Willkommen bei Cusp</translation>
     </message>
     <message>
-        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
-        <translation>Hier ist noch niemand eingetragen. Legen Sie die Schule an: Sie verwalten sie dann und tragen Lehrkräfte und Studierende ein. Oder üben Sie jetzt; dann wird nichts behalten.</translation>
+        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
+        <translation>Noch keine Benutzer. Legen Sie die Schule an: Sie werden ihr Admin und tragen Lehrkräfte und Studierende ein. Oder üben Sie jetzt, ohne zu speichern.</translation>
     </message>
     <message>
         <source>Create the school</source>
@@ -4972,16 +4972,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Gesperrt von %1</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left.</source>
-        <translation>Die Arbeit auf dem Tisch ist, wie sie verlassen wurde.</translation>
+        <source>The work in progress is unchanged.</source>
+        <translation>Die begonnene Arbeit ist unverändert.</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
     </message>
     <message>
-        <source>Somebody else logs in</source>
-        <translation>Jemand anderes meldet sich an</translation>
+        <source>Switch user</source>
+        <translation>Benutzer wechseln</translation>
     </message>
     <message>
         <source>Practise now</source>
@@ -4992,8 +4992,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Ohne Anmeldung üben</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Anmeldename</translation>
+        <source>Username</source>
+        <translation>Benutzername</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -5012,24 +5012,24 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Passwort</translation>
     </message>
     <message>
-        <source>The password again</source>
-        <translation>Das Passwort noch einmal</translation>
+        <source>Confirm password</source>
+        <translation>Passwort bestätigen</translation>
     </message>
     <message>
-        <source>Drill and be graded; nothing is kept</source>
-        <translation>Bohren und bewertet werden; nichts wird behalten</translation>
+        <source>Drill and get a grade; nothing is saved</source>
+        <translation>Präparieren und eine Bewertung erhalten; nichts wird gespeichert</translation>
     </message>
     <message>
-        <source>The two passwords differ. Type the second one again.</source>
-        <translation>Die beiden Passwörter sind verschieden. Geben Sie das zweite noch einmal ein.</translation>
+        <source>The passwords do not match. Type the second one again.</source>
+        <translation>Die Passwörter stimmen nicht überein. Geben Sie das zweite noch einmal ein.</translation>
     </message>
     <message>
         <source>Language: %1</source>
         <translation>Sprache: %1</translation>
     </message>
     <message>
-        <source>Choose the language of all words</source>
-        <translation>Sprache aller Wörter wählen</translation>
+        <source>Choose the language</source>
+        <translation>Sprache wählen</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5041,70 +5041,70 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Sicherung zurückspielen (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>Versuche dieses Computers, die in keiner Sicherung sind, werden wieder eingetragen. Was Lehrkräfte und Admins seither eingetragen haben, fehlt. Die Datei, die jetzt dort liegt, bleibt daneben erhalten.</translation>
+        <source>Attempts on this computer that are in no backup are added again. Changes that teachers and admins made after the backup are lost. The current file is kept next to the restored one.</source>
+        <translation>Versuche auf diesem Computer, die in keiner Sicherung sind, werden wieder hinzugefügt. Änderungen, die Lehrkräfte und Admins nach der Sicherung gemacht haben, gehen verloren. Die jetzige Datei bleibt neben der wiederhergestellten erhalten.</translation>
     </message>
     <message>
         <source>Change your password</source>
         <translation>Ihr Passwort ändern</translation>
     </message>
     <message>
-        <source>The new one: eight characters or more.</source>
-        <translation>Das neue: acht Zeichen oder mehr.</translation>
+        <source>At least eight characters.</source>
+        <translation>Mindestens acht Zeichen.</translation>
     </message>
     <message>
         <source>Change the password</source>
         <translation>Passwort ändern</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
+        <source>Cancel</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation>Dabei belassen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Change my password</source>
         <translation>Mein Passwort ändern</translation>
     </message>
     <message>
-        <source>Present password</source>
-        <translation>Jetziges Passwort</translation>
+        <source>Current password</source>
+        <translation>Aktuelles Passwort</translation>
     </message>
     <message>
         <source>New password</source>
         <translation>Neues Passwort</translation>
     </message>
     <message>
-        <source>The new password again</source>
-        <translation>Das neue Passwort noch einmal</translation>
+        <source>Confirm new password</source>
+        <translation>Neues Passwort bestätigen</translation>
     </message>
     <message>
-        <source>This name has signs that cannot be seen. Type it again.</source>
-        <translation>Dieser Name hat Zeichen, die man nicht sieht. Geben Sie ihn neu ein.</translation>
+        <source>This name contains invisible characters. Type it again.</source>
+        <translation>Dieser Name enthält unsichtbare Zeichen. Geben Sie ihn neu ein.</translation>
     </message>
     <message>
-        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
-        <translation>Die Daten der Schule sind nicht mehr, wo sie waren: In %1 ist niemand eingetragen. Es gibt aber eine Sicherung, die Sie unten wiederherstellen können. Oder legen Sie eine neue Schule an: Sie werden ihr Admin.</translation>
+        <source>The school&apos;s database was not found: %1 has no users. Restore the backup below, or create a new school and become its admin.</source>
+        <translation>Die Datenbank der Schule wurde nicht gefunden: %1 enthält keine Benutzer. Stellen Sie unten die Sicherung wieder her, oder legen Sie eine neue Schule an, deren Admin Sie werden.</translation>
     </message>
     <message>
-        <source>The attempt just graded is mine; keep it</source>
-        <translation>Der eben bewertete Versuch ist meiner: behalten</translation>
+        <source>Save the attempt just graded as mine</source>
+        <translation>Den eben bewerteten Versuch als meinen speichern</translation>
     </message>
     <message>
-        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <source>%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.</source>
         <extracomment>%1: a lesson or a tooth</extracomment>
-        <translation>%1: Er wird zum Versuch der Person, die sich anmeldet. Ohne Haken wird er nicht behalten.</translation>
+        <translation>%1: wird für die Person gespeichert, die sich anmeldet. Ohne Häkchen wird der Versuch nicht gespeichert.</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
-        <translation>Die Arbeit auf dem Tisch ist, wie sie verlassen wurde, aber die Zeit der Prüfung läuft weiter.</translation>
+        <source>The work in progress is unchanged, but the exam time keeps running.</source>
+        <translation>Die begonnene Arbeit ist unverändert, aber die Prüfungszeit läuft weiter.</translation>
     </message>
     <message>
-        <source>Waiting for the school&apos;s data …</source>
-        <translation>Die Daten der Schule werden erwartet …</translation>
+        <source>Waiting for the school&apos;s database …</source>
+        <translation>Warten auf die Datenbank der Schule …</translation>
     </message>
     <message>
-        <source>The school&apos;s data are being opened …</source>
-        <translation>Die Daten der Schule werden geöffnet …</translation>
+        <source>Opening the school&apos;s database …</source>
+        <translation>Die Datenbank der Schule wird geöffnet …</translation>
     </message>
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>

@@ -2063,8 +2063,8 @@
 <context>
     <name>Login</name>
     <message>
-        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
-        <translation>El nombre o la contraseña no son correctos. Inténtelo de nuevo o pida un código de un solo uso a un administrador.</translation>
+        <source>Wrong username or password. Try again, or ask an admin for a one-time code.</source>
+        <translation>El nombre de usuario o la contraseña no son correctos. Inténtelo de nuevo o pida un código de un solo uso a un administrador.</translation>
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
@@ -2074,20 +2074,20 @@
         </translation>
     </message>
     <message>
-        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
-        <translation>Entretanto se ha registrado a alguien aquí. Inicie sesión como administrador.</translation>
+        <source>A user was added here in the meantime. Log in as an admin.</source>
+        <translation>Entretanto se ha añadido un usuario. Inicie sesión como administrador.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>El servidor de la escuela no responde. Inténtelo de nuevo o practique sin iniciar sesión.</translation>
     </message>
     <message>
-        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>Una contraseña tiene ocho caracteres o más, no contiene el nombre y no es una de las que todos prueban primero, como «password1».</translation>
+        <source>A password has at least eight characters, does not contain the username and is not a common one such as &quot;password1&quot;.</source>
+        <translation>Una contraseña tiene al menos ocho caracteres, no contiene el nombre de usuario y no es una habitual como «password1».</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
-        <translation>Otro programa está escribiendo en los datos de la escuela y entretanto nadie puede entrar. Inténtelo de nuevo en un momento.</translation>
+        <source>Another program is writing to the school&apos;s database, so nobody can log in. Try again in a moment.</source>
+        <translation>Otro programa está escribiendo en la base de datos de la escuela, así que nadie puede iniciar sesión. Inténtelo de nuevo en un momento.</translation>
     </message>
 </context>
 <context>
@@ -3090,8 +3090,8 @@
         <translation>Buscar: un nombre, un grupo, un papel</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Nombre para iniciar sesión</translation>
+        <source>Username</source>
+        <translation>Nombre de usuario</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -3266,8 +3266,8 @@
         <translation>El código de un solo uso de %1, arriba, ya no dejaría entrar a nadie: ¿crear otro?</translation>
     </message>
     <message>
-        <source>The name to log in with is missing.</source>
-        <translation>Falta el nombre para iniciar sesión.</translation>
+        <source>The username is missing.</source>
+        <translation>Falta el nombre de usuario.</translation>
     </message>
     <message numerus="yes">
         <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
@@ -4935,8 +4935,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>Log in, so that your attempts are kept.</source>
-        <translation>Inicie sesión para que sus intentos se conserven.</translation>
+        <source>Log in to save your attempts.</source>
+        <translation>Inicie sesión para guardar sus intentos.</translation>
     </message>
     <message>
         <source>Log in</source>
@@ -4947,8 +4947,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Elegir una contraseña</translation>
     </message>
     <message>
-        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
-        <translation>El código de un solo uso es correcto. A partir de ahora iniciará sesión con una contraseña propia: ocho caracteres o más.</translation>
+        <source>The one-time code is correct. Choose your own password: at least eight characters.</source>
+        <translation>El código de un solo uso es correcto. Elija su propia contraseña: al menos ocho caracteres.</translation>
     </message>
     <message>
         <source>Set the password</source>
@@ -4959,8 +4959,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Le damos la bienvenida a Cusp</translation>
     </message>
     <message>
-        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
-        <translation>Todavía no hay nadie registrado aquí. Cree la escuela: usted será su administrador, quien registra a docentes y estudiantes. O practique ahora; entonces no se conserva nada.</translation>
+        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
+        <translation>Todavía no hay usuarios. Cree la escuela: usted será su administrador y añadirá docentes y estudiantes. O practique ahora sin guardar nada.</translation>
     </message>
     <message>
         <source>Create the school</source>
@@ -4972,16 +4972,16 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Bloqueado por %1</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left.</source>
-        <translation>El trabajo en la mesa está como se dejó.</translation>
+        <source>The work in progress is unchanged.</source>
+        <translation>El trabajo en curso no ha cambiado.</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Seguir</translation>
+        <source>Unlock</source>
+        <translation>Desbloquear</translation>
     </message>
     <message>
-        <source>Somebody else logs in</source>
-        <translation>Otra persona inicia sesión</translation>
+        <source>Switch user</source>
+        <translation>Cambiar de usuario</translation>
     </message>
     <message>
         <source>Practise now</source>
@@ -4992,8 +4992,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Practicar sin iniciar sesión</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Nombre para iniciar sesión</translation>
+        <source>Username</source>
+        <translation>Nombre de usuario</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -5012,24 +5012,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Contraseña</translation>
     </message>
     <message>
-        <source>The password again</source>
-        <translation>La contraseña otra vez</translation>
+        <source>Confirm password</source>
+        <translation>Confirmar contraseña</translation>
     </message>
     <message>
-        <source>Drill and be graded; nothing is kept</source>
-        <translation>Tallar y recibir calificación; no se conserva nada</translation>
+        <source>Drill and get a grade; nothing is saved</source>
+        <translation>Tallar y recibir calificación; no se guarda nada</translation>
     </message>
     <message>
-        <source>The two passwords differ. Type the second one again.</source>
-        <translation>Las dos contraseñas difieren. Escriba la segunda otra vez.</translation>
+        <source>The passwords do not match. Type the second one again.</source>
+        <translation>Las contraseñas no coinciden. Escriba la segunda otra vez.</translation>
     </message>
     <message>
         <source>Language: %1</source>
         <translation>Idioma: %1</translation>
     </message>
     <message>
-        <source>Choose the language of all words</source>
-        <translation>Elegir el idioma de todos los textos</translation>
+        <source>Choose the language</source>
+        <translation>Elegir el idioma</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5041,32 +5041,32 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Restaurar copia (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>Los intentos de este ordenador que no están en ninguna copia se vuelven a registrar. Falta lo que docentes y administradores hayan registrado desde entonces. El archivo actual se conserva a su lado.</translation>
+        <source>Attempts on this computer that are in no backup are added again. Changes that teachers and admins made after the backup are lost. The current file is kept next to the restored one.</source>
+        <translation>Los intentos de este ordenador que no están en ninguna copia se añaden de nuevo. Los cambios que docentes y administradores hicieron después de la copia se pierden. El archivo actual se conserva junto al restaurado.</translation>
     </message>
     <message>
         <source>Change your password</source>
         <translation>Cambiar su contraseña</translation>
     </message>
     <message>
-        <source>The new one: eight characters or more.</source>
-        <translation>La nueva: ocho caracteres o más.</translation>
+        <source>At least eight characters.</source>
+        <translation>Al menos ocho caracteres.</translation>
     </message>
     <message>
         <source>Change the password</source>
         <translation>Cambiar la contraseña</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
+        <source>Cancel</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation>Dejarla como está</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Change my password</source>
         <translation>Cambiar mi contraseña</translation>
     </message>
     <message>
-        <source>Present password</source>
+        <source>Current password</source>
         <translation>Contraseña actual</translation>
     </message>
     <message>
@@ -5074,37 +5074,37 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Contraseña nueva</translation>
     </message>
     <message>
-        <source>The new password again</source>
-        <translation>La contraseña nueva otra vez</translation>
+        <source>Confirm new password</source>
+        <translation>Confirmar contraseña nueva</translation>
     </message>
     <message>
-        <source>This name has signs that cannot be seen. Type it again.</source>
-        <translation>Este nombre tiene signos que no se ven. Escríbalo de nuevo.</translation>
+        <source>This name contains invisible characters. Type it again.</source>
+        <translation>Este nombre contiene caracteres invisibles. Escríbalo de nuevo.</translation>
     </message>
     <message>
-        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
-        <translation>Los datos de la escuela ya no están donde estaban: no hay nadie en %1. Pero hay una copia de seguridad, que puede restaurar abajo. O cree una escuela nueva: usted será su administrador.</translation>
+        <source>The school&apos;s database was not found: %1 has no users. Restore the backup below, or create a new school and become its admin.</source>
+        <translation>No se encontró la base de datos de la escuela: %1 no contiene usuarios. Restaure la copia de seguridad abajo o cree una escuela nueva, de la que será administrador.</translation>
     </message>
     <message>
-        <source>The attempt just graded is mine; keep it</source>
-        <translation>El intento recién calificado es mío: guardarlo</translation>
+        <source>Save the attempt just graded as mine</source>
+        <translation>Guardar como mío el intento recién calificado</translation>
     </message>
     <message>
-        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <source>%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.</source>
         <extracomment>%1: a lesson or a tooth</extracomment>
-        <translation>%1: pasa a ser el intento de quien inicia sesión. Sin la marca no se guarda.</translation>
+        <translation>%1: se guarda para quien inicia sesión. Si la casilla no está marcada, el intento no se guarda.</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
-        <translation>El trabajo en la mesa está como se dejó, pero el tiempo del examen sigue corriendo.</translation>
+        <source>The work in progress is unchanged, but the exam time keeps running.</source>
+        <translation>El trabajo en curso no ha cambiado, pero el tiempo del examen sigue corriendo.</translation>
     </message>
     <message>
-        <source>Waiting for the school&apos;s data …</source>
-        <translation>Esperando los datos de la escuela …</translation>
+        <source>Waiting for the school&apos;s database …</source>
+        <translation>Esperando la base de datos de la escuela …</translation>
     </message>
     <message>
-        <source>The school&apos;s data are being opened …</source>
-        <translation>Se están abriendo los datos de la escuela …</translation>
+        <source>Opening the school&apos;s database …</source>
+        <translation>Abriendo la base de datos de la escuela …</translation>
     </message>
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>

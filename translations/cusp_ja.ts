@@ -2060,8 +2060,8 @@
 <context>
     <name>Login</name>
     <message>
-        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
-        <translation>名前またはパスワードが違います。もう一度お試しいただくか、管理者にワンタイムコードを依頼してください。</translation>
+        <source>Wrong username or password. Try again, or ask an admin for a one-time code.</source>
+        <translation>ユーザー名またはパスワードが違います。もう一度お試しいただくか、管理者にワンタイムコードを依頼してください。</translation>
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
@@ -2070,20 +2070,20 @@
         </translation>
     </message>
     <message>
-        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
-        <translation>その間に誰かが登録されました。管理者としてログインしてください。</translation>
+        <source>A user was added here in the meantime. Log in as an admin.</source>
+        <translation>その間にユーザーが追加されました。管理者としてログインしてください。</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>学校のサーバーが応答しません。もう一度お試しいただくか、ログインせずに練習してください。</translation>
     </message>
     <message>
-        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>パスワードは 8 文字以上で、名前を含まず、「password1」のような誰もが最初に試すものではないものにしてください。</translation>
+        <source>A password has at least eight characters, does not contain the username and is not a common one such as &quot;password1&quot;.</source>
+        <translation>パスワードは8文字以上で、ユーザー名を含まず、「password1」のようなよくあるものではないようにしてください。</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
-        <translation>ほかのプログラムが学校のデータに書き込んでいるため、その間はログインできません。少し待ってからもう一度お試しください。</translation>
+        <source>Another program is writing to the school&apos;s database, so nobody can log in. Try again in a moment.</source>
+        <translation>ほかのプログラムが学校のデータベースに書き込んでいるため、ログインできません。少し待ってからもう一度お試しください。</translation>
     </message>
 </context>
 <context>
@@ -3074,8 +3074,8 @@
         <translation>検索：名前、クラス、役割</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>ログイン名</translation>
+        <source>Username</source>
+        <translation>ユーザー名</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -3249,8 +3249,8 @@
         <translation>上の%1のワンタイムコードは使えなくなります。新しく作りますか？</translation>
     </message>
     <message>
-        <source>The name to log in with is missing.</source>
-        <translation>ログイン名が入力されていません。</translation>
+        <source>The username is missing.</source>
+        <translation>ユーザー名がありません。</translation>
     </message>
     <message numerus="yes">
         <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
@@ -4895,7 +4895,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>言語：%1</translation>
     </message>
     <message>
-        <source>Choose the language of all words</source>
+        <source>Choose the language</source>
         <translation>表示する言語を選びます</translation>
     </message>
     <message>
@@ -4903,7 +4903,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>Log in, so that your attempts are kept.</source>
+        <source>Log in to save your attempts.</source>
         <translation>ログインすると試行が保存されます。</translation>
     </message>
     <message>
@@ -4915,8 +4915,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>パスワードの設定</translation>
     </message>
     <message>
-        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
-        <translation>ワンタイムコードは正しいものでした。今後はご自身のパスワード（8文字以上）でログインしてください。</translation>
+        <source>The one-time code is correct. Choose your own password: at least eight characters.</source>
+        <translation>ワンタイムコードを確認しました。ご自身のパスワードを8文字以上で設定してください。</translation>
     </message>
     <message>
         <source>Set the password</source>
@@ -4927,8 +4927,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>Cuspへようこそ</translation>
     </message>
     <message>
-        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
-        <translation>まだ誰も登録されていません。学校を作成すると、あなたが管理者となり、教員と学生を登録できます。すぐに練習することもできますが、何も保存されません。</translation>
+        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
+        <translation>ユーザーがまだいません。学校を作成すると、あなたが管理者となり、教員と学生を登録できます。保存せずにすぐ練習することもできます。</translation>
     </message>
     <message>
         <source>Create the school</source>
@@ -4940,16 +4940,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1さんがロック中</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left.</source>
-        <translation>机の上の作業は中断したときのままです。</translation>
+        <source>The work in progress is unchanged.</source>
+        <translation>作業中の内容はそのままです。</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>続ける</translation>
+        <source>Unlock</source>
+        <translation>ロック解除</translation>
     </message>
     <message>
-        <source>Somebody else logs in</source>
-        <translation>別の人がログイン</translation>
+        <source>Switch user</source>
+        <translation>ユーザーを切り替え</translation>
     </message>
     <message>
         <source>Practise now</source>
@@ -4960,8 +4960,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ログインせずに練習</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>ログイン名</translation>
+        <source>Username</source>
+        <translation>ユーザー名</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -4980,15 +4980,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>パスワード</translation>
     </message>
     <message>
-        <source>The password again</source>
+        <source>Confirm password</source>
         <translation>パスワード（確認）</translation>
     </message>
     <message>
-        <source>Drill and be graded; nothing is kept</source>
+        <source>Drill and get a grade; nothing is saved</source>
         <translation>切削して採点を受けられます。何も保存されません</translation>
     </message>
     <message>
-        <source>The two passwords differ. Type the second one again.</source>
+        <source>The passwords do not match. Type the second one again.</source>
         <translation>2つのパスワードが一致しません。確認用をもう一度入力してください。</translation>
     </message>
     <message>
@@ -5001,32 +5001,32 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>バックアップを復元 (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>このコンピューターの試行のうち、どのバックアップにもないものは再び登録されます。それ以降に教員や管理者が登録したものは失われます。今のファイルは横に残ります。</translation>
+        <source>Attempts on this computer that are in no backup are added again. Changes that teachers and admins made after the backup are lost. The current file is kept next to the restored one.</source>
+        <translation>このコンピューターの試行のうち、どのバックアップにもないものは再び追加されます。バックアップの後に教員や管理者が行った変更は失われます。現在のファイルは、復元したファイルの隣に残ります。</translation>
     </message>
     <message>
         <source>Change your password</source>
         <translation>パスワードの変更</translation>
     </message>
     <message>
-        <source>The new one: eight characters or more.</source>
-        <translation>新しいパスワード：8文字以上。</translation>
+        <source>At least eight characters.</source>
+        <translation>8文字以上。</translation>
     </message>
     <message>
         <source>Change the password</source>
         <translation>パスワードを変更する</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
+        <source>Cancel</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation>変更しない</translation>
+        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Change my password</source>
         <translation>パスワードを変更</translation>
     </message>
     <message>
-        <source>Present password</source>
+        <source>Current password</source>
         <translation>現在のパスワード</translation>
     </message>
     <message>
@@ -5034,37 +5034,37 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>新しいパスワード</translation>
     </message>
     <message>
-        <source>The new password again</source>
-        <translation>新しいパスワードをもう一度</translation>
+        <source>Confirm new password</source>
+        <translation>新しいパスワード（確認）</translation>
     </message>
     <message>
-        <source>This name has signs that cannot be seen. Type it again.</source>
+        <source>This name contains invisible characters. Type it again.</source>
         <translation>この名前には見えない文字が含まれています。もう一度入力してください。</translation>
     </message>
     <message>
-        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
-        <translation>学校のデータが元の場所にありません。%1 には誰も登録されていません。バックアップがあるので、下のボタンで復元できます。または新しい学校を作成してください。あなたが管理者になります。</translation>
+        <source>The school&apos;s database was not found: %1 has no users. Restore the backup below, or create a new school and become its admin.</source>
+        <translation>学校のデータベースが見つかりません：%1 にはユーザーがいません。下のボタンでバックアップを復元するか、新しい学校を作成してください。作成した場合は、あなたが管理者になります。</translation>
     </message>
     <message>
-        <source>The attempt just graded is mine; keep it</source>
+        <source>Save the attempt just graded as mine</source>
         <translation>いま採点した試行は自分のものとして保存する</translation>
     </message>
     <message>
-        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <source>%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.</source>
         <extracomment>%1: a lesson or a tooth</extracomment>
         <translation>%1：ログインした人の試行になります。チェックを外すと保存されません。</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
-        <translation>机の上の作業は中断したときのままですが、試験の時間は進んでいます。</translation>
+        <source>The work in progress is unchanged, but the exam time keeps running.</source>
+        <translation>作業中の内容はそのままですが、試験の時間は進んでいます。</translation>
     </message>
     <message>
-        <source>Waiting for the school&apos;s data …</source>
-        <translation>学校のデータを待っています…</translation>
+        <source>Waiting for the school&apos;s database …</source>
+        <translation>学校のデータベースを待っています…</translation>
     </message>
     <message>
-        <source>The school&apos;s data are being opened …</source>
-        <translation>学校のデータを開いています…</translation>
+        <source>Opening the school&apos;s database …</source>
+        <translation>学校のデータベースを開いています…</translation>
     </message>
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>

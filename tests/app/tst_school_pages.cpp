@@ -126,7 +126,7 @@ private slots:
         goToTooth();
         setReachable(false);
         lockAndTryWrong(4);
-        QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+        QVERIFY2(saidAtDoor().contains("Wrong username or password"), qPrintable(saidAtDoor()));
         tryPassword();
         QVERIFY2(isAtDoor() && mustWait(), qPrintable(saidAtDoor()));
         const auto unlocks = [&] {
@@ -174,7 +174,7 @@ private slots:
         actions().lock->trigger();
         tryPassword("somebody else's");
         QVERIFY(isAtDoor() && door() == Door::Locked);
-        QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+        QVERIFY2(saidAtDoor().contains("Wrong username or password"), qPrintable(saidAtDoor()));
         tryPassword();
         QVERIFY2(!isAtDoor(), qPrintable(saidAtDoor()));
         QVERIFY(window().view().isVisible());
@@ -266,7 +266,8 @@ private slots:
         start(options);
         WAIT_FOR(child<QPushButton>("tryAgain")->isVisible());
         QVERIFY(!child<QPushButton>("restoreBackup")->isVisible());
-        QVERIFY2(saidAtDoor().contains("Another program is writing to the school's data"), qPrintable(saidAtDoor()));
+        QVERIFY2(saidAtDoor().contains("Another program is writing to the school's database"),
+                 qPrintable(saidAtDoor()));
         other.reset();
         click("tryAgain");
         WAIT_FOR(!child<QPushButton>("tryAgain")->isVisible());

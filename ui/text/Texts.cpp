@@ -296,8 +296,8 @@ QString loginFault(const core::Error& error)
 {
     switch (error.code) {
     case core::ErrorCode::WrongLogin:
-        return QCoreApplication::translate("Login", "Name or password is wrong. Try again, or ask an admin for a "
-                                                    "one-time code.");
+        return QCoreApplication::translate(
+            "Login", "Wrong username or password. Try again, or ask an admin for a one-time code.");
     case core::ErrorCode::TooSoon: {
         // The sentence has one number.
         static const QRegularExpression kNumber(QStringLiteral("\\d+"));
@@ -306,17 +306,17 @@ QString loginFault(const core::Error& error)
                                            nullptr, seconds);
     }
     case core::ErrorCode::OutOfRange:
-        return QCoreApplication::translate("Login",
-                                           "A password has eight characters or more, does not hold the name, and is "
-                                           "none that everybody tries first, such as \"password1\".");
+        return QCoreApplication::translate("Login", "A password has at least eight characters, does not contain the "
+                                                    "username and is not a common one such as \"password1\".");
     case core::ErrorCode::NotAllowed:
-        return QCoreApplication::translate("Login", "Somebody has been entered here meanwhile. Log in as an admin.");
+        return QCoreApplication::translate("Login", "A user was added here in the meantime. Log in as an admin.");
     case core::ErrorCode::ConnectionLost:
         return QCoreApplication::translate("Login", "The school's server does not answer. Try again, or practise "
                                                     "without a login.");
     case core::ErrorCode::Busy:
-        return QCoreApplication::translate("Login", "Another program is writing to the school's data, and nobody can "
-                                                    "be let in meanwhile. Try again in a moment.");
+        return QCoreApplication::translate(
+            "Login",
+            "Another program is writing to the school's database, so nobody can log in. Try again in a moment.");
     default:
         return errorText(error, Failed::KeepingGrades);
     }
