@@ -351,12 +351,12 @@
 <context>
     <name>Breach</name>
     <message>
-        <source>The pulp is open</source>
-        <translation>Die Pulpa ist offen</translation>
+        <source>The pulp is exposed</source>
+        <translation>Die Pulpa ist eröffnet</translation>
     </message>
     <message>
-        <source>There is a hole through the tooth</source>
-        <translation>Durch den Zahn geht ein Loch</translation>
+        <source>The tooth is perforated</source>
+        <translation>Der Zahn ist perforiert</translation>
     </message>
     <message>
         <source>Deeper than %1 mm</source>
@@ -367,39 +367,39 @@
         <translation>Die Randleiste ist dünner als %1 mm</translation>
     </message>
     <message>
-        <source>Cut where nothing was to be cut</source>
-        <translation>Dort geschnitten, wo nichts weg sollte</translation>
+        <source>Cut outside the target area</source>
+        <translation>Außerhalb des Zielbereichs geschnitten</translation>
     </message>
     <message>
-        <source>Pressed with %1 N, allowed are %2 N</source>
-        <translation>Mit %1 N gedrückt, erlaubt sind %2 N</translation>
+        <source>Pressed with %1 N; the limit is %2 N</source>
+        <translation>Mit %1 N gedrückt; die Grenze ist %2 N</translation>
     </message>
     <message>
-        <source>The bur has run in the air for %1 s</source>
-        <translation>Der Bohrer lief %1 s lang in der Luft</translation>
+        <source>The bur ran without contact for %1 s</source>
+        <translation>Der Bohrer lief %1 s lang ohne Kontakt</translation>
     </message>
     <message>
         <source>Cut with a bur that this lesson does not allow</source>
         <translation>Mit einem Bohrer geschnitten, den diese Lektion nicht erlaubt</translation>
     </message>
     <message>
-        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
-        <translation>Eine offene Pulpa stirbt meist ab: Durchtrennte Odontoblasten kommen nicht wieder. Sehen Sie auf den Schnitt und lassen Sie einen halben Millimeter Dentin stehen.</translation>
+        <source>An exposed pulp usually dies, because cut odontoblasts do not recover. Watch the section and leave half a millimetre of dentin.</source>
+        <translation>Eine eröffnete Pulpa stirbt meist ab, denn durchtrennte Odontoblasten erholen sich nicht. Achten Sie auf den Schnitt und lassen Sie einen halben Millimeter Dentin stehen.</translation>
     </message>
     <message>
-        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <source>A perforated tooth is usually lost. Watch the depth in the section.</source>
         <translation>Ein durchbohrter Zahn ist meist verloren. Achten Sie im Schnitt auf die Tiefe.</translation>
     </message>
     <message>
-        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
-        <translation>Was tiefer ist als nötig, schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief Sie sind.</translation>
+        <source>Cutting deeper than necessary weakens the tooth and comes close to the pulp. The section shows how deep you are.</source>
+        <translation>Tiefer zu schneiden als nötig schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief Sie sind.</translation>
     </message>
     <message>
         <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
         <translation>Eine dünne Randleiste bricht unter Last. Halten Sie mit der Außenkante des Bohrers früher an.</translation>
     </message>
     <message>
-        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <source>Sound tissue does not grow back. The dashed line in the section shows what to cut.</source>
         <translation>Gesundes Gewebe wächst nicht nach. Die gestrichelte Linie im Schnitt zeigt, was weg soll.</translation>
     </message>
     <message>
@@ -407,19 +407,19 @@
         <translation>Etwa 1 N schneidet am besten; mehr erhitzt die Pulpa, bremst die Turbine und rutscht ab. Lassen Sie den Bohrer arbeiten.</translation>
     </message>
     <message>
-        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>Ein Bohrer, der unbeachtet läuft, verletzt Lippen und Wangen. Halten Sie ihn an, wenn Sie nicht schneiden.</translation>
+        <source>A running bur can injure lips and cheeks. Stop it when you are not cutting.</source>
+        <translation>Ein laufender Bohrer kann Lippen und Wangen verletzen. Halten Sie ihn an, wenn Sie nicht schneiden.</translation>
     </message>
     <message>
-        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
-        <translation>Eine andere Form hinterlässt eine andere Kavität. Nehmen Sie einen Bohrer, den die Lektion nennt.</translation>
+        <source>The shape of the bur determines the shape of the cavity. Choose a bur that the lesson lists.</source>
+        <translation>Die Form des Bohrers bestimmt die Form der Kavität. Nehmen Sie einen Bohrer, den die Lektion nennt.</translation>
     </message>
     <message>
-        <source>The tooth beside was touched by the turning bur</source>
-        <translation>Der drehende Bohrer hat den Nachbarzahn berührt</translation>
+        <source>The running bur touched the adjacent tooth</source>
+        <translation>Der laufende Bohrer hat den Nachbarzahn berührt</translation>
     </message>
     <message>
-        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <source>A nick in the adjacent tooth collects plaque and decays. Stay inside the outline; N shows the adjacent teeth.</source>
         <translation>Eine Kerbe im Nachbarzahn hält Belag fest und wird kariös. Bleiben Sie im Umriss; N zeigt die Nachbarzähne.</translation>
     </message>
 </context>
@@ -466,8 +466,8 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
-        <translation>Schmelz und Dentin neben und unter der Karies. Was genau über der Karies liegt, muss abgetragen werden und zählt nicht.</translation>
+        <source>Enamel and dentin beside and below the decay. Tissue directly above the decay must be removed and is not counted.</source>
+        <translation>Schmelz und Dentin neben und unter der Karies. Gewebe genau über der Karies muss abgetragen werden und zählt nicht.</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -487,8 +487,8 @@
         <translation>bis %1 %2</translation>
     </message>
     <message>
-        <source>Not measured, so the attempt fails: %1 points that were left</source>
-        <translation>Nicht gemessen, also nicht bestanden: %1 Punkte, die übrig waren</translation>
+        <source>Not measured, so the attempt fails and the remaining %1 points are lost</source>
+        <translation>Nicht gemessen, also nicht bestanden: Die übrigen %1 Punkte sind verloren</translation>
     </message>
     <message>
         <source>Not measured, so it earns none of its %1 points</source>
@@ -499,13 +499,13 @@
         <translation>%1: nichts verloren</translation>
     </message>
     <message>
-        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <source>Allowed: %1. The attempt fails and the remaining %2 points are lost</source>
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
-        <translation>Erlaubt ist %1; damit ist der Versuch nicht bestanden, und die übrigen %2 Punkte sind verloren</translation>
+        <translation>Erlaubt: %1. Der Versuch ist nicht bestanden, und die übrigen %2 Punkte sind verloren</translation>
     </message>
     <message>
-        <source>%1 %2 too far off; a worse error decides</source>
-        <translation>%1 %2 zu weit daneben; ein größerer Fehler entscheidet</translation>
+        <source>%1 %2 outside the limit; a more serious error decides</source>
+        <translation>%1 %2 außerhalb der Grenze; ein schwererer Fehler entscheidet</translation>
     </message>
     <message>
         <source>%1; beyond it all of its %2 points are lost</source>
@@ -516,8 +516,8 @@
         <translation>(%1) / %2 %3 × %4 Punkte</translation>
     </message>
     <message>
-        <source>%1, no more than all of them</source>
-        <translation>%1, mehr als alle nicht</translation>
+        <source>%1, at most all of them</source>
+        <translation>%1, höchstens alle</translation>
     </message>
     <message>
         <source>%1 has reached %2</source>
@@ -526,11 +526,11 @@
     </message>
     <message>
         <source>None of its %1 points are earned before %2</source>
-        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>Keiner der %1 Punkte zählt, bevor %2</translation>
     </message>
     <message>
-        <source>%1 of the decay is out</source>
+        <source>%1 of the decay is removed</source>
         <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
         <translation>%1 der Karies entfernt sind</translation>
     </message>
@@ -543,8 +543,8 @@
         <translation>%1 der Form geschnitten sind</translation>
     </message>
     <message>
-        <source>The value that was measured here is not stored</source>
-        <translation>Der hier gemessene Wert ist nicht gespeichert</translation>
+        <source>The measured value was not saved</source>
+        <translation>Der gemessene Wert wurde nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -1902,8 +1902,8 @@
         <translation>Röntgen</translation>
     </message>
     <message>
-        <source>colours of depth</source>
-        <translation>Farben der Tiefe</translation>
+        <source>depth colours</source>
+        <translation>Tiefenfarben</translation>
     </message>
     <message>
         <source>mirror</source>
@@ -1950,13 +1950,13 @@
         <translation>Tiefenanschlag</translation>
     </message>
     <message>
-        <source>%1, give or take %2, costs nothing</source>
+        <source>%1 ± %2 costs nothing</source>
         <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
-        <translation>%1, mehr oder weniger um %2, kostet nichts</translation>
+        <translation>%1 ± %2 kostet nichts</translation>
     </message>
     <message>
-        <source>From %1 up costs nothing</source>
-        <translation>Ab %1 kostet nichts</translation>
+        <source>%1 or more costs nothing</source>
+        <translation>%1 oder mehr kostet nichts</translation>
     </message>
     <message>
         <source>Up to %1 costs nothing</source>
@@ -2008,7 +2008,7 @@
     </message>
     <message>
         <source> as soon as %1</source>
-        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>, sobald %1</translation>
     </message>
     <message>
@@ -2017,9 +2017,9 @@
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>on the table</source>
+        <source>in progress</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
-        <translation>auf dem Tisch</translation>
+        <translation>in Arbeit</translation>
     </message>
     <message>
         <source>due since %1</source>
@@ -2039,8 +2039,8 @@
         <translation>fällig: %1</translation>
     </message>
     <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
-        <translation>Sie haben Ihre Versuche an dieser Lektion aufgebraucht. Ihre Lehrperson kann Ihnen weitere geben.</translation>
+        <source>You have no attempts left at this lesson. Your teacher can give you more.</source>
+        <translation>Sie haben für diese Lektion keine Versuche mehr. Ihre Lehrkraft kann Ihnen weitere geben.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n day(s) late</source>
@@ -2056,8 +2056,8 @@
         <translation>keine Versuche mehr</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
+        <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
+        <translation>Ihr letzter Versuch in dieser Prüfung wurde in einem anderen Fenster begonnen. Die Arbeit in diesem Fenster zählt nicht.</translation>
     </message>
 </context>
 <context>
@@ -2221,17 +2221,12 @@
 <context>
     <name>Section</name>
     <message>
-        <source>surface before anything was cut</source>
-        <extracomment>In the key of a picture, beside a line</extracomment>
-        <translation>Oberfläche vor dem ersten Schnitt</translation>
-    </message>
-    <message>
         <source>The plane does not meet the tooth here.</source>
         <translation>Die Ebene trifft den Zahn hier nicht.</translation>
     </message>
     <message>
-        <source>surface before</source>
-        <extracomment>The same, where a second line stands beside it</extracomment>
+        <source>original surface</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
         <translation>Oberfläche vorher</translation>
     </message>
     <message>
@@ -2462,14 +2457,14 @@
         <translation>%1 zu tief</translation>
     </message>
     <message>
-        <source>%1 to go</source>
+        <source>%1 to cut</source>
         <extracomment>%1 is a length: so much is still to be taken away</extracomment>
         <translation>noch %1</translation>
     </message>
     <message>
-        <source>off the ideal, mm</source>
+        <source>deviation, mm</source>
         <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
-        <translation>neben dem Ideal, mm</translation>
+        <translation>Abweichung, mm</translation>
     </message>
 </context>
 <context>
@@ -3843,12 +3838,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Gedreht um</translation>
     </message>
     <message>
-        <source>Depth below the old surface</source>
-        <translation>Tiefe unter alter Oberfläche</translation>
+        <source>Depth below original surface</source>
+        <translation>Tiefe unter Originalfläche</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was, straight up.</source>
-        <translation>Wie weit die Spitze senkrecht unter der ursprünglichen Oberfläche steht.</translation>
+        <source>Vertical depth of the tip below the original surface.</source>
+        <translation>Senkrechte Tiefe der Spitze unter der ursprünglichen Oberfläche.</translation>
     </message>
     <message>
         <source>Dentin left over the pulp</source>
@@ -6044,8 +6039,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
-        <translation>Von einer Lehrkraft gegeben. Ergebnis der Maschine: %1 Punkte.</translation>
+        <source>Given by an instructor. Automatic score: %1 points.</source>
+        <translation>Von einer Lehrkraft gegeben. Automatische Bewertung: %1 Punkte.</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -6053,13 +6048,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>Expected before the score was seen: %1 points</source>
-        <translation>Erwartet, bevor das Ergebnis zu sehen war: %1 Punkte</translation>
+        <source>Self-assessment before the score: %1 points</source>
+        <translation>Selbsteinschätzung vor der Bewertung: %1 Punkte</translation>
     </message>
     <message>
-        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <source>Time %1 min; cutting force: mean %2 N, maximum %3 N</source>
         <extracomment>&quot;12:07&quot;</extracomment>
-        <translation>Zeit %1 min; Kraft beim Schneiden im Mittel %2 N, höchstens %3 N</translation>
+        <translation>Zeit %1 min; Schnittkraft: Mittel %2 N, Maximum %3 N</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
@@ -6069,11 +6064,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         </translation>
     </message>
     <message>
-        <source>not kept</source>
+        <source>not met</source>
         <translation>nicht eingehalten</translation>
     </message>
     <message>
-        <source>kept</source>
+        <source>met</source>
         <translation>eingehalten</translation>
     </message>
     <message>
@@ -6082,20 +6077,20 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Wo die Punkte geblieben sind</translation>
+        <source>Lost points</source>
+        <translation>Verlorene Punkte</translation>
     </message>
     <message>
-        <source>On the tooth, and in a section through the place that is farthest off</source>
-        <translation>Auf dem Zahn und im Schnitt durch die Stelle, die am weitesten abweicht</translation>
+        <source>On the tooth, and in a section through the largest deviation</source>
+        <translation>Auf dem Zahn und im Schnitt durch die größte Abweichung</translation>
     </message>
     <message>
         <source>Comments</source>
         <translation>Kommentare</translation>
     </message>
     <message>
-        <source>How it was marked and made</source>
-        <translation>Wie bewertet und gearbeitet wurde</translation>
+        <source>Details of grading and recording</source>
+        <translation>Angaben zu Bewertung und Aufzeichnung</translation>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
@@ -6123,7 +6118,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>%1 of 100 points, pass mark %2. %3</source>
-        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: critical error&quot;</extracomment>
         <translation>%1 von 100 Punkten, Bestehensgrenze %2. %3</translation>
     </message>
     <message>
@@ -8006,8 +8001,8 @@ ungesichert</translation>
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Sehen Sie, wie es geschah: den Versuch ab hier abspielen</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Den Versuch ab diesem Moment abspielen</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8022,16 +8017,16 @@ ungesichert</translation>
         <translation>Alle Verstöße zeigen</translation>
     </message>
     <message>
-        <source>%1 in all, %2 of it cutting</source>
+        <source>%1 in total, %2 of it cutting</source>
         <extracomment>Two times in minutes and seconds</extracomment>
         <translation>%1 insgesamt, davon %2 schneidend</translation>
     </message>
     <message>
-        <source>force %1 N on the mean, %2 N at most</source>
-        <translation>Kraft im Mittel %1 N, höchstens %2 N</translation>
+        <source>force: mean %1 N, maximum %2 N</source>
+        <translation>Kraft: Mittel %1 N, Maximum %2 N</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
             <numerusform>%n Schritt zurückgenommen</numerusform>
             <numerusform>%n Schritte zurückgenommen</numerusform>
@@ -8046,13 +8041,13 @@ ungesichert</translation>
         <translation>%1 nicht gemessen</translation>
     </message>
     <message>
-        <source>%1 never removed</source>
-        <translation>%1 nie entfernt</translation>
+        <source>%1 not removed</source>
+        <translation>%1 nicht entfernt</translation>
     </message>
     <message>
-        <source>%1 never earned</source>
+        <source>%1 not achieved</source>
         <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
-        <translation>%1 nie verdient</translation>
+        <translation>%1 nicht erreicht</translation>
     </message>
     <message>
         <source>%1 at %2, stroke %3</source>
@@ -8064,11 +8059,11 @@ ungesichert</translation>
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>Die Fläche, die offen liegt, von oben gesehen. Das abgetragene Volumen steht neben dem Zahn, in mm³.</translation>
+        <source>The exposed area, seen from above. The side panel shows the removed volume, in mm³.</source>
+        <translation>Die freigelegte Fläche, von oben gesehen. Die Seitenleiste zeigt das abgetragene Volumen in mm³.</translation>
     </message>
     <message>
-        <source>Fails the attempt and takes all points that are left</source>
+        <source>The attempt fails and all remaining points are lost</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation>Der Versuch ist nicht bestanden, alle übrigen Punkte sind verloren</translation>
     </message>
@@ -8082,16 +8077,16 @@ ungesichert</translation>
         <translation>%1: %2, %3 Punkte</translation>
     </message>
     <message>
-        <source>Show where this was worst</source>
-        <translation>Zeigen, wo das am schlimmsten war</translation>
+        <source>Show the worst place</source>
+        <translation>Die schlimmste Stelle zeigen</translation>
     </message>
     <message>
-        <source>No stroke caused this: see how the attempt ended</source>
-        <translation>Kein Strich hat das verursacht: sehen, wie der Versuch endete</translation>
+        <source>No stroke caused this. Show the end of the attempt</source>
+        <translation>Kein Strich hat das verursacht. Das Ende des Versuchs zeigen</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Zusehen, wie es geschah: den Versuch von hier an abspielen</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Den Versuch ab diesem Moment abspielen</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8111,9 +8106,9 @@ ungesichert</translation>
         <translation>%1 zu spät</translation>
     </message>
     <message>
-        <source>%1 too little done</source>
+        <source>%1 work incomplete</source>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
-        <translation>%1 zu wenig getan</translation>
+        <translation>%1 Arbeit unvollständig</translation>
     </message>
 </context>
 <context>
@@ -8124,8 +8119,8 @@ ungesichert</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Say that this pad is made of this; you can change it until you are graded</source>
-        <translation>Sagen, dass dieses Feld daraus besteht; bis zur Bewertung lässt es sich ändern</translation>
+        <source>Choose this material for the pad; you can change it until you are graded</source>
+        <translation>Dieses Material für das Feld wählen; bis zur Bewertung können Sie es ändern</translation>
     </message>
     <message>
         <source>✓ right</source>
@@ -8162,36 +8157,36 @@ ungesichert</translation>
         <translation>von %1 s</translation>
     </message>
     <message>
-        <source>This is what they are made of</source>
-        <translation>Daraus bestehen sie</translation>
+        <source>The materials of the pads</source>
+        <translation>Die Materialien der Felder</translation>
     </message>
     <message>
-        <source>Every pad has its name</source>
-        <translation>Jedes Feld hat seinen Namen</translation>
+        <source>Every pad has an answer</source>
+        <translation>Jedes Feld hat eine Antwort</translation>
     </message>
     <message>
         <source>What is each pad made of?</source>
         <translation>Woraus besteht jedes Feld?</translation>
     </message>
     <message>
-        <source>Graded. F2 leads to the next lesson.</source>
-        <translation>Bewertet. F2 führt zur nächsten Lektion.</translation>
+        <source>Graded. Press F2 for the next lesson.</source>
+        <translation>Bewertet. Drücken Sie F2 für die nächste Lektion.</translation>
     </message>
     <message>
-        <source>Well done. See how it is marked.</source>
-        <translation>Gut gemacht. Sehen Sie, wie es bewertet wird.</translation>
+        <source>Well done. Press G for your grade.</source>
+        <translation>Gut gemacht. Drücken Sie G für die Bewertung.</translation>
     </message>
     <message>
-        <source>Sure? Then see how it is marked.</source>
-        <translation>Sicher? Dann sehen Sie, wie es bewertet wird.</translation>
+        <source>Sure? Then press G for your grade.</source>
+        <translation>Sicher? Dann drücken Sie G für die Bewertung.</translation>
     </message>
     <message>
-        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>Der Bohrer läuft: Halten Sie ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
+        <source>The bur is turning. Stop it with the space bar: this exercise needs no cutting.</source>
+        <translation>Der Bohrer läuft. Halten Sie ihn mit der Leertaste an: In dieser Übung wird nichts geschnitten.</translation>
     </message>
     <message>
-        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
-        <translation>Lassen Sie den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
+        <source>Start the bur with the space bar: while it is stopped, all three feel the same.</source>
+        <translation>Starten Sie den Bohrer mit der Leertaste: Solange er steht, fühlen sich alle drei gleich an.</translation>
     </message>
     <message>
         <source>Longest so far: %1 s</source>
@@ -8199,8 +8194,8 @@ ungesichert</translation>
         <translation>Am längsten bisher: %1 s</translation>
     </message>
     <message>
-        <source>Any order. Rings become discs.</source>
-        <translation>In beliebiger Folge. Aus Ringen werden Scheiben.</translation>
+        <source>Any order. A ring becomes a disc when touched.</source>
+        <translation>In beliebiger Reihenfolge. Ein berührter Ring wird zur Scheibe.</translation>
     </message>
     <message>
         <source>Anywhere on the tooth.</source>
@@ -8214,9 +8209,9 @@ ungesichert</translation>
 <context>
     <name>ui::study::FeedbackCard</name>
     <message>
-        <source>%1 has written about your attempt: %2</source>
+        <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
-        <translation>%1 hat zu Ihrem Versuch geschrieben: %2</translation>
+        <translation>%1 hat Ihren Versuch kommentiert: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n of your attempts have new feedback</source>
@@ -8226,7 +8221,7 @@ ungesichert</translation>
         </translation>
     </message>
     <message>
-        <source>Read it</source>
+        <source>Read</source>
         <translation>Lesen</translation>
     </message>
     <message>
@@ -8253,13 +8248,13 @@ ungesichert</translation>
         <translation>Note zeigen</translation>
     </message>
     <message>
-        <source>See how the work was marked (Enter)</source>
-        <translation>Sehen, wie die Arbeit bewertet wurde (Eingabe)</translation>
+        <source>Show how your work was graded (Enter)</source>
+        <translation>Zeigen, wie Ihre Arbeit bewertet wurde (Eingabe)</translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <source>%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
-        <translation>%1. Bestanden ist ab %2 von 100 Punkten. Eine Bewertung lehrt mehr, wenn Sie Ihre Arbeit vorher selbst beurteilt haben.</translation>
+        <translation>%1. Bestanden ist ab %2 von 100 Punkten. Sie lernen mehr aus einer Bewertung, wenn Sie Ihre Arbeit zuerst selbst beurteilen.</translation>
     </message>
     <message>
         <source>Nothing in particular</source>
@@ -8277,11 +8272,11 @@ ungesichert</translation>
 <context>
     <name>ui::study::HeatMap</name>
     <message>
-        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>Der Zahn von oben, gefärbt nach dem, was zu tief ist und was noch fehlt</translation>
     </message>
     <message>
-        <source>as it ought to be</source>
+        <source>as it should be</source>
         <translation>wie es sein soll</translation>
     </message>
     <message>
@@ -8289,11 +8284,11 @@ ungesichert</translation>
         <translation>%1 mm zu tief</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>%1 mm fehlen noch</translation>
     </message>
     <message>
-        <source>still to go</source>
+        <source>still to cut</source>
         <translation>fehlt noch</translation>
     </message>
     <message>
@@ -8301,15 +8296,15 @@ ungesichert</translation>
         <translation>zu tief</translation>
     </message>
     <message>
-        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
-        <translation>Klicken Sie auf den Zahn, oder nehmen Sie die Pfeiltasten, um die Stelle zu markieren, um die es in einem Kommentar geht; Entf nimmt die Marke weg.</translation>
+        <source>To mark the place of a comment, click the tooth or use the arrow keys. Delete removes the mark.</source>
+        <translation>Um die Stelle eines Kommentars zu markieren, klicken Sie auf den Zahn oder nehmen Sie die Pfeiltasten. Entf entfernt die Marke.</translation>
     </message>
 </context>
 <context>
     <name>ui::study::HoldGauge</name>
     <message>
-        <source>Force against the band from %1 to %2 N</source>
-        <translation>Kraft gegen das Feld von %1 bis %2 N</translation>
+        <source>Force in relation to the range from %1 to %2 N</source>
+        <translation>Kraft im Verhältnis zum Bereich von %1 bis %2 N</translation>
     </message>
 </context>
 <context>
@@ -8364,20 +8359,20 @@ ungesichert</translation>
 <context>
     <name>ui::study::InfractionCard</name>
     <message>
-        <source>Take it back</source>
-        <translation>Zurücknehmen</translation>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <source>Restore the tooth as it was before this; you can redo it (Enter)</source>
         <translation>Den Zahn auf den Stand davor zurücksetzen; das lässt sich wiederholen (Eingabe)</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Leave it as it is and work on (Esc)</source>
-        <translation>Alles lassen, wie es ist, und weiterarbeiten (Esc)</translation>
+        <source>Keep the tooth as it is and continue (Esc)</source>
+        <translation>Den Zahn so lassen und weiterarbeiten (Esc)</translation>
     </message>
 </context>
 <context>
@@ -8569,23 +8564,23 @@ ungesichert</translation>
         <translation>Was die Lektion verlangt, als Bild</translation>
     </message>
     <message>
-        <source>This tooth cannot be made.</source>
+        <source>This tooth cannot be created.</source>
         <translation>Dieser Zahn lässt sich nicht erzeugen.</translation>
     </message>
     <message>
-        <source>The tooth is being made …</source>
+        <source>Creating the tooth …</source>
         <translation>Der Zahn wird erzeugt …</translation>
     </message>
 </context>
 <context>
     <name>ui::study::LessonStrip</name>
     <message>
-        <source>The step before</source>
-        <translation>Der Schritt davor</translation>
+        <source>Previous step</source>
+        <translation>Vorheriger Schritt</translation>
     </message>
     <message>
-        <source>The next step</source>
-        <translation>Der nächste Schritt</translation>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
     </message>
     <message>
         <source>Hint</source>
@@ -8601,20 +8596,20 @@ ungesichert</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Time worked</source>
-        <translation>Gearbeitete Zeit</translation>
+        <source>Working time</source>
+        <translation>Arbeitszeit</translation>
     </message>
     <message>
-        <source>Time left of %1</source>
-        <translation>Übrige Zeit von %1</translation>
+        <source>Remaining time of %1</source>
+        <translation>Restzeit von %1</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
-        <translation>Die Prüfung ist zu Ende, es wird nichts mehr abgetragen. G zeigt die Note, R beginnt einen neuen Versuch.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score or R for another attempt.</source>
+        <translation>Die Prüfung ist zu Ende, Schneiden ist nicht mehr möglich. Drücken Sie G für die Note oder R für einen neuen Versuch.</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
-        <translation>Die Prüfung ist zu Ende, es wird nichts mehr abgetragen. G zeigt die Note.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score.</source>
+        <translation>Die Prüfung ist zu Ende, Schneiden ist nicht mehr möglich. Drücken Sie G für die Note.</translation>
     </message>
 </context>
 <context>
@@ -8644,16 +8639,16 @@ ungesichert</translation>
         <translation>Diese Lektion beginnen</translation>
     </message>
     <message>
-        <source>Put the tooth of this lesson on the table (Enter)</source>
-        <translation>Den Zahn dieser Lektion auf den Tisch legen (Eingabe)</translation>
+        <source>Load the tooth of this lesson (Enter)</source>
+        <translation>Den Zahn dieser Lektion laden (Eingabe)</translation>
     </message>
     <message>
         <source>Your own lessons …</source>
         <translation>Eigene Lektionen …</translation>
     </message>
     <message>
-        <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>Den Ordner öffnen, aus dem die Lektionen der Lehrenden gelesen werden</translation>
+        <source>Open the folder for lessons that teachers add</source>
+        <translation>Den Ordner öffnen, in den Lehrkräfte eigene Lektionen legen</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
@@ -8664,12 +8659,12 @@ ungesichert</translation>
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>Cannot be given</source>
-        <translation>Nicht zu gebrauchen</translation>
+        <source>Invalid file</source>
+        <translation>Ungültige Datei</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>Aus dieser Datei wird keine Lektion. Die anderen gehen.</translation>
+        <source>This file is not a valid lesson. The other lessons work.</source>
+        <translation>Diese Datei ist keine gültige Lektion. Die anderen Lektionen funktionieren.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -8680,8 +8675,8 @@ ungesichert</translation>
         <translation>Art</translation>
     </message>
     <message>
-        <source>Practice: you are told what goes wrong</source>
-        <translation>Übung: Sie erfahren, was schiefgeht</translation>
+        <source>Practice: mistakes are reported at once</source>
+        <translation>Übung: Fehler werden sofort gemeldet</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8720,8 +8715,8 @@ ungesichert</translation>
         </translation>
     </message>
     <message>
-        <source>Wrong</source>
-        <translation>Falsch</translation>
+        <source>Error</source>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8742,8 +8737,8 @@ ungesichert</translation>
         <translation>Bestes %1, nicht bestanden</translation>
     </message>
     <message>
-        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
-        <translation>Prüfung: Fehler werden vermerkt, bis zum Ende wird nichts gesagt, und kein Schritt wird zurückgenommen</translation>
+        <source>Exam: mistakes are recorded and reported at the end; undo is disabled</source>
+        <translation>Prüfung: Fehler werden aufgezeichnet und am Ende gemeldet; Rückgängig ist gesperrt</translation>
     </message>
     <message>
         <source>Tooth …</source>
@@ -8754,7 +8749,7 @@ ungesichert</translation>
         <translation>Lektionen an einem Zahn</translation>
     </message>
     <message>
-        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <source>Choose a tooth in the arch to see its lessons</source>
         <translation>Einen Zahn im Bogen wählen, um die Lektionen daran zu sehen</translation>
     </message>
     <message>
@@ -8781,38 +8776,38 @@ ungesichert</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Discard the attempt that was not finished</source>
-        <translation>Den nicht beendeten Versuch verwerfen</translation>
+        <source>Discard the unfinished attempt</source>
+        <translation>Den unvollendeten Versuch verwerfen</translation>
     </message>
     <message>
-        <source>Continue where I stopped: %1, begun %2</source>
+        <source>Continue %1, started %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation>Dort weitermachen, wo ich aufgehört habe: %1, begonnen %2</translation>
+        <translation>Weitermachen: %1, begonnen %2</translation>
     </message>
     <message>
         <source>Continue</source>
         <translation>Weitermachen</translation>
     </message>
     <message>
-        <source>Tried last: %1, best so far %2</source>
+        <source>Last attempt: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
-        <translation>Zuletzt versucht: %1, bisher bestes Ergebnis %2</translation>
+        <translation>Letzter Versuch: %1, bisher bestes Ergebnis %2</translation>
     </message>
     <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
     </message>
     <message>
-        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <source>Assigned to you, but not on this computer: %1. Ask your teacher for the file.</source>
         <translation>Ihnen aufgegeben, aber nicht auf diesem Computer: %1. Bitten Sie Ihre Lehrkraft um die Datei.</translation>
     </message>
     <message>
-        <source>Given to you</source>
+        <source>Assigned to you</source>
         <translation>Ihnen aufgegeben</translation>
     </message>
     <message>
-        <source>No lesson fits</source>
-        <translation>Keine Lektion passt</translation>
+        <source>No matching lessons</source>
+        <translation>Keine passende Lektion</translation>
     </message>
     <message>
         <source>Search for another word, or show all lessons.</source>
@@ -8826,16 +8821,16 @@ ungesichert</translation>
         </translation>
     </message>
     <message>
-        <source>Given to</source>
+        <source>Assigned to</source>
         <translation>Aufgegeben für</translation>
     </message>
     <message>
-        <source>There is none of these now. Show all lessons.</source>
-        <translation>Davon gibt es jetzt keine. Zeigen Sie alle Lektionen an.</translation>
+        <source>There are no such lessons now. Show all lessons.</source>
+        <translation>Solche Lektionen gibt es jetzt nicht. Zeigen Sie alle Lektionen an.</translation>
     </message>
     <message>
-        <source>The lessons are being read …</source>
-        <translation>Die Lektionen werden gelesen …</translation>
+        <source>Loading the lessons …</source>
+        <translation>Die Lektionen werden geladen …</translation>
     </message>
     <message>
         <source>no score yet</source>
@@ -8919,33 +8914,33 @@ ungesichert</translation>
 <context>
     <name>ui::study::ScorePage</name>
     <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation>Erwartet hatten Sie %1 Punkte: genau so ist es.</translation>
+        <source>You expected %1 points, which is exactly right.</source>
+        <translation>Sie haben %1 Punkte erwartet, das ist genau richtig.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>Erwartet hatten Sie %1 Punkte: %2 zu viel.</translation>
+        <source>You expected %1 points. You overestimated by %2 points.</source>
+        <translation>Sie haben %1 Punkte erwartet und sich um %2 Punkte überschätzt.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>Erwartet hatten Sie %1 Punkte: %2 zu wenig.</translation>
+        <source>You expected %1 points. You underestimated by %2 points.</source>
+        <translation>Sie haben %1 Punkte erwartet und sich um %2 Punkte unterschätzt.</translation>
     </message>
     <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <source>Rubric &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured, because the model is a height field.</source>
         <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
+        <translation>Bewertungsschema „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen, denn das Modell ist ein Höhenfeld.</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Bewerten</translation>
     </message>
     <message>
-        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
-        <translation>Der fertige Zahn wird noch einmal mit halb und mit doppelt so vielen Säulen je Seite gemessen. Das sagt, wie sehr die Zahl am Raster hängt. Über die Hand, oder darüber, was an einem anderen Tag herauskäme, sagt es nichts.</translation>
+        <source>The tooth is measured again with half and with double the number of grid columns. The result is clear of the pass mark if all scores lie on the same side of it. This says nothing about another attempt.</source>
+        <translation>Der Zahn wird noch einmal mit halb und mit doppelt so vielen Rasterspalten gemessen. Das Ergebnis ist klar, wenn alle Punktzahlen auf derselben Seite der Bestehensgrenze liegen. Über einen weiteren Versuch sagt das nichts.</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Wo die Punkte geblieben sind</translation>
+        <source>Lost points</source>
+        <translation>Verlorene Punkte</translation>
     </message>
     <message>
         <source>Finding the moment of each lost point …</source>
@@ -8969,48 +8964,48 @@ ungesichert</translation>
         <translation>Bestanden</translation>
     </message>
     <message>
-        <source>Not passed: harm done</source>
-        <translation>Nicht bestanden: Zahn geschädigt</translation>
+        <source>Not passed: critical error</source>
+        <translation>Nicht bestanden: kritischer Fehler</translation>
     </message>
     <message>
         <source>Not passed yet</source>
         <translation>Noch nicht bestanden</translation>
     </message>
     <message>
-        <source>At half the grid %1, at double %2.</source>
-        <translation>Bei halbem Raster %1, bei doppeltem %2.</translation>
+        <source>Score at half the grid: %1, at double the grid: %2.</source>
+        <translation>Punkte bei halbem Raster: %1, bei doppeltem Raster: %2.</translation>
     </message>
     <message>
-        <source>At half the grid %1.</source>
-        <translation>Bei halbem Raster %1.</translation>
+        <source>Score at half the grid: %1.</source>
+        <translation>Punkte bei halbem Raster: %1.</translation>
     </message>
     <message>
-        <source>The pass mark lies between: this result is within the noise.</source>
-        <translation>Die Bestehensgrenze liegt dazwischen: Das Ergebnis liegt im Rauschen.</translation>
+        <source>Result is close to the pass mark.</source>
+        <translation>Das Ergebnis liegt nahe an der Bestehensgrenze.</translation>
     </message>
     <message>
-        <source>Not within the noise of the pass mark.</source>
-        <translation>Klar neben der Bestehensgrenze.</translation>
+        <source>Result is clear of the pass mark.</source>
+        <translation>Das Ergebnis liegt klar neben der Bestehensgrenze.</translation>
     </message>
     <message>
-        <source>The work is everywhere as it ought to be</source>
-        <translation>Die Arbeit ist überall, wie sie sein soll</translation>
+        <source>No deviation from the ideal</source>
+        <translation>Keine Abweichung vom Ideal</translation>
     </message>
     <message>
         <source>%1 mm too deep</source>
         <translation>%1 mm zu tief</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>%1 mm fehlen noch</translation>
     </message>
     <message>
-        <source>%1: the worst place, %2</source>
-        <translation>%1: die schlimmste Stelle, %2</translation>
+        <source>%1: worst place, %2</source>
+        <translation>%1: schlimmste Stelle, %2</translation>
     </message>
     <message>
-        <source>%1 has no place; farthest off the ideal: %2</source>
-        <translation>%1 hat keine Stelle; am weitesten neben dem Ideal: %2</translation>
+        <source>%1 has no place on the tooth; largest deviation: %2</source>
+        <translation>%1 hat keinen Ort am Zahn; größte Abweichung: %2</translation>
     </message>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
@@ -9021,11 +9016,11 @@ ungesichert</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
-            <numerusform>Kein Vergleich mit einer Klasse: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Person.</numerusform>
-            <numerusform>Kein Vergleich mit einer Klasse: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Personen.</numerusform>
+            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Person.</numerusform>
+            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Personen.</numerusform>
         </translation>
     </message>
     <message>
@@ -9034,62 +9029,62 @@ ungesichert</translation>
         <translation>andere Regel</translation>
     </message>
     <message>
-        <source>This is the first grade here.</source>
-        <translation>Das ist hier die erste Note.</translation>
+        <source>No earlier grades.</source>
+        <translation>Keine früheren Bewertungen.</translation>
     </message>
     <message>
-        <source>Nothing cost you a point.</source>
-        <translation>Nichts hat Sie einen Punkt gekostet.</translation>
+        <source>You lost no points.</source>
+        <translation>Sie haben keine Punkte verloren.</translation>
     </message>
     <message>
-        <source>Most points went to: %1.</source>
-        <translation>Die meisten Punkte kostete: %1.</translation>
+        <source>Your biggest loss: %1.</source>
+        <translation>Ihr größter Punktverlust: %1.</translation>
     </message>
     <message>
-        <source>What cost most you knew: %1.</source>
-        <translation>Was am meisten kostete, wussten Sie: %1.</translation>
+        <source>You named your biggest loss correctly: %1.</source>
+        <translation>Sie haben Ihren größten Punktverlust richtig genannt: %1.</translation>
     </message>
     <message>
-        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
-        <translation>Sie dachten, die meisten Punkte koste „%1“; es war „%2“.</translation>
+        <source>You expected &quot;%1&quot; to be your biggest loss; it was &quot;%2&quot;.</source>
+        <translation>Sie hielten „%1“ für Ihren größten Punktverlust; es war „%2“.</translation>
     </message>
     <message>
-        <source>%1: %2, not named</source>
+        <source>%1: %2, no answer</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
-        <translation>%1: %2, nicht benannt</translation>
+        <translation>%1: %2, keine Antwort</translation>
     </message>
     <message>
-        <source>%1: %2, as you said</source>
-        <translation>%1: %2, wie Sie sagten</translation>
+        <source>%1: %2, correct</source>
+        <translation>%1: %2, richtig</translation>
     </message>
     <message>
-        <source>%1: %2, you said %3</source>
-        <translation>%1: %2, Sie sagten %3</translation>
+        <source>%1: %2, your answer: %3</source>
+        <translation>%1: %2, Ihre Antwort: %3</translation>
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1 hat keinen Ort am Zahn</translation>
     </message>
     <message>
-        <source>%1: the worst place</source>
+        <source>%1: worst place</source>
         <extracomment>%1 a criterion of a score</extracomment>
-        <translation>%1: die schlimmste Stelle</translation>
+        <translation>%1: schlimmste Stelle</translation>
     </message>
     <message>
-        <source>Held for %1 of %2 s, %3 N off on the average</source>
-        <translation>%1 von %2 s gehalten, im Mittel %3 N daneben</translation>
+        <source>Held for %1 of %2 s, mean deviation %3 N</source>
+        <translation>%1 von %2 s gehalten, mittlere Abweichung %3 N</translation>
     </message>
     <message>
         <source>All points were touched</source>
         <translation>Alle Punkte wurden berührt</translation>
     </message>
     <message>
-        <source>%1 of %2 points touched; the ring marks one that was not</source>
-        <translation>%1 von %2 Punkten berührt; der Ring zeigt einen, der fehlt</translation>
+        <source>%1 of %2 points touched; the ring marks a missed point</source>
+        <translation>%1 von %2 Punkten berührt; der Ring markiert einen ausgelassenen</translation>
     </message>
     <message>
-        <source>Log in and keep it</source>
-        <translation>Anmelden und behalten</translation>
+        <source>Log in and save</source>
+        <translation>Anmelden und speichern</translation>
     </message>
     <message>
         <source>Drilled with the hardness preset %1.</source>
@@ -9097,17 +9092,17 @@ ungesichert</translation>
         <translation>Gebohrt mit der Härte-Voreinstellung %1.</translation>
     </message>
     <message>
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
         <extracomment>%1 is a number of people</extracomment>
-        <translation>Kein Vergleich mit einer Klasse: Dazu braucht es %1 Personen, damit niemand erkennbar ist, und hier ist nur Ihr Ergebnis.</translation>
+        <translation>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig, und hier ist nur Ihr Ergebnis.</translation>
     </message>
     <message>
-        <source>You are not logged in, so this grade is not kept.</source>
-        <translation>Sie sind nicht angemeldet, darum wird diese Bewertung nicht behalten.</translation>
+        <source>You are not logged in, so this grade is not saved.</source>
+        <translation>Sie sind nicht angemeldet, darum wird diese Bewertung nicht gespeichert.</translation>
     </message>
     <message>
-        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
-        <translation>Diese Bewertung ist auf diesem Computer aufgehoben. Die Datenbank der Schule bekommt sie, sobald sie zu erreichen ist.</translation>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>Diese Bewertung ist auf diesem Computer gespeichert. Sie wird an die Datenbank der Schule gesendet, sobald die Verbindung wieder besteht.</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9122,8 +9117,8 @@ ungesichert</translation>
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>Score card on paper</source>
-        <translation>Bewertungsblatt auf Papier</translation>
+        <source>Save or print the score card</source>
+        <translation>Bewertungsblatt speichern oder drucken</translation>
     </message>
     <message>
         <source>Save as PDF …</source>
@@ -9142,33 +9137,33 @@ ungesichert</translation>
         <translation>Bewertung von %1: %2</translation>
     </message>
     <message>
-        <source>Expected by the student: %1 points.</source>
+        <source>The student expected %1 points.</source>
         <translation>Vom Studierenden erwartet: %1 Punkte.</translation>
     </message>
     <message>
-        <source>Passed, as the teacher decided</source>
-        <translation>Bestanden, wie die Lehrkraft entschied</translation>
+        <source>Passed (teacher&apos;s decision)</source>
+        <translation>Bestanden (Entscheidung der Lehrkraft)</translation>
     </message>
     <message>
-        <source>Not passed, as the teacher decided</source>
-        <translation>Nicht bestanden, wie die Lehrkraft entschied</translation>
+        <source>Not passed (teacher&apos;s decision)</source>
+        <translation>Nicht bestanden (Entscheidung der Lehrkraft)</translation>
     </message>
     <message>
-        <source>The machine&apos;s score: %1</source>
+        <source>Automatic score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
-        <translation>Ergebnis der Maschine: %1</translation>
+        <translation>Automatische Bewertung: %1</translation>
     </message>
     <message>
-        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
-        <translation>Von diesem Versuch gibt es keine lesbare Aufzeichnung: Er kann nicht abgespielt werden, und es gibt kein Bild des Zahns. Die Punktzahl und was Punkte gekostet hat stehen hier so, wie sie aufbewahrt wurden.</translation>
+        <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
+        <translation>Von diesem Versuch gibt es keine lesbare Aufzeichnung. Er kann nicht abgespielt werden, und der Zahn wird nicht gezeigt. Punktzahl und Punktverluste werden so gezeigt, wie sie gespeichert wurden.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
-        <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte.</translation>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
+        <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei.</translation>
     </message>
     <message>
-        <source>This grade is not kept: it will not be here next time.</source>
-        <translation>Diese Bewertung wird nicht aufbewahrt: Beim nächsten Mal ist sie nicht mehr da.</translation>
+        <source>This grade is not saved and will not be here next time.</source>
+        <translation>Diese Bewertung wird nicht gespeichert und ist beim nächsten Mal nicht mehr da.</translation>
     </message>
 </context>
 <context>

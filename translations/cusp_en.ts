@@ -458,10 +458,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
-            <numerusform>%n step taken back</numerusform>
-            <numerusform>%n steps taken back</numerusform>
+            <numerusform>%n step undone</numerusform>
+            <numerusform>%n steps undone</numerusform>
         </translation>
     </message>
 </context>
@@ -541,11 +541,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
-            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person.</numerusform>
-            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n people.</numerusform>
+            <numerusform>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person.</numerusform>
+            <numerusform>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n people.</numerusform>
         </translation>
     </message>
 </context>

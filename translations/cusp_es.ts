@@ -351,12 +351,12 @@
 <context>
     <name>Breach</name>
     <message>
-        <source>The pulp is open</source>
-        <translation>La pulpa está abierta</translation>
+        <source>The pulp is exposed</source>
+        <translation>La pulpa está expuesta</translation>
     </message>
     <message>
-        <source>There is a hole through the tooth</source>
-        <translation>Hay un orificio que atraviesa el diente</translation>
+        <source>The tooth is perforated</source>
+        <translation>El diente está perforado</translation>
     </message>
     <message>
         <source>Deeper than %1 mm</source>
@@ -367,39 +367,39 @@
         <translation>La cresta marginal mide menos de %1 mm</translation>
     </message>
     <message>
-        <source>Cut where nothing was to be cut</source>
-        <translation>Se talló donde no había nada que tallar</translation>
+        <source>Cut outside the target area</source>
+        <translation>Se talló fuera de la zona prevista</translation>
     </message>
     <message>
-        <source>Pressed with %1 N, allowed are %2 N</source>
-        <translation>Se presionó con %1 N; se permiten %2 N</translation>
+        <source>Pressed with %1 N; the limit is %2 N</source>
+        <translation>Se presionó con %1 N; el límite es %2 N</translation>
     </message>
     <message>
-        <source>The bur has run in the air for %1 s</source>
-        <translation>La fresa giró en el aire durante %1 s</translation>
+        <source>The bur ran without contact for %1 s</source>
+        <translation>La fresa giró sin contacto durante %1 s</translation>
     </message>
     <message>
         <source>Cut with a bur that this lesson does not allow</source>
         <translation>Se talló con una fresa que esta lección no permite</translation>
     </message>
     <message>
-        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
-        <translation>Una pulpa abierta suele morir: los odontoblastos cortados no se recuperan. Mire el corte y conserve medio milímetro de dentina.</translation>
+        <source>An exposed pulp usually dies, because cut odontoblasts do not recover. Watch the section and leave half a millimetre of dentin.</source>
+        <translation>Una pulpa expuesta suele morir, porque los odontoblastos cortados no se recuperan. Observe el corte y deje medio milímetro de dentina.</translation>
     </message>
     <message>
-        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <source>A perforated tooth is usually lost. Watch the depth in the section.</source>
         <translation>Un diente perforado suele perderse. Vigile la profundidad en el corte.</translation>
     </message>
     <message>
-        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
-        <translation>Lo que es más profundo de lo necesario debilita el diente y se acerca a la pulpa. El corte muestra a qué profundidad está.</translation>
+        <source>Cutting deeper than necessary weakens the tooth and comes close to the pulp. The section shows how deep you are.</source>
+        <translation>Tallar más de lo necesario debilita el diente y se acerca a la pulpa. El corte muestra a qué profundidad está.</translation>
     </message>
     <message>
         <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
         <translation>Una cresta marginal delgada se rompe bajo carga. Detenga antes el borde exterior de la fresa.</translation>
     </message>
     <message>
-        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <source>Sound tissue does not grow back. The dashed line in the section shows what to cut.</source>
         <translation>El tejido sano no vuelve a crecer. La línea discontinua del corte muestra lo que hay que tallar.</translation>
     </message>
     <message>
@@ -407,19 +407,19 @@
         <translation>Alrededor de 1 N es lo que mejor corta; más calienta la pulpa, frena la turbina y resbala. Deje trabajar a la fresa.</translation>
     </message>
     <message>
-        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>Una fresa que gira sin vigilancia hiere labios y mejillas. Deténgala cuando no esté tallando.</translation>
+        <source>A running bur can injure lips and cheeks. Stop it when you are not cutting.</source>
+        <translation>Una fresa en marcha puede herir labios y mejillas. Deténgala cuando no esté tallando.</translation>
     </message>
     <message>
-        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
-        <translation>Otra forma deja otra cavidad. Elija una fresa que la lección nombre.</translation>
+        <source>The shape of the bur determines the shape of the cavity. Choose a bur that the lesson lists.</source>
+        <translation>La forma de la fresa determina la forma de la cavidad. Elija una fresa que indique la lección.</translation>
     </message>
     <message>
-        <source>The tooth beside was touched by the turning bur</source>
+        <source>The running bur touched the adjacent tooth</source>
         <translation>La fresa en marcha tocó el diente adyacente</translation>
     </message>
     <message>
-        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <source>A nick in the adjacent tooth collects plaque and decays. Stay inside the outline; N shows the adjacent teeth.</source>
         <translation>Una muesca en el diente adyacente retiene placa y se caria. No salga del contorno; N muestra los dientes adyacentes.</translation>
     </message>
 </context>
@@ -466,8 +466,8 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
-        <translation>Esmalte y dentina al lado de la caries y debajo de ella. Lo que queda justo encima de la caries debe quitarse y no se cuenta.</translation>
+        <source>Enamel and dentin beside and below the decay. Tissue directly above the decay must be removed and is not counted.</source>
+        <translation>Esmalte y dentina al lado y debajo de la caries. El tejido situado justo encima de la caries debe quitarse y no se cuenta.</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -487,8 +487,8 @@
         <translation>hasta %1 %2</translation>
     </message>
     <message>
-        <source>Not measured, so the attempt fails: %1 points that were left</source>
-        <translation>No se midió, así que el intento no se aprueba: %1 puntos que quedaban</translation>
+        <source>Not measured, so the attempt fails and the remaining %1 points are lost</source>
+        <translation>No se midió, así que el intento no se aprueba y se pierden los %1 puntos restantes</translation>
     </message>
     <message>
         <source>Not measured, so it earns none of its %1 points</source>
@@ -499,13 +499,13 @@
         <translation>%1: nada perdido</translation>
     </message>
     <message>
-        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <source>Allowed: %1. The attempt fails and the remaining %2 points are lost</source>
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
-        <translation>Se permite %1; no se aprueba el intento y se pierden los %2 puntos que quedaban</translation>
+        <translation>Se permite: %1. El intento no se aprueba y se pierden los %2 puntos restantes</translation>
     </message>
     <message>
-        <source>%1 %2 too far off; a worse error decides</source>
-        <translation>%1 %2 de desviación de más; decide un error mayor</translation>
+        <source>%1 %2 outside the limit; a more serious error decides</source>
+        <translation>%1 %2 fuera del límite; decide un error más grave</translation>
     </message>
     <message>
         <source>%1; beyond it all of its %2 points are lost</source>
@@ -516,8 +516,8 @@
         <translation>(%1) / %2 %3 × %4 puntos</translation>
     </message>
     <message>
-        <source>%1, no more than all of them</source>
-        <translation>%1, no más que todos</translation>
+        <source>%1, at most all of them</source>
+        <translation>%1, como máximo todos</translation>
     </message>
     <message>
         <source>%1 has reached %2</source>
@@ -526,11 +526,11 @@
     </message>
     <message>
         <source>None of its %1 points are earned before %2</source>
-        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>No se gana ninguno de sus %1 puntos hasta que %2</translation>
     </message>
     <message>
-        <source>%1 of the decay is out</source>
+        <source>%1 of the decay is removed</source>
         <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
         <translation>se haya quitado el %1 de la caries</translation>
     </message>
@@ -543,8 +543,8 @@
         <translation>se haya tallado el %1 de la forma</translation>
     </message>
     <message>
-        <source>The value that was measured here is not stored</source>
-        <translation>El valor que se midió aquí no está guardado</translation>
+        <source>The measured value was not saved</source>
+        <translation>El valor medido no se guardó</translation>
     </message>
 </context>
 <context>
@@ -1902,7 +1902,7 @@
         <translation>radiografía</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>colores de profundidad</translation>
     </message>
     <message>
@@ -1950,13 +1950,13 @@
         <translation>tope de profundidad</translation>
     </message>
     <message>
-        <source>%1, give or take %2, costs nothing</source>
+        <source>%1 ± %2 costs nothing</source>
         <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
-        <translation>%1, más o menos %2, no cuesta nada</translation>
+        <translation>%1 ± %2 no cuesta nada</translation>
     </message>
     <message>
-        <source>From %1 up costs nothing</source>
-        <translation>Desde %1 no cuesta nada</translation>
+        <source>%1 or more costs nothing</source>
+        <translation>%1 o más no cuesta nada</translation>
     </message>
     <message>
         <source>Up to %1 costs nothing</source>
@@ -2008,7 +2008,7 @@
     </message>
     <message>
         <source> as soon as %1</source>
-        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation> en cuanto %1</translation>
     </message>
     <message>
@@ -2017,9 +2017,9 @@
         <translation>examen</translation>
     </message>
     <message>
-        <source>on the table</source>
+        <source>in progress</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
-        <translation>sobre la mesa</translation>
+        <translation>en curso</translation>
     </message>
     <message>
         <source>due since %1</source>
@@ -2039,8 +2039,8 @@
         <translation>vence: %1</translation>
     </message>
     <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
-        <translation>Ha agotado sus intentos en esta lección. Su docente puede darle más.</translation>
+        <source>You have no attempts left at this lesson. Your teacher can give you more.</source>
+        <translation>No le quedan intentos en esta lección. Su docente puede darle más.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n day(s) late</source>
@@ -2056,8 +2056,8 @@
         <translation>sin más intentos</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Su último intento en este examen se empezó en otra ventana. Lo que se cortó aquí no cuenta.</translation>
+        <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
+        <translation>Su último intento en este examen se empezó en otra ventana. El trabajo de esta ventana no cuenta.</translation>
     </message>
 </context>
 <context>
@@ -2221,18 +2221,13 @@
 <context>
     <name>Section</name>
     <message>
-        <source>surface before anything was cut</source>
-        <extracomment>In the key of a picture, beside a line</extracomment>
-        <translation>superficie antes de tallar</translation>
-    </message>
-    <message>
         <source>The plane does not meet the tooth here.</source>
         <translation>El plano no toca aquí el diente.</translation>
     </message>
     <message>
-        <source>surface before</source>
-        <extracomment>The same, where a second line stands beside it</extracomment>
-        <translation>superficie anterior</translation>
+        <source>original surface</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
+        <translation>superficie original</translation>
     </message>
     <message>
         <source>ideal preparation</source>
@@ -2462,14 +2457,14 @@
         <translation>%1 de más</translation>
     </message>
     <message>
-        <source>%1 to go</source>
+        <source>%1 to cut</source>
         <extracomment>%1 is a length: so much is still to be taken away</extracomment>
         <translation>faltan %1</translation>
     </message>
     <message>
-        <source>off the ideal, mm</source>
+        <source>deviation, mm</source>
         <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
-        <translation>desviación del ideal, mm</translation>
+        <translation>desviación, mm</translation>
     </message>
 </context>
 <context>
@@ -3843,12 +3838,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Giro</translation>
     </message>
     <message>
-        <source>Depth below the old surface</source>
-        <translation>Bajo la superficie anterior</translation>
+        <source>Depth below original surface</source>
+        <translation>Bajo la superficie original</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was, straight up.</source>
-        <translation>A qué distancia está la punta por debajo de la superficie original, en vertical.</translation>
+        <source>Vertical depth of the tip below the original surface.</source>
+        <translation>Profundidad vertical de la punta bajo la superficie original.</translation>
     </message>
     <message>
         <source>Dentin left over the pulp</source>
@@ -6044,8 +6039,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
-        <translation>Dada por un docente. La puntuación de la máquina: %1 puntos.</translation>
+        <source>Given by an instructor. Automatic score: %1 points.</source>
+        <translation>Dada por un docente. Puntuación automática: %1 puntos.</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -6053,11 +6048,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>Expected before the score was seen: %1 points</source>
-        <translation>Se esperaban antes de ver la puntuación: %1 puntos</translation>
+        <source>Self-assessment before the score: %1 points</source>
+        <translation>Autoevaluación antes de la puntuación: %1 puntos</translation>
     </message>
     <message>
-        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <source>Time %1 min; cutting force: mean %2 N, maximum %3 N</source>
         <extracomment>&quot;12:07&quot;</extracomment>
         <translation>Tiempo %1 min; fuerza al tallar: media %2 N, máxima %3 N</translation>
     </message>
@@ -6069,11 +6064,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         </translation>
     </message>
     <message>
-        <source>not kept</source>
+        <source>not met</source>
         <translation>no respetado</translation>
     </message>
     <message>
-        <source>kept</source>
+        <source>met</source>
         <translation>respetado</translation>
     </message>
     <message>
@@ -6082,20 +6077,20 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Adónde fueron los puntos</translation>
+        <source>Lost points</source>
+        <translation>Puntos perdidos</translation>
     </message>
     <message>
-        <source>On the tooth, and in a section through the place that is farthest off</source>
-        <translation>En el diente, y en un corte por el lugar más desviado</translation>
+        <source>On the tooth, and in a section through the largest deviation</source>
+        <translation>En el diente, y en un corte por la mayor desviación</translation>
     </message>
     <message>
         <source>Comments</source>
         <translation>Comentarios</translation>
     </message>
     <message>
-        <source>How it was marked and made</source>
-        <translation>Cómo se calificó y se hizo</translation>
+        <source>Details of grading and recording</source>
+        <translation>Datos de la calificación y la grabación</translation>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
@@ -6123,7 +6118,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>%1 of 100 points, pass mark %2. %3</source>
-        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: critical error&quot;</extracomment>
         <translation>%1 de 100 puntos, aprobado desde %2. %3</translation>
     </message>
     <message>
@@ -8006,8 +8001,8 @@ sin guardar</translation>
         <translation>%1 en %2</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Verlo suceder: reproducir el intento desde aquí</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Reproducir el intento desde este momento</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8022,16 +8017,16 @@ sin guardar</translation>
         <translation>Mostrar todas las infracciones</translation>
     </message>
     <message>
-        <source>%1 in all, %2 of it cutting</source>
+        <source>%1 in total, %2 of it cutting</source>
         <extracomment>Two times in minutes and seconds</extracomment>
         <translation>%1 en total, %2 tallando</translation>
     </message>
     <message>
-        <source>force %1 N on the mean, %2 N at most</source>
+        <source>force: mean %1 N, maximum %2 N</source>
         <translation>fuerza media %1 N, máxima %2 N</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
             <numerusform>%n paso deshecho</numerusform>
             <numerusform>%n pasos deshechos</numerusform>
@@ -8046,13 +8041,13 @@ sin guardar</translation>
         <translation>%1 sin medir</translation>
     </message>
     <message>
-        <source>%1 never removed</source>
-        <translation>%1 nunca eliminados</translation>
+        <source>%1 not removed</source>
+        <translation>%1 no eliminados</translation>
     </message>
     <message>
-        <source>%1 never earned</source>
+        <source>%1 not achieved</source>
         <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
-        <translation>%1 nunca ganados</translation>
+        <translation>%1 no alcanzados</translation>
     </message>
     <message>
         <source>%1 at %2, stroke %3</source>
@@ -8064,13 +8059,13 @@ sin guardar</translation>
         <translation>%1 en %2</translation>
     </message>
     <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>El área abierta, vista desde arriba. El volumen tallado figura junto al diente, en mm³.</translation>
+        <source>The exposed area, seen from above. The side panel shows the removed volume, in mm³.</source>
+        <translation>El área expuesta, vista desde arriba. El panel lateral muestra el volumen eliminado, en mm³.</translation>
     </message>
     <message>
-        <source>Fails the attempt and takes all points that are left</source>
+        <source>The attempt fails and all remaining points are lost</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation>No se aprueba el intento y se pierden todos los puntos que quedan</translation>
+        <translation>No se aprueba el intento y se pierden todos los puntos restantes</translation>
     </message>
     <message>
         <source>At most %1 points can be lost here</source>
@@ -8082,16 +8077,16 @@ sin guardar</translation>
         <translation>%1: %2, %3 puntos</translation>
     </message>
     <message>
-        <source>Show where this was worst</source>
-        <translation>Mostrar dónde fue peor</translation>
+        <source>Show the worst place</source>
+        <translation>Mostrar el peor lugar</translation>
     </message>
     <message>
-        <source>No stroke caused this: see how the attempt ended</source>
-        <translation>Ninguna pasada lo causó: ver cómo terminó el intento</translation>
+        <source>No stroke caused this. Show the end of the attempt</source>
+        <translation>Ninguna pasada lo causó. Mostrar el final del intento</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Verlo suceder: reproducir el intento desde aquí</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Reproducir el intento desde este momento</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8111,9 +8106,9 @@ sin guardar</translation>
         <translation>%1 por tardar</translation>
     </message>
     <message>
-        <source>%1 too little done</source>
+        <source>%1 work incomplete</source>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
-        <translation>%1 por trabajo insuficiente</translation>
+        <translation>%1 trabajo incompleto</translation>
     </message>
 </context>
 <context>
@@ -8124,8 +8119,8 @@ sin guardar</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Say that this pad is made of this; you can change it until you are graded</source>
-        <translation>Decir que este campo está hecho de esto; puede cambiarlo hasta que se califique</translation>
+        <source>Choose this material for the pad; you can change it until you are graded</source>
+        <translation>Elegir este material para el campo; puede cambiarlo hasta la calificación</translation>
     </message>
     <message>
         <source>✓ right</source>
@@ -8162,36 +8157,36 @@ sin guardar</translation>
         <translation>de %1 s</translation>
     </message>
     <message>
-        <source>This is what they are made of</source>
-        <translation>De esto están hechos</translation>
+        <source>The materials of the pads</source>
+        <translation>Los materiales de los campos</translation>
     </message>
     <message>
-        <source>Every pad has its name</source>
-        <translation>Cada campo tiene su nombre</translation>
+        <source>Every pad has an answer</source>
+        <translation>Cada campo tiene una respuesta</translation>
     </message>
     <message>
         <source>What is each pad made of?</source>
         <translation>¿De qué está hecho cada campo?</translation>
     </message>
     <message>
-        <source>Graded. F2 leads to the next lesson.</source>
-        <translation>Calificado. F2 lleva a la lección siguiente.</translation>
+        <source>Graded. Press F2 for the next lesson.</source>
+        <translation>Calificado. Pulse F2 para la lección siguiente.</translation>
     </message>
     <message>
-        <source>Well done. See how it is marked.</source>
-        <translation>Bien hecho. Vea cómo se califica.</translation>
+        <source>Well done. Press G for your grade.</source>
+        <translation>Bien hecho. Pulse G para la calificación.</translation>
     </message>
     <message>
-        <source>Sure? Then see how it is marked.</source>
-        <translation>¿Seguro? Entonces vea cómo se califica.</translation>
+        <source>Sure? Then press G for your grade.</source>
+        <translation>¿Seguro? Entonces pulse G para la calificación.</translation>
     </message>
     <message>
-        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>La fresa está girando: deténgala con la barra espaciadora. Aquí no hay que tallar nada.</translation>
+        <source>The bur is turning. Stop it with the space bar: this exercise needs no cutting.</source>
+        <translation>La fresa está girando. Deténgala con la barra espaciadora: en este ejercicio no se talla nada.</translation>
     </message>
     <message>
-        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
-        <translation>Haga girar la fresa con la barra espaciadora: parada, los tres se notan igual.</translation>
+        <source>Start the bur with the space bar: while it is stopped, all three feel the same.</source>
+        <translation>Ponga en marcha la fresa con la barra espaciadora: mientras está parada, los tres se notan igual.</translation>
     </message>
     <message>
         <source>Longest so far: %1 s</source>
@@ -8199,8 +8194,8 @@ sin guardar</translation>
         <translation>La más larga hasta ahora: %1 s</translation>
     </message>
     <message>
-        <source>Any order. Rings become discs.</source>
-        <translation>En cualquier orden. Los anillos se vuelven discos.</translation>
+        <source>Any order. A ring becomes a disc when touched.</source>
+        <translation>En cualquier orden. Un anillo tocado se convierte en disco.</translation>
     </message>
     <message>
         <source>Anywhere on the tooth.</source>
@@ -8214,9 +8209,9 @@ sin guardar</translation>
 <context>
     <name>ui::study::FeedbackCard</name>
     <message>
-        <source>%1 has written about your attempt: %2</source>
+        <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
-        <translation>%1 ha escrito sobre su intento: %2</translation>
+        <translation>%1 ha comentado su intento: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n of your attempts have new feedback</source>
@@ -8226,7 +8221,7 @@ sin guardar</translation>
         </translation>
     </message>
     <message>
-        <source>Read it</source>
+        <source>Read</source>
         <translation>Leer</translation>
     </message>
     <message>
@@ -8253,13 +8248,13 @@ sin guardar</translation>
         <translation>Mostrar la puntuación</translation>
     </message>
     <message>
-        <source>See how the work was marked (Enter)</source>
-        <translation>Ver cómo se calificó el trabajo (Intro)</translation>
+        <source>Show how your work was graded (Enter)</source>
+        <translation>Mostrar cómo se calificó su trabajo (Intro)</translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <source>%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
-        <translation>%1. Se aprueba desde %2 de 100 puntos. Una puntuación enseña más cuando antes ha juzgado usted mismo su trabajo.</translation>
+        <translation>%1. Se aprueba con %2 de 100 puntos. Se aprende más de una puntuación si antes se autoevalúa el trabajo.</translation>
     </message>
     <message>
         <source>Nothing in particular</source>
@@ -8277,11 +8272,11 @@ sin guardar</translation>
 <context>
     <name>ui::study::HeatMap</name>
     <message>
-        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>El diente desde arriba, coloreado según lo que es demasiado profundo y lo que falta</translation>
     </message>
     <message>
-        <source>as it ought to be</source>
+        <source>as it should be</source>
         <translation>como debe ser</translation>
     </message>
     <message>
@@ -8289,11 +8284,11 @@ sin guardar</translation>
         <translation>%1 mm demasiado profundo</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>faltan %1 mm</translation>
     </message>
     <message>
-        <source>still to go</source>
+        <source>still to cut</source>
         <translation>por tallar</translation>
     </message>
     <message>
@@ -8301,15 +8296,15 @@ sin guardar</translation>
         <translation>demasiado profundo</translation>
     </message>
     <message>
-        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
-        <translation>Haga clic en el diente, o use las flechas, para marcar el lugar del que trata un comentario; Supr quita la marca.</translation>
+        <source>To mark the place of a comment, click the tooth or use the arrow keys. Delete removes the mark.</source>
+        <translation>Para marcar el lugar de un comentario, haga clic en el diente o use las flechas. Supr quita la marca.</translation>
     </message>
 </context>
 <context>
     <name>ui::study::HoldGauge</name>
     <message>
-        <source>Force against the band from %1 to %2 N</source>
-        <translation>Fuerza respecto a la banda de %1 a %2 N</translation>
+        <source>Force in relation to the range from %1 to %2 N</source>
+        <translation>Fuerza respecto al intervalo de %1 a %2 N</translation>
     </message>
 </context>
 <context>
@@ -8364,20 +8359,20 @@ sin guardar</translation>
 <context>
     <name>ui::study::InfractionCard</name>
     <message>
-        <source>Take it back</source>
-        <translation>Deshacerlo</translation>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
     <message>
-        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <source>Restore the tooth as it was before this; you can redo it (Enter)</source>
         <translation>Devolver el diente a como estaba antes; se puede rehacer (Intro)</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Seguir</translation>
+        <source>Continue</source>
+        <translation>Continuar</translation>
     </message>
     <message>
-        <source>Leave it as it is and work on (Esc)</source>
-        <translation>Dejarlo como está y seguir trabajando (Esc)</translation>
+        <source>Keep the tooth as it is and continue (Esc)</source>
+        <translation>Dejar el diente como está y continuar (Esc)</translation>
     </message>
 </context>
 <context>
@@ -8569,23 +8564,23 @@ sin guardar</translation>
         <translation>Lo que pide la lección, en imagen</translation>
     </message>
     <message>
-        <source>This tooth cannot be made.</source>
+        <source>This tooth cannot be created.</source>
         <translation>No se puede crear este diente.</translation>
     </message>
     <message>
-        <source>The tooth is being made …</source>
+        <source>Creating the tooth …</source>
         <translation>Se está creando el diente …</translation>
     </message>
 </context>
 <context>
     <name>ui::study::LessonStrip</name>
     <message>
-        <source>The step before</source>
-        <translation>El paso anterior</translation>
+        <source>Previous step</source>
+        <translation>Paso anterior</translation>
     </message>
     <message>
-        <source>The next step</source>
-        <translation>El paso siguiente</translation>
+        <source>Next step</source>
+        <translation>Paso siguiente</translation>
     </message>
     <message>
         <source>Hint</source>
@@ -8601,20 +8596,20 @@ sin guardar</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>Time worked</source>
-        <translation>Tiempo trabajado</translation>
+        <source>Working time</source>
+        <translation>Tiempo de trabajo</translation>
     </message>
     <message>
-        <source>Time left of %1</source>
+        <source>Remaining time of %1</source>
         <translation>Tiempo restante de %1</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
-        <translation>El examen ha terminado y no se puede tallar más. G muestra la puntuación; R empieza otro intento.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score or R for another attempt.</source>
+        <translation>El examen ha terminado y ya no se puede tallar. Pulse G para la puntuación o R para otro intento.</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
-        <translation>El examen ha terminado y no se puede tallar más. G muestra la puntuación.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score.</source>
+        <translation>El examen ha terminado y ya no se puede tallar. Pulse G para la puntuación.</translation>
     </message>
 </context>
 <context>
@@ -8644,16 +8639,16 @@ sin guardar</translation>
         <translation>Empezar esta lección</translation>
     </message>
     <message>
-        <source>Put the tooth of this lesson on the table (Enter)</source>
-        <translation>Poner el diente de esta lección en la mesa (Intro)</translation>
+        <source>Load the tooth of this lesson (Enter)</source>
+        <translation>Cargar el diente de esta lección (Intro)</translation>
     </message>
     <message>
         <source>Your own lessons …</source>
         <translation>Sus propias lecciones …</translation>
     </message>
     <message>
-        <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>Abrir la carpeta de la que se leen las lecciones de un docente</translation>
+        <source>Open the folder for lessons that teachers add</source>
+        <translation>Abrir la carpeta en la que los docentes añaden lecciones</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
@@ -8664,12 +8659,12 @@ sin guardar</translation>
         <translation>examen</translation>
     </message>
     <message>
-        <source>Cannot be given</source>
-        <translation>No se puede dar</translation>
+        <source>Invalid file</source>
+        <translation>Archivo no válido</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>Este archivo no puede darse como lección. Los demás funcionan.</translation>
+        <source>This file is not a valid lesson. The other lessons work.</source>
+        <translation>Este archivo no es una lección válida. Las demás lecciones funcionan.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -8680,8 +8675,8 @@ sin guardar</translation>
         <translation>Tipo</translation>
     </message>
     <message>
-        <source>Practice: you are told what goes wrong</source>
-        <translation>Práctica: se le dice qué va mal</translation>
+        <source>Practice: mistakes are reported at once</source>
+        <translation>Práctica: los errores se indican al momento</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8720,7 +8715,7 @@ sin guardar</translation>
         </translation>
     </message>
     <message>
-        <source>Wrong</source>
+        <source>Error</source>
         <translation>Error</translation>
     </message>
     <message>
@@ -8742,8 +8737,8 @@ sin guardar</translation>
         <translation>mejor %1, no aprobado</translation>
     </message>
     <message>
-        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
-        <translation>Examen: los fallos se anotan, no se dice nada hasta el final y no se deshace ningún paso</translation>
+        <source>Exam: mistakes are recorded and reported at the end; undo is disabled</source>
+        <translation>Examen: los errores se registran y se indican al final; no se puede deshacer</translation>
     </message>
     <message>
         <source>Tooth …</source>
@@ -8754,7 +8749,7 @@ sin guardar</translation>
         <translation>Lecciones de un diente</translation>
     </message>
     <message>
-        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <source>Choose a tooth in the arch to see its lessons</source>
         <translation>Elegir un diente de la arcada para ver sus lecciones</translation>
     </message>
     <message>
@@ -8781,20 +8776,20 @@ sin guardar</translation>
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>Discard the attempt that was not finished</source>
+        <source>Discard the unfinished attempt</source>
         <translation>Descartar el intento sin terminar</translation>
     </message>
     <message>
-        <source>Continue where I stopped: %1, begun %2</source>
+        <source>Continue %1, started %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation>Continuar donde lo dejé: %1, empezado %2</translation>
+        <translation>Continuar: %1, empezado %2</translation>
     </message>
     <message>
         <source>Continue</source>
         <translation>Continuar</translation>
     </message>
     <message>
-        <source>Tried last: %1, best so far %2</source>
+        <source>Last attempt: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
         <translation>Último intento: %1, mejor hasta ahora %2</translation>
     </message>
@@ -8803,15 +8798,15 @@ sin guardar</translation>
         <translation>Intentar de nuevo</translation>
     </message>
     <message>
-        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <source>Assigned to you, but not on this computer: %1. Ask your teacher for the file.</source>
         <translation>Asignado a usted, pero no está en este ordenador: %1. Pida el archivo a su docente.</translation>
     </message>
     <message>
-        <source>Given to you</source>
+        <source>Assigned to you</source>
         <translation>Asignadas a usted</translation>
     </message>
     <message>
-        <source>No lesson fits</source>
+        <source>No matching lessons</source>
         <translation>Ninguna lección coincide</translation>
     </message>
     <message>
@@ -8826,16 +8821,16 @@ sin guardar</translation>
         </translation>
     </message>
     <message>
-        <source>Given to</source>
+        <source>Assigned to</source>
         <translation>Asignada a</translation>
     </message>
     <message>
-        <source>There is none of these now. Show all lessons.</source>
-        <translation>Ahora no hay ninguna de estas. Muestre todas las lecciones.</translation>
+        <source>There are no such lessons now. Show all lessons.</source>
+        <translation>Ahora no hay lecciones así. Muestre todas las lecciones.</translation>
     </message>
     <message>
-        <source>The lessons are being read …</source>
-        <translation>Se están leyendo las lecciones …</translation>
+        <source>Loading the lessons …</source>
+        <translation>Cargando las lecciones …</translation>
     </message>
     <message>
         <source>no score yet</source>
@@ -8919,33 +8914,33 @@ sin guardar</translation>
 <context>
     <name>ui::study::ScorePage</name>
     <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation>Esperaba %1 puntos: exactamente.</translation>
+        <source>You expected %1 points, which is exactly right.</source>
+        <translation>Esperaba %1 puntos: acertó exactamente.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>Esperaba %1 puntos: %2 de más.</translation>
+        <source>You expected %1 points. You overestimated by %2 points.</source>
+        <translation>Esperaba %1 puntos. Sobrestimó su resultado en %2 puntos.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>Esperaba %1 puntos: %2 de menos.</translation>
+        <source>You expected %1 points. You underestimated by %2 points.</source>
+        <translation>Esperaba %1 puntos. Subestimó su resultado en %2 puntos.</translation>
     </message>
     <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <source>Rubric &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured, because the model is a height field.</source>
         <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>Calificado según «%1», versión %2, contenido %3. No se miden socavados ni paredes de más de 90°: el modelo es un campo de alturas.</translation>
+        <translation>Rúbrica «%1», versión %2, contenido %3. No se miden socavados ni paredes de más de 90°, porque el modelo es un campo de alturas.</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Calificar</translation>
     </message>
     <message>
-        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
-        <translation>El diente terminado se mide de nuevo con la mitad y con el doble de columnas por lado. Eso indica cuánto depende el número de la cuadrícula. No dice nada de la mano, ni de lo que haría otro día.</translation>
+        <source>The tooth is measured again with half and with double the number of grid columns. The result is clear of the pass mark if all scores lie on the same side of it. This says nothing about another attempt.</source>
+        <translation>El diente se mide de nuevo con la mitad y con el doble de columnas de la cuadrícula. El resultado es claro si todas las puntuaciones quedan del mismo lado de la nota de aprobado. Esto no dice nada de otro intento.</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Adónde fueron los puntos</translation>
+        <source>Lost points</source>
+        <translation>Puntos perdidos</translation>
     </message>
     <message>
         <source>Finding the moment of each lost point …</source>
@@ -8969,48 +8964,48 @@ sin guardar</translation>
         <translation>Aprobado</translation>
     </message>
     <message>
-        <source>Not passed: harm done</source>
-        <translation>No aprobado: daño causado</translation>
+        <source>Not passed: critical error</source>
+        <translation>No aprobado: error crítico</translation>
     </message>
     <message>
         <source>Not passed yet</source>
         <translation>Aún no aprobado</translation>
     </message>
     <message>
-        <source>At half the grid %1, at double %2.</source>
-        <translation>Con la mitad de la cuadrícula %1, con el doble %2.</translation>
+        <source>Score at half the grid: %1, at double the grid: %2.</source>
+        <translation>Puntuación con la mitad de la cuadrícula: %1; con el doble: %2.</translation>
     </message>
     <message>
-        <source>At half the grid %1.</source>
-        <translation>Con la mitad de la cuadrícula %1.</translation>
+        <source>Score at half the grid: %1.</source>
+        <translation>Puntuación con la mitad de la cuadrícula: %1.</translation>
     </message>
     <message>
-        <source>The pass mark lies between: this result is within the noise.</source>
-        <translation>La nota de aprobado queda en medio: este resultado está dentro del ruido.</translation>
+        <source>Result is close to the pass mark.</source>
+        <translation>El resultado está cerca de la nota de aprobado.</translation>
     </message>
     <message>
-        <source>Not within the noise of the pass mark.</source>
-        <translation>Fuera del ruido de la nota de aprobado.</translation>
+        <source>Result is clear of the pass mark.</source>
+        <translation>El resultado está claramente alejado de la nota de aprobado.</translation>
     </message>
     <message>
-        <source>The work is everywhere as it ought to be</source>
-        <translation>El trabajo está en todas partes como debe ser</translation>
+        <source>No deviation from the ideal</source>
+        <translation>Sin desviación del ideal</translation>
     </message>
     <message>
         <source>%1 mm too deep</source>
         <translation>%1 mm demasiado profundo</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>faltan %1 mm</translation>
     </message>
     <message>
-        <source>%1: the worst place, %2</source>
-        <translation>%1: el peor lugar, %2</translation>
+        <source>%1: worst place, %2</source>
+        <translation>%1: peor lugar, %2</translation>
     </message>
     <message>
-        <source>%1 has no place; farthest off the ideal: %2</source>
-        <translation>%1 no tiene lugar; lo más alejado del ideal: %2</translation>
+        <source>%1 has no place on the tooth; largest deviation: %2</source>
+        <translation>%1 no tiene lugar en el diente; mayor desviación: %2</translation>
     </message>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
@@ -9021,11 +9016,11 @@ sin guardar</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
-            <numerusform>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y aquí están los resultados de %n persona.</numerusform>
-            <numerusform>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y aquí están los resultados de %n personas.</numerusform>
+            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n persona.</numerusform>
+            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n personas.</numerusform>
         </translation>
     </message>
     <message>
@@ -9034,49 +9029,49 @@ sin guardar</translation>
         <translation>otra rúbrica</translation>
     </message>
     <message>
-        <source>This is the first grade here.</source>
-        <translation>Esta es la primera calificación aquí.</translation>
+        <source>No earlier grades.</source>
+        <translation>No hay calificaciones anteriores.</translation>
     </message>
     <message>
-        <source>Nothing cost you a point.</source>
-        <translation>Nada le costó un punto.</translation>
+        <source>You lost no points.</source>
+        <translation>No perdió ningún punto.</translation>
     </message>
     <message>
-        <source>Most points went to: %1.</source>
-        <translation>Lo que más puntos costó: %1.</translation>
+        <source>Your biggest loss: %1.</source>
+        <translation>Su mayor pérdida de puntos: %1.</translation>
     </message>
     <message>
-        <source>What cost most you knew: %1.</source>
-        <translation>Usted sabía qué costó más: %1.</translation>
+        <source>You named your biggest loss correctly: %1.</source>
+        <translation>Acertó qué le costó más puntos: %1.</translation>
     </message>
     <message>
-        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
-        <translation>Usted creía que la mayoría de los puntos se fue en «%1»; se fue en «%2».</translation>
+        <source>You expected &quot;%1&quot; to be your biggest loss; it was &quot;%2&quot;.</source>
+        <translation>Creía que su mayor pérdida de puntos era «%1»; fue «%2».</translation>
     </message>
     <message>
-        <source>%1: %2, not named</source>
+        <source>%1: %2, no answer</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
-        <translation>%1: %2, sin nombrar</translation>
+        <translation>%1: %2, sin respuesta</translation>
     </message>
     <message>
-        <source>%1: %2, as you said</source>
-        <translation>%1: %2, como usted dijo</translation>
+        <source>%1: %2, correct</source>
+        <translation>%1: %2, correcto</translation>
     </message>
     <message>
-        <source>%1: %2, you said %3</source>
-        <translation>%1: %2, usted dijo %3</translation>
+        <source>%1: %2, your answer: %3</source>
+        <translation>%1: %2, su respuesta: %3</translation>
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1 no tiene lugar en el diente</translation>
     </message>
     <message>
-        <source>%1: the worst place</source>
+        <source>%1: worst place</source>
         <extracomment>%1 a criterion of a score</extracomment>
-        <translation>%1: el peor lugar</translation>
+        <translation>%1: peor lugar</translation>
     </message>
     <message>
-        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <source>Held for %1 of %2 s, mean deviation %3 N</source>
         <translation>Mantenida %1 de %2 s, con %3 N de desviación media</translation>
     </message>
     <message>
@@ -9084,12 +9079,12 @@ sin guardar</translation>
         <translation>Se tocaron todos los puntos</translation>
     </message>
     <message>
-        <source>%1 of %2 points touched; the ring marks one that was not</source>
-        <translation>%1 de %2 puntos tocados; el anillo marca uno que no lo fue</translation>
+        <source>%1 of %2 points touched; the ring marks a missed point</source>
+        <translation>%1 de %2 puntos tocados; el anillo marca uno sin tocar</translation>
     </message>
     <message>
-        <source>Log in and keep it</source>
-        <translation>Iniciar sesión y conservarla</translation>
+        <source>Log in and save</source>
+        <translation>Iniciar sesión y guardar</translation>
     </message>
     <message>
         <source>Drilled with the hardness preset %1.</source>
@@ -9097,17 +9092,17 @@ sin guardar</translation>
         <translation>Tallado con el ajuste de dureza %1.</translation>
     </message>
     <message>
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
         <extracomment>%1 is a number of people</extracomment>
-        <translation>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y la suya es la única aquí.</translation>
+        <translation>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y el suyo es el único resultado.</translation>
     </message>
     <message>
-        <source>You are not logged in, so this grade is not kept.</source>
-        <translation>No ha iniciado sesión, así que esta calificación no se conserva.</translation>
+        <source>You are not logged in, so this grade is not saved.</source>
+        <translation>No ha iniciado sesión, así que esta calificación no se guarda.</translation>
     </message>
     <message>
-        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
-        <translation>Esta calificación se conserva en este ordenador. La base de datos de la escuela la recibe cuando se pueda acceder a ella.</translation>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>Esta calificación está guardada en este ordenador. Se enviará a la base de datos de la escuela cuando vuelva la conexión.</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9122,8 +9117,8 @@ sin guardar</translation>
         <translation>Informe</translation>
     </message>
     <message>
-        <source>Score card on paper</source>
-        <translation>Hoja de puntuación en papel</translation>
+        <source>Save or print the score card</source>
+        <translation>Guardar o imprimir la hoja de puntuación</translation>
     </message>
     <message>
         <source>Save as PDF …</source>
@@ -9142,33 +9137,33 @@ sin guardar</translation>
         <translation>Calificación de %1: %2</translation>
     </message>
     <message>
-        <source>Expected by the student: %1 points.</source>
-        <translation>Esperado por el estudiante: %1 puntos.</translation>
+        <source>The student expected %1 points.</source>
+        <translation>El estudiante esperaba %1 puntos.</translation>
     </message>
     <message>
-        <source>Passed, as the teacher decided</source>
-        <translation>Aprobado por decisión del docente</translation>
+        <source>Passed (teacher&apos;s decision)</source>
+        <translation>Aprobado (decisión del docente)</translation>
     </message>
     <message>
-        <source>Not passed, as the teacher decided</source>
-        <translation>No aprobado por decisión del docente</translation>
+        <source>Not passed (teacher&apos;s decision)</source>
+        <translation>No aprobado (decisión del docente)</translation>
     </message>
     <message>
-        <source>The machine&apos;s score: %1</source>
+        <source>Automatic score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
-        <translation>La puntuación de la máquina: %1</translation>
+        <translation>Puntuación automática: %1</translation>
     </message>
     <message>
-        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
-        <translation>Este intento no tiene una grabación que se pueda leer: no se puede reproducir y no se muestra ninguna imagen del diente. La puntuación y lo que costó puntos están tal como se guardaron.</translation>
+        <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
+        <translation>Este intento no tiene una grabación legible. No se puede reproducir y no se muestra el diente. La puntuación y los puntos perdidos se muestran tal como se guardaron.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
-        <translation>Esta calificación aún no está guardada. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco.</translation>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
+        <translation>Esta calificación aún no está guardada. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco.</translation>
     </message>
     <message>
-        <source>This grade is not kept: it will not be here next time.</source>
-        <translation>Esta calificación no se conserva: no estará aquí la próxima vez.</translation>
+        <source>This grade is not saved and will not be here next time.</source>
+        <translation>Esta calificación no se guarda y no estará aquí la próxima vez.</translation>
     </message>
 </context>
 <context>

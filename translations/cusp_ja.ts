@@ -350,11 +350,11 @@
 <context>
     <name>Breach</name>
     <message>
-        <source>The pulp is open</source>
+        <source>The pulp is exposed</source>
         <translation>歯髄が露出しています</translation>
     </message>
     <message>
-        <source>There is a hole through the tooth</source>
+        <source>The tooth is perforated</source>
         <translation>歯に穿孔があります</translation>
     </message>
     <message>
@@ -366,19 +366,19 @@
         <translation>辺縁隆線が%1 mmより薄くなっています</translation>
     </message>
     <message>
-        <source>Cut where nothing was to be cut</source>
-        <translation>切削すべきでない場所を切削しました</translation>
+        <source>Cut outside the target area</source>
+        <translation>目標の範囲外を切削しました</translation>
     </message>
     <message>
-        <source>Pressed with %1 N, allowed are %2 N</source>
+        <source>Pressed with %1 N; the limit is %2 N</source>
         <translation>%1 Nで押しました。許容は%2 Nです</translation>
     </message>
     <message>
-        <source>The bur has run in the air for %1 s</source>
+        <source>The bur ran without contact for %1 s</source>
         <translation>バーが%1秒空転しました</translation>
     </message>
     <message>
-        <source>The tooth beside was touched by the turning bur</source>
+        <source>The running bur touched the adjacent tooth</source>
         <translation>回転中のバーが隣在歯に触れました</translation>
     </message>
     <message>
@@ -386,15 +386,15 @@
         <translation>この課題で使えないバーで切削しました</translation>
     </message>
     <message>
-        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
+        <source>An exposed pulp usually dies, because cut odontoblasts do not recover. Watch the section and leave half a millimetre of dentin.</source>
         <translation>露髄した歯髄の多くは失活します。切断された象牙芽細胞は回復しません。断面を見て、象牙質を0.5 mm残してください。</translation>
     </message>
     <message>
-        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <source>A perforated tooth is usually lost. Watch the depth in the section.</source>
         <translation>穿孔した歯の多くは保存できません。断面で深さに注意してください。</translation>
     </message>
     <message>
-        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
+        <source>Cutting deeper than necessary weakens the tooth and comes close to the pulp. The section shows how deep you are.</source>
         <translation>必要以上に深い切削は歯を弱め、歯髄に近づきます。断面で深さを確認できます。</translation>
     </message>
     <message>
@@ -402,7 +402,7 @@
         <translation>薄い辺縁隆線は荷重で破折します。バーの外側の縁をもっと手前で止めてください。</translation>
     </message>
     <message>
-        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <source>Sound tissue does not grow back. The dashed line in the section shows what to cut.</source>
         <translation>健全な歯質は再生しません。断面の破線が切削すべき範囲を示します。</translation>
     </message>
     <message>
@@ -410,15 +410,15 @@
         <translation>およそ1 Nが最もよく切れます。それ以上では歯髄が発熱し、タービンが止まり、滑ります。切削はバーに任せてください。</translation>
     </message>
     <message>
-        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>目を離したまま回転するバーは唇や頬を傷つけます。切削しないときは止めてください。</translation>
+        <source>A running bur can injure lips and cheeks. Stop it when you are not cutting.</source>
+        <translation>回転中のバーは唇や頬を傷つけることがあります。切削しないときは止めてください。</translation>
     </message>
     <message>
-        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <source>A nick in the adjacent tooth collects plaque and decays. Stay inside the outline; N shows the adjacent teeth.</source>
         <translation>隣在歯の傷にはプラークがたまり、う蝕になります。外形線の内側で作業してください。Nで隣在歯が表示されます。</translation>
     </message>
     <message>
-        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
+        <source>The shape of the bur determines the shape of the cavity. Choose a bur that the lesson lists.</source>
         <translation>形の違うバーでは窩洞の形も変わります。課題で指定されたバーを選んでください。</translation>
     </message>
 </context>
@@ -464,7 +464,7 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>%1 of the decay is out</source>
+        <source>%1 of the decay is removed</source>
         <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
         <translation>う蝕の%1の除去</translation>
     </message>
@@ -482,7 +482,7 @@
         <translation>%1の%2への到達</translation>
     </message>
     <message>
-        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
+        <source>Enamel and dentin beside and below the decay. Tissue directly above the decay must be removed and is not counted.</source>
         <translation>う蝕の横と下にあるエナメル質と象牙質です。う蝕の真上は除去が必要なので数えません。</translation>
     </message>
     <message>
@@ -504,12 +504,12 @@
     </message>
     <message>
         <source>None of its %1 points are earned before %2</source>
-        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>%2までは%1点のうち何も得られません</translation>
     </message>
     <message>
-        <source>Not measured, so the attempt fails: %1 points that were left</source>
-        <translation>測定されなかったため不合格です：残りの%1点</translation>
+        <source>Not measured, so the attempt fails and the remaining %1 points are lost</source>
+        <translation>測定されなかったため不合格となり、残りの%1点を失います</translation>
     </message>
     <message>
         <source>Not measured, so it earns none of its %1 points</source>
@@ -520,12 +520,12 @@
         <translation>%1：減点なし</translation>
     </message>
     <message>
-        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <source>Allowed: %1. The attempt fails and the remaining %2 points are lost</source>
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
         <translation>許容は%1です。超えると不合格となり、残りの%2点を失います</translation>
     </message>
     <message>
-        <source>%1 %2 too far off; a worse error decides</source>
+        <source>%1 %2 outside the limit; a more serious error decides</source>
         <translation>%1 %2の超過。より重い誤りで決まります</translation>
     </message>
     <message>
@@ -537,12 +537,12 @@
         <translation>(%1) / %2 %3 × %4点</translation>
     </message>
     <message>
-        <source>%1, no more than all of them</source>
+        <source>%1, at most all of them</source>
         <translation>%1、ただし全点まで</translation>
     </message>
     <message>
-        <source>The value that was measured here is not stored</source>
-        <translation>ここで測った値は保存されていません</translation>
+        <source>The measured value was not saved</source>
+        <translation>測定した値は保存されていません</translation>
     </message>
 </context>
 <context>
@@ -1904,7 +1904,7 @@
         <translation>X線</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>深さの色分け</translation>
     </message>
     <message>
@@ -1944,12 +1944,12 @@
         <translation>制限なし</translation>
     </message>
     <message>
-        <source>%1, give or take %2, costs nothing</source>
+        <source>%1 ± %2 costs nothing</source>
         <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
-        <translation>%1（±%2）は減点なし</translation>
+        <translation>%1 ± %2は減点なし</translation>
     </message>
     <message>
-        <source>From %1 up costs nothing</source>
+        <source>%1 or more costs nothing</source>
         <translation>%1以上は減点なし</translation>
     </message>
     <message>
@@ -1962,7 +1962,7 @@
     </message>
     <message>
         <source> as soon as %1</source>
-        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>（%1以降）</translation>
     </message>
     <message>
@@ -2015,7 +2015,7 @@
         <translation>試験</translation>
     </message>
     <message>
-        <source>on the table</source>
+        <source>in progress</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
         <translation>作業中</translation>
     </message>
@@ -2037,7 +2037,7 @@
         <translation>締切：%1</translation>
     </message>
     <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <source>You have no attempts left at this lesson. Your teacher can give you more.</source>
         <translation>この課題の試行回数を使い切りました。教員が追加できます。</translation>
     </message>
     <message numerus="yes">
@@ -2053,8 +2053,8 @@
         <translation>試行回数の残りなし</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
+        <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
+        <translation>この試験の最後の試行は別のウィンドウで始められました。このウィンドウでの作業は数えられません。</translation>
     </message>
 </context>
 <context>
@@ -2230,14 +2230,9 @@
         <translation>この平面は歯と交わりません。</translation>
     </message>
     <message>
-        <source>surface before anything was cut</source>
+        <source>original surface</source>
         <extracomment>In the key of a picture, beside a line</extracomment>
-        <translation>切削前の表面</translation>
-    </message>
-    <message>
-        <source>surface before</source>
-        <extracomment>The same, where a second line stands beside it</extracomment>
-        <translation>切削前の表面</translation>
+        <translation>元の表面</translation>
     </message>
 </context>
 <context>
@@ -2449,14 +2444,14 @@
         <translation>%1深すぎ</translation>
     </message>
     <message>
-        <source>%1 to go</source>
+        <source>%1 to cut</source>
         <extracomment>%1 is a length: so much is still to be taken away</extracomment>
         <translation>残り%1</translation>
     </message>
     <message>
-        <source>off the ideal, mm</source>
+        <source>deviation, mm</source>
         <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
-        <translation>理想形との差、mm</translation>
+        <translation>偏差、mm</translation>
     </message>
     <message>
         <source>depth, mm</source>
@@ -3813,12 +3808,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>回転</translation>
     </message>
     <message>
-        <source>Depth below the old surface</source>
+        <source>Depth below original surface</source>
         <translation>元の表面からの深さ</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was, straight up.</source>
-        <translation>先端が元の表面から真下にどれだけあるかを示します。</translation>
+        <source>Vertical depth of the tip below the original surface.</source>
+        <translation>元の表面から先端までの垂直の深さです。</translation>
     </message>
     <message>
         <source>Dentin left over the pulp</source>
@@ -5995,8 +5990,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1、%2</translation>
     </message>
     <message>
-        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
-        <translation>教員による採点。機械採点：%1点。</translation>
+        <source>Given by an instructor. Automatic score: %1 points.</source>
+        <translation>教員による採点。自動採点：%1点。</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -6004,11 +5999,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1、%2：%3</translation>
     </message>
     <message>
-        <source>Expected before the score was seen: %1 points</source>
+        <source>Self-assessment before the score: %1 points</source>
         <translation>得点を見る前の予想：%1点</translation>
     </message>
     <message>
-        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <source>Time %1 min; cutting force: mean %2 N, maximum %3 N</source>
         <extracomment>&quot;12:07&quot;</extracomment>
         <translation>時間%1分。切削中の力 平均%2 N、最大%3 N</translation>
     </message>
@@ -6019,11 +6014,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         </translation>
     </message>
     <message>
-        <source>not kept</source>
+        <source>not met</source>
         <translation>超過</translation>
     </message>
     <message>
-        <source>kept</source>
+        <source>met</source>
         <translation>遵守</translation>
     </message>
     <message>
@@ -6032,19 +6027,19 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1／%2</translation>
     </message>
     <message>
-        <source>Where the points went</source>
+        <source>Lost points</source>
         <translation>失点の内訳</translation>
     </message>
     <message>
-        <source>On the tooth, and in a section through the place that is farthest off</source>
-        <translation>歯の上、および最も離れた箇所の断面</translation>
+        <source>On the tooth, and in a section through the largest deviation</source>
+        <translation>歯の上、および最大のずれを通る断面</translation>
     </message>
     <message>
         <source>Comments</source>
         <translation>コメント</translation>
     </message>
     <message>
-        <source>How it was marked and made</source>
+        <source>Details of grading and recording</source>
         <translation>採点と作業の条件</translation>
     </message>
     <message>
@@ -6073,7 +6068,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>%1 of 100 points, pass mark %2. %3</source>
-        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: critical error&quot;</extracomment>
         <translation>100点中%1点、合格点%2。%3</translation>
     </message>
     <message>
@@ -7939,16 +7934,16 @@ unsaved</source>
 <context>
     <name>ui::study::ConductNotes</name>
     <message>
-        <source>%1 in all, %2 of it cutting</source>
+        <source>%1 in total, %2 of it cutting</source>
         <extracomment>Two times in minutes and seconds</extracomment>
         <translation>全体%1、うち切削%2</translation>
     </message>
     <message>
-        <source>force %1 N on the mean, %2 N at most</source>
+        <source>force: mean %1 N, maximum %2 N</source>
         <translation>力 平均%1 N、最大%2 N</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
             <numerusform>取り消し%n回</numerusform>
         </translation>
@@ -7968,8 +7963,8 @@ unsaved</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>その場面を見る：ここから試行を再生します</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>この時点から試行を再生します</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -7986,7 +7981,7 @@ unsaved</source>
 <context>
     <name>ui::study::CriterionRow</name>
     <message>
-        <source>%1 too little done</source>
+        <source>%1 work incomplete</source>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
         <translation>%1 作業不足</translation>
     </message>
@@ -8001,13 +7996,13 @@ unsaved</source>
         <translation>%1 遅すぎ</translation>
     </message>
     <message>
-        <source>%1 never removed</source>
+        <source>%1 not removed</source>
         <translation>%1 除去されず</translation>
     </message>
     <message>
-        <source>%1 never earned</source>
+        <source>%1 not achieved</source>
         <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
-        <translation>%1 得られず</translation>
+        <translation>%1 未達成</translation>
     </message>
     <message>
         <source>%1 at %2, stroke %3</source>
@@ -8019,11 +8014,11 @@ unsaved</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>上から見た露出面積です。除去した体積は歯の隣にmm³で示します。</translation>
+        <source>The exposed area, seen from above. The side panel shows the removed volume, in mm³.</source>
+        <translation>上から見た露出面積です。除去した体積はサイドパネルにmm³で表示されます。</translation>
     </message>
     <message>
-        <source>Fails the attempt and takes all points that are left</source>
+        <source>The attempt fails and all remaining points are lost</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation>不合格となり、残りの点をすべて失います</translation>
     </message>
@@ -8037,16 +8032,16 @@ unsaved</source>
         <translation>%1：%2、%3点</translation>
     </message>
     <message>
-        <source>Show where this was worst</source>
+        <source>Show the worst place</source>
         <translation>最も悪い箇所を表示します</translation>
     </message>
     <message>
-        <source>No stroke caused this: see how the attempt ended</source>
-        <translation>原因となるストロークはありません：試行の最後を見ます</translation>
+        <source>No stroke caused this. Show the end of the attempt</source>
+        <translation>原因となるストロークはありません。試行の最後を表示します</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>その場面を見る：ここから試行を再生します</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>この時点から試行を再生します</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8068,8 +8063,8 @@ unsaved</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>Say that this pad is made of this; you can change it until you are graded</source>
-        <translation>このパッドの材質をこれと答えます。採点までは変更できます</translation>
+        <source>Choose this material for the pad; you can change it until you are graded</source>
+        <translation>このパッドの材質としてこれを選びます。採点までは変更できます</translation>
     </message>
     <message>
         <source>✓ right</source>
@@ -8105,35 +8100,35 @@ unsaved</source>
         <translation>／%1秒</translation>
     </message>
     <message>
-        <source>This is what they are made of</source>
-        <translation>それぞれの材質はこのとおりです</translation>
+        <source>The materials of the pads</source>
+        <translation>各パッドの材質</translation>
     </message>
     <message>
-        <source>Every pad has its name</source>
-        <translation>すべてのパッドに名前が付きました</translation>
+        <source>Every pad has an answer</source>
+        <translation>すべてのパッドに回答しました</translation>
     </message>
     <message>
         <source>What is each pad made of?</source>
         <translation>それぞれのパッドは何でできていますか？</translation>
     </message>
     <message>
-        <source>Graded. F2 leads to the next lesson.</source>
-        <translation>採点済みです。F2で次の課題へ進みます。</translation>
+        <source>Graded. Press F2 for the next lesson.</source>
+        <translation>採点済みです。F2を押すと次の課題へ進めます。</translation>
     </message>
     <message>
-        <source>Well done. See how it is marked.</source>
-        <translation>よくできました。採点を見てください。</translation>
+        <source>Well done. Press G for your grade.</source>
+        <translation>よくできました。Gを押して採点してください。</translation>
     </message>
     <message>
-        <source>Sure? Then see how it is marked.</source>
-        <translation>よろしいですか？ では採点を見てください。</translation>
+        <source>Sure? Then press G for your grade.</source>
+        <translation>よろしければ、Gを押して採点してください。</translation>
     </message>
     <message>
-        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>バーが回転しています：スペースキーで止めてください。ここでは何も切削しません。</translation>
+        <source>The bur is turning. Stop it with the space bar: this exercise needs no cutting.</source>
+        <translation>バーが回転しています。スペースキーで止めてください。この練習では切削しません。</translation>
     </message>
     <message>
-        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <source>Start the bur with the space bar: while it is stopped, all three feel the same.</source>
         <translation>スペースキーでバーを回してください：止まっていると3つとも同じ手応えです。</translation>
     </message>
     <message>
@@ -8142,8 +8137,8 @@ unsaved</source>
         <translation>これまでの最長：%1秒</translation>
     </message>
     <message>
-        <source>Any order. Rings become discs.</source>
-        <translation>順番は自由です。輪が円板に変わります。</translation>
+        <source>Any order. A ring becomes a disc when touched.</source>
+        <translation>順番は自由です。触れた輪は円板になります。</translation>
     </message>
     <message>
         <source>Anywhere on the tooth.</source>
@@ -8157,7 +8152,7 @@ unsaved</source>
 <context>
     <name>ui::study::FeedbackCard</name>
     <message>
-        <source>%1 has written about your attempt: %2</source>
+        <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
         <translation>%1 さんがあなたの試行についてコメントしました: %2</translation>
     </message>
@@ -8168,7 +8163,7 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>Read it</source>
+        <source>Read</source>
         <translation>読む</translation>
     </message>
     <message>
@@ -8191,7 +8186,7 @@ unsaved</source>
         <translation>得点を見る</translation>
     </message>
     <message>
-        <source>See how the work was marked (Enter)</source>
+        <source>Show how your work was graded (Enter)</source>
         <translation>採点の内容を見ます（Enter）</translation>
     </message>
     <message>
@@ -8199,7 +8194,7 @@ unsaved</source>
         <translation>得点を見る前に</translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <source>%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
         <translation>%1。100点中%2点で合格です。先に自分の作業を評価してから得点を見ると、より多くを学べます。</translation>
     </message>
@@ -8219,11 +8214,11 @@ unsaved</source>
 <context>
     <name>ui::study::HeatMap</name>
     <message>
-        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>上から見た歯。深すぎる所と残りを色分けしています</translation>
     </message>
     <message>
-        <source>as it ought to be</source>
+        <source>as it should be</source>
         <translation>適正</translation>
     </message>
     <message>
@@ -8231,11 +8226,11 @@ unsaved</source>
         <translation>%1 mm深すぎます</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>残り%1 mm</translation>
     </message>
     <message>
-        <source>still to go</source>
+        <source>still to cut</source>
         <translation>残り</translation>
     </message>
     <message>
@@ -8243,14 +8238,14 @@ unsaved</source>
         <translation>深すぎ</translation>
     </message>
     <message>
-        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
+        <source>To mark the place of a comment, click the tooth or use the arrow keys. Delete removes the mark.</source>
         <translation>歯をクリックするか矢印キーで、コメントの対象となる場所に印を付けます。Deleteで印が消えます。</translation>
     </message>
 </context>
 <context>
     <name>ui::study::HoldGauge</name>
     <message>
-        <source>Force against the band from %1 to %2 N</source>
+        <source>Force in relation to the range from %1 to %2 N</source>
         <translation>%1～%2 Nの範囲に対する力</translation>
     </message>
 </context>
@@ -8306,20 +8301,20 @@ unsaved</source>
 <context>
     <name>ui::study::InfractionCard</name>
     <message>
-        <source>Take it back</source>
-        <translation>取り消す</translation>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
-        <translation>起きる前の状態に歯を戻します。やり直すこともできます（Enter）</translation>
+        <source>Restore the tooth as it was before this; you can redo it (Enter)</source>
+        <translation>この前の状態に歯を戻します。やり直すこともできます（Enter）</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>続ける</translation>
     </message>
     <message>
-        <source>Leave it as it is and work on (Esc)</source>
-        <translation>そのままにして作業を続けます（Esc）</translation>
+        <source>Keep the tooth as it is and continue (Esc)</source>
+        <translation>歯をそのままにして作業を続けます（Esc）</translation>
     </message>
 </context>
 <context>
@@ -8509,22 +8504,22 @@ unsaved</source>
         <translation>課題が求める内容の画像</translation>
     </message>
     <message>
-        <source>This tooth cannot be made.</source>
-        <translation>この歯は作れません。</translation>
+        <source>This tooth cannot be created.</source>
+        <translation>この歯は作成できません。</translation>
     </message>
     <message>
-        <source>The tooth is being made …</source>
+        <source>Creating the tooth …</source>
         <translation>歯を作成しています …</translation>
     </message>
 </context>
 <context>
     <name>ui::study::LessonStrip</name>
     <message>
-        <source>The step before</source>
+        <source>Previous step</source>
         <translation>前の手順</translation>
     </message>
     <message>
-        <source>The next step</source>
+        <source>Next step</source>
         <translation>次の手順</translation>
     </message>
     <message>
@@ -8541,19 +8536,19 @@ unsaved</source>
         <translation>%1／%2</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
+        <source>The exam is over and cutting is disabled. Press G for the score or R for another attempt.</source>
         <translation>試験は終わりました。これ以上切削できません。Gで得点を表示、Rで新しい試行を始めます。</translation>
     </message>
     <message>
-        <source>Time worked</source>
+        <source>Working time</source>
         <translation>作業時間</translation>
     </message>
     <message>
-        <source>Time left of %1</source>
-        <translation>%1のうち残り時間</translation>
+        <source>Remaining time of %1</source>
+        <translation>%1のうちの残り時間</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
+        <source>The exam is over and cutting is disabled. Press G for the score.</source>
         <translation>試験は終わりました。これ以上切削できません。Gで得点を表示します。</translation>
     </message>
 </context>
@@ -8584,7 +8579,7 @@ unsaved</source>
         <translation>この課題を開始</translation>
     </message>
     <message>
-        <source>Put the tooth of this lesson on the table (Enter)</source>
+        <source>Load the tooth of this lesson (Enter)</source>
         <translation>この課題の歯を用意します（Enter）</translation>
     </message>
     <message>
@@ -8592,16 +8587,16 @@ unsaved</source>
         <translation>あなたの課題 …</translation>
     </message>
     <message>
-        <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>教員の課題を読み込むフォルダーを開きます</translation>
+        <source>Open the folder for lessons that teachers add</source>
+        <translation>教員が追加する課題のフォルダーを開きます</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
         <translation>あなたの課題のフォルダーを開く</translation>
     </message>
     <message>
-        <source>Cannot be given</source>
-        <translation>使用できません</translation>
+        <source>Invalid file</source>
+        <translation>無効なファイル</translation>
     </message>
     <message>
         <source>exam</source>
@@ -8622,8 +8617,8 @@ unsaved</source>
         <translation>最高%1点、不合格</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>このファイルは課題として使えません。ほかの課題は使えます。</translation>
+        <source>This file is not a valid lesson. The other lessons work.</source>
+        <translation>このファイルは有効な課題ではありません。ほかの課題は使えます。</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -8634,11 +8629,11 @@ unsaved</source>
         <translation>種類</translation>
     </message>
     <message>
-        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
-        <translation>試験：誤りは記録され、終わるまで伝えません。手順は取り消せません</translation>
+        <source>Exam: mistakes are recorded and reported at the end; undo is disabled</source>
+        <translation>試験：誤りは記録され、最後に伝えます。「元に戻す」は使えません</translation>
     </message>
     <message>
-        <source>Practice: you are told what goes wrong</source>
+        <source>Practice: mistakes are reported at once</source>
         <translation>練習：誤りはその場で伝えます</translation>
     </message>
     <message>
@@ -8677,7 +8672,7 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>Wrong</source>
+        <source>Error</source>
         <translation>誤り</translation>
     </message>
     <message>
@@ -8693,7 +8688,7 @@ unsaved</source>
         <translation>一本の歯の課題</translation>
     </message>
     <message>
-        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <source>Choose a tooth in the arch to see its lessons</source>
         <translation>歯列から歯を選び、その課題を見る</translation>
     </message>
     <message>
@@ -8720,20 +8715,20 @@ unsaved</source>
         <translation>破棄</translation>
     </message>
     <message>
-        <source>Discard the attempt that was not finished</source>
+        <source>Discard the unfinished attempt</source>
         <translation>途中の試行を破棄する</translation>
     </message>
     <message>
-        <source>Continue where I stopped: %1, begun %2</source>
+        <source>Continue %1, started %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation>中断したところから続ける：%1（%2 開始）</translation>
+        <translation>続ける：%1（%2 開始）</translation>
     </message>
     <message>
         <source>Continue</source>
         <translation>続ける</translation>
     </message>
     <message>
-        <source>Tried last: %1, best so far %2</source>
+        <source>Last attempt: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
         <translation>最後に試した課題：%1、最高 %2</translation>
     </message>
@@ -8742,15 +8737,15 @@ unsaved</source>
         <translation>もう一度</translation>
     </message>
     <message>
-        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <source>Assigned to you, but not on this computer: %1. Ask your teacher for the file.</source>
         <translation>出されていますが、このコンピューターにありません：%1。先生にファイルをもらってください。</translation>
     </message>
     <message>
-        <source>Given to you</source>
+        <source>Assigned to you</source>
         <translation>出された課題</translation>
     </message>
     <message>
-        <source>No lesson fits</source>
+        <source>No matching lessons</source>
         <translation>該当する課題がありません</translation>
     </message>
     <message>
@@ -8764,15 +8759,15 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>Given to</source>
+        <source>Assigned to</source>
         <translation>出された先</translation>
     </message>
     <message>
-        <source>There is none of these now. Show all lessons.</source>
+        <source>There are no such lessons now. Show all lessons.</source>
         <translation>該当する課題は今はありません。すべての課題を表示してください。</translation>
     </message>
     <message>
-        <source>The lessons are being read …</source>
+        <source>Loading the lessons …</source>
         <translation>課題を読み込んでいます …</translation>
     </message>
     <message>
@@ -8857,48 +8852,48 @@ unsaved</source>
 <context>
     <name>ui::study::ScorePage</name>
     <message>
-        <source>You expected %1 points: exactly so.</source>
+        <source>You expected %1 points, which is exactly right.</source>
         <translation>予想は%1点：ぴったりです。</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>予想は%1点：%2点高すぎました。</translation>
+        <source>You expected %1 points. You overestimated by %2 points.</source>
+        <translation>予想は%1点：実際より%2点高く見積もりました。</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>予想は%1点：%2点低すぎました。</translation>
+        <source>You expected %1 points. You underestimated by %2 points.</source>
+        <translation>予想は%1点：実際より%2点低く見積もりました。</translation>
     </message>
     <message>
-        <source>Nothing cost you a point.</source>
+        <source>You lost no points.</source>
         <translation>失点はありません。</translation>
     </message>
     <message>
-        <source>Most points went to: %1.</source>
+        <source>Your biggest loss: %1.</source>
         <translation>最も失点したもの：%1。</translation>
     </message>
     <message>
-        <source>What cost most you knew: %1.</source>
+        <source>You named your biggest loss correctly: %1.</source>
         <translation>最も失点したものを当てました：%1。</translation>
     </message>
     <message>
-        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
+        <source>You expected &quot;%1&quot; to be your biggest loss; it was &quot;%2&quot;.</source>
         <translation>最も失点したのは「%1」との予想でしたが、「%2」でした。</translation>
     </message>
     <message>
-        <source>%1: %2, not named</source>
+        <source>%1: %2, no answer</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
         <translation>%1：%2、回答なし</translation>
     </message>
     <message>
-        <source>%1: %2, as you said</source>
-        <translation>%1：%2、回答どおり</translation>
+        <source>%1: %2, correct</source>
+        <translation>%1：%2、正解</translation>
     </message>
     <message>
-        <source>%1: %2, you said %3</source>
+        <source>%1: %2, your answer: %3</source>
         <translation>%1：%2、回答は%3</translation>
     </message>
     <message>
-        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <source>Held for %1 of %2 s, mean deviation %3 N</source>
         <translation>%2秒中%1秒保持、平均%3 Nのずれ</translation>
     </message>
     <message>
@@ -8906,20 +8901,20 @@ unsaved</source>
         <translation>すべての点に触れました</translation>
     </message>
     <message>
-        <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <source>%1 of %2 points touched; the ring marks a missed point</source>
         <translation>%2点中%1点に触れました。輪は触れなかった点を示します</translation>
     </message>
     <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <source>Rubric &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured, because the model is a height field.</source>
         <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
         <translation>評価基準「%1」、第%2版、内容%3。アンダーカットと90°を超える壁は測定されません：モデルは高さのデータです。</translation>
     </message>
     <message>
-        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
-        <translation>完成した歯を、一辺の列数を半分と2倍にしてもう一度測定します。数値がどれだけ格子に左右されるかが分かります。手の腕前や、別の日の結果については分かりません。</translation>
+        <source>The tooth is measured again with half and with double the number of grid columns. The result is clear of the pass mark if all scores lie on the same side of it. This says nothing about another attempt.</source>
+        <translation>歯を、格子の列数を半分と2倍にしてもう一度測定します。すべての得点が合格点の同じ側にあれば、結果は明確です。別の試行の結果については分かりません。</translation>
     </message>
     <message>
-        <source>Where the points went</source>
+        <source>Lost points</source>
         <translation>失点の内訳</translation>
     </message>
     <message>
@@ -8931,7 +8926,7 @@ unsaved</source>
         <translation>失点した時点を調べています</translation>
     </message>
     <message>
-        <source>Log in and keep it</source>
+        <source>Log in and save</source>
         <translation>ログインして保存</translation>
     </message>
     <message>
@@ -8957,57 +8952,57 @@ unsaved</source>
         <translation>合格</translation>
     </message>
     <message>
-        <source>Not passed: harm done</source>
-        <translation>不合格：損傷あり</translation>
+        <source>Not passed: critical error</source>
+        <translation>不合格：重大な誤り</translation>
     </message>
     <message>
         <source>Not passed yet</source>
         <translation>まだ合格ではありません</translation>
     </message>
     <message>
-        <source>At half the grid %1, at double %2.</source>
-        <translation>格子が半分で%1、2倍で%2。</translation>
+        <source>Score at half the grid: %1, at double the grid: %2.</source>
+        <translation>格子が半分のときの得点：%1、2倍のとき：%2。</translation>
     </message>
     <message>
-        <source>At half the grid %1.</source>
-        <translation>格子が半分で%1。</translation>
+        <source>Score at half the grid: %1.</source>
+        <translation>格子が半分のときの得点：%1。</translation>
     </message>
     <message>
-        <source>The pass mark lies between: this result is within the noise.</source>
-        <translation>合格点がその間にあります：結果は誤差の範囲内です。</translation>
+        <source>Result is close to the pass mark.</source>
+        <translation>結果は合格点に近い値です。</translation>
     </message>
     <message>
-        <source>Not within the noise of the pass mark.</source>
-        <translation>合格点は誤差の範囲外です。</translation>
+        <source>Result is clear of the pass mark.</source>
+        <translation>結果は合格点から十分に離れています。</translation>
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1には歯の上の場所がありません</translation>
     </message>
     <message>
-        <source>The work is everywhere as it ought to be</source>
-        <translation>すべての箇所が適正です</translation>
+        <source>No deviation from the ideal</source>
+        <translation>理想形からのずれはありません</translation>
     </message>
     <message>
         <source>%1 mm too deep</source>
         <translation>%1 mm深すぎます</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>残り%1 mm</translation>
     </message>
     <message>
-        <source>%1: the worst place</source>
+        <source>%1: worst place</source>
         <extracomment>%1 a criterion of a score</extracomment>
         <translation>%1：最も悪い箇所</translation>
     </message>
     <message>
-        <source>%1: the worst place, %2</source>
+        <source>%1: worst place, %2</source>
         <translation>%1：最も悪い箇所、%2</translation>
     </message>
     <message>
-        <source>%1 has no place; farthest off the ideal: %2</source>
-        <translation>%1には場所がありません。理想形から最も離れた所：%2</translation>
+        <source>%1 has no place on the tooth; largest deviation: %2</source>
+        <translation>%1には歯の上の場所がありません。最大のずれ：%2</translation>
     </message>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
@@ -9017,12 +9012,12 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにあるのはあなたの結果だけです。</translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
             <numerusform>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにある結果は%n人分です。</numerusform>
@@ -9034,16 +9029,16 @@ unsaved</source>
         <translation>別の評価基準</translation>
     </message>
     <message>
-        <source>You are not logged in, so this grade is not kept.</source>
+        <source>You are not logged in, so this grade is not saved.</source>
         <translation>ログインしていないため、この成績は保存されません。</translation>
     </message>
     <message>
-        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
-        <translation>この成績はこのコンピューターに保存されています。学校のデータベースには、つながり次第送られます。</translation>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>この成績はこのコンピューターに保存されています。接続が回復すると、学校のデータベースに送られます。</translation>
     </message>
     <message>
-        <source>This is the first grade here.</source>
-        <translation>ここでの最初の成績です。</translation>
+        <source>No earlier grades.</source>
+        <translation>以前の成績はありません。</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9058,8 +9053,8 @@ unsaved</source>
         <translation>報告書</translation>
     </message>
     <message>
-        <source>Score card on paper</source>
-        <translation>成績表を紙に出力</translation>
+        <source>Save or print the score card</source>
+        <translation>成績表を保存または印刷します</translation>
     </message>
     <message>
         <source>Save as PDF …</source>
@@ -9078,32 +9073,32 @@ unsaved</source>
         <translation>%1さんの評価：%2</translation>
     </message>
     <message>
-        <source>Expected by the student: %1 points.</source>
+        <source>The student expected %1 points.</source>
         <translation>学生の予想：%1点</translation>
     </message>
     <message>
-        <source>Passed, as the teacher decided</source>
+        <source>Passed (teacher&apos;s decision)</source>
         <translation>合格（教員の判断）</translation>
     </message>
     <message>
-        <source>Not passed, as the teacher decided</source>
+        <source>Not passed (teacher&apos;s decision)</source>
         <translation>不合格（教員の判断）</translation>
     </message>
     <message>
-        <source>The machine&apos;s score: %1</source>
+        <source>Automatic score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
-        <translation>機械採点：%1</translation>
+        <translation>自動採点：%1</translation>
     </message>
     <message>
-        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
+        <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
         <translation>この試行には読み取れる記録がないため、再生できず、歯の画像も表示されません。点数と減点の内訳は保存されたときのままです。</translation>
     </message>
     <message>
-        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
         <translation>この評価はまだ保存されていません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やしてください。</translation>
     </message>
     <message>
-        <source>This grade is not kept: it will not be here next time.</source>
+        <source>This grade is not saved and will not be here next time.</source>
         <translation>この成績は保存されません。次回はここに表示されません。</translation>
     </message>
 </context>

@@ -500,7 +500,7 @@ private slots:
         QCOMPARE(shown.criteria.size(), scored.criteria.size());
         for (std::size_t k = 0; k < scored.criteria.size(); ++k) {
             QCOMPARE(shown.criteria[k].lostTenths, scored.criteria[k].lostTenths);
-            QCOMPARE(ui::text::criterionWorked(shown.criteria[k], shown.verdict).contains("not stored"), !hasSheet);
+            QCOMPARE(ui::text::criterionWorked(shown.criteria[k], shown.verdict).contains("not saved"), !hasSheet);
         }
         const auto* const unrecorded = child<QLabel>("unrecorded");
         QVERIFY2(unrecorded->isVisible(), qPrintable(unrecorded->text()));

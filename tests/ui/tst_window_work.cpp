@@ -317,7 +317,7 @@ private slots:
             QStringList told;
             for (const int y : {12, 12 + 32})
                 told << line->saidAt({qRound(line->xOf(20.5)), y});
-            told = told.filter("pulp is open");
+            told = told.filter("pulp is exposed");
             if (child<QLabel>("notice")->isVisible())
                 told << child<QLabel>("notice")->text();
             if (!line->saidAt({qRound(line->xOf(40.0)), 12}).join(' ').contains("Undone"))
@@ -336,7 +336,7 @@ private slots:
         QVERIFY2(message().contains("exam"), qPrintable(message()));
         actions().back->trigger();
         // After grading, and in a practice attempt, nothing is hidden.
-        const QStringList all{"0:20  The pulp is open", "0:20  The pulp is open", "Pulp opened"};
+        const QStringList all{"0:20  The pulp is exposed", "0:20  The pulp is exposed", "Pulp opened"};
         m_window->showScore(sheet(3.2, 40, 0.5), {});
         actions().back->trigger();
         QCOMPARE(breachesTold(), all);
@@ -508,7 +508,7 @@ private slots:
         cutSomething(1.0);
         m_window->showScore(sheet(40, 30, 0), {});
         child<ui::study::ScorePage>()->setKeeping(ui::study::ScorePage::Keeping::Refused);
-        QVERIFY(child<QLabel>("historyRemark")->text().contains("tried again"));
+        QVERIFY(child<QLabel>("historyRemark")->text().contains("tries again"));
         m_window->setUnkeptGrades(1);
         m_window->close();
         QVERIFY(m_window->isVisible() && question("gradeQuestion") != nullptr);
@@ -642,7 +642,7 @@ private slots:
         // What led to the breach is seen.
         QTest::mouseClick(line, Qt::LeftButton, {}, at(20.5, 12));
         QVERIFY(isAt(19.5));
-        for (const auto& [place, words] : {std::pair(at(20.5, 12), "pulp is open"),
+        for (const auto& [place, words] : {std::pair(at(20.5, 12), "pulp is exposed"),
                                            {at(40.0, 12), "Undone"},
                                            {at(15.0, 12), "Bur 4"},
                                            {at(26.0, 12), "Handpiece: Electric"},

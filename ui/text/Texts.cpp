@@ -598,7 +598,7 @@ QString onceWords(const lessons::Once& once)
     const QString reaches = QStringLiteral("%1 %2").arg(QLocale().toString(once.reaches, 'g', 4), unitName(once.unit));
     if (once.measure == "caries_removed_percent")
         //: %1: a share: "50 %"
-        return QCoreApplication::translate("Criterion", "%1 of the decay is out").arg(reaches);
+        return QCoreApplication::translate("Criterion", "%1 of the decay is removed").arg(reaches);
     if (once.measure == "ideal_cut_percent")
         return QCoreApplication::translate("Criterion", "%1 of the ideal is cut").arg(reaches);
     if (once.measure == "target_removed_percent")
@@ -610,9 +610,8 @@ QString onceWords(const lessons::Once& once)
 
 QString soundTissueCounted()
 {
-    return QCoreApplication::translate("Criterion",
-                                       "Enamel and dentin beside the decay and below it. What lies straight "
-                                       "above the decay has to go and is not counted.");
+    return QCoreApplication::translate("Criterion", "Enamel and dentin beside and below the decay. Tissue directly "
+                                                    "above the decay must be removed and is not counted.");
 }
 
 QString criterionMeasured(const lessons::Criterion& criterion)
@@ -663,16 +662,16 @@ QString freeRange(const lessons::Criterion& criterion)
 QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict)
 {
     if (criterion.measure.empty())
-        return QCoreApplication::translate("Criterion", "The value that was measured here is not stored");
+        return QCoreApplication::translate("Criterion", "The measured value was not saved");
     if (criterion.isTooEarly && criterion.lostTenths > 0)
-        //: %1: points of a score, %2: what has to be done: "50 % of the decay is out"
+        //: %1: points of a score, %2: what has to be done: "50 % of the decay is removed"
         return QCoreApplication::translate("Criterion", "None of its %1 points are earned before %2")
             .arg(points(verdict == lessons::Verdict::WorstError ? lessons::kFullTenths : criterion.weightTenths),
                  onceWords(*criterion.once));
     if (!criterion.measured)
         return criterion.critical
-                   ? QCoreApplication::translate("Criterion",
-                                                 "Not measured, so the attempt fails: %1 points that were left")
+                   ? QCoreApplication::translate(
+                         "Criterion", "Not measured, so the attempt fails and the remaining %1 points are lost")
                          .arg(points(criterion.lostTenths))
                    : QCoreApplication::translate("Criterion", "Not measured, so it earns none of its %1 points")
                          .arg(points(criterion.weightTenths));
@@ -681,11 +680,11 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
     if (criterion.critical)
         //: %1 is a range: "up to 0.00 mm²"
         return QCoreApplication::translate("Criterion",
-                                           "Allowed is %1; it fails the attempt and takes the %2 points left")
+                                           "Allowed: %1. The attempt fails and the remaining %2 points are lost")
             .arg(freeRange(criterion), points(criterion.lostTenths));
     const int weight = verdict == lessons::Verdict::WorstError ? lessons::kFullTenths : criterion.weightTenths;
     if (verdict == lessons::Verdict::WorstError && criterion.lostTenths == 0)
-        return QCoreApplication::translate("Criterion", "%1 %2 too far off; a worse error decides")
+        return QCoreApplication::translate("Criterion", "%1 %2 outside the limit; a more serious error decides")
             .arg(number(criterion.error, 2), unitName(criterion.unit));
     if (criterion.span <= 0.0)
         return QCoreApplication::translate("Criterion", "%1; beyond it all of its %2 points are lost")
@@ -694,7 +693,7 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
         QCoreApplication::translate("Criterion", "(%1) / %2 %3 × %4 points")
             .arg(errorWorked(criterion), number(criterion.span, 2), unitName(criterion.unit), points(weight));
     return criterion.share < 1.0 ? worked + QStringLiteral(" = %1").arg(points(criterion.lostTenths))
-                                 : QCoreApplication::translate("Criterion", "%1, no more than all of them").arg(worked);
+                                 : QCoreApplication::translate("Criterion", "%1, at most all of them").arg(worked);
 }
 
 QString scoreSum(const lessons::ScoreSheet& sheet)
