@@ -1854,12 +1854,12 @@
 <context>
     <name>HistoryPanel</name>
     <message>
-        <source>Whole tooth</source>
-        <translation>Ganzer Zahn</translation>
+        <source>Intact tooth</source>
+        <translation>Unversehrter Zahn</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Wieder ganz</translation>
+        <source>Tooth reset</source>
+        <translation>Zahn zurückgesetzt</translation>
     </message>
     <message>
         <source>%1 mm³ %2</source>
@@ -2299,7 +2299,7 @@
         <translation>Röntgenbild</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>Tiefenfarben</translation>
     </message>
     <message>
@@ -2311,7 +2311,7 @@
         <translation>Ideal</translation>
     </message>
     <message>
-        <source>No aid in use</source>
+        <source>No aids in use</source>
         <translation>Keine Hilfe in Gebrauch</translation>
     </message>
     <message>
@@ -2327,8 +2327,8 @@
         <translation>Wiederhergestellt</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Wieder ganz</translation>
+        <source>Tooth reset</source>
+        <translation>Zahn zurückgesetzt</translation>
     </message>
     <message>
         <source>Bur %1: %2</source>
@@ -2339,11 +2339,11 @@
         <translation>Notiz %1</translation>
     </message>
     <message>
-        <source>The hand was led home</source>
+        <source>The hand was guided back</source>
         <translation>Die Hand wurde zurückgeführt</translation>
     </message>
     <message>
-        <source>Taken up again</source>
+        <source>Resumed</source>
         <translation>Wieder aufgenommen</translation>
     </message>
     <message>
@@ -2351,13 +2351,13 @@
         <translation>Farbe des Bohrers</translation>
     </message>
     <message>
-        <source>held within the outline</source>
-        <translation>innerhalb des Umrisses gehalten</translation>
+        <source>guided hand</source>
+        <translation>geführte Hand</translation>
     </message>
     <message>
-        <source>%1 pad: said to be %2</source>
+        <source>%1 pad: answer %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
-        <translation>%1: %2 gesagt</translation>
+        <translation>%1: Antwort %2</translation>
     </message>
     <message>
         <source>Handpiece: %1</source>
@@ -2583,12 +2583,12 @@
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>The tooth is whole, and yours to drill.</source>
-        <translation>Der Zahn ist unversehrt, Sie können ihn jetzt selbst präparieren.</translation>
+        <source>The tooth is intact. You can start drilling.</source>
+        <translation>Der Zahn ist unversehrt. Sie können mit dem Präparieren beginnen.</translation>
     </message>
     <message>
-        <source>This is your own work again, as you left it.</source>
-        <translation>Hier ist wieder Ihre eigene Arbeit, so wie Sie sie verlassen haben.</translation>
+        <source>You are back in your own work.</source>
+        <translation>Sie sind wieder bei Ihrer eigenen Arbeit.</translation>
     </message>
     <message>
         <source>The tooth is not ready yet. Try again in a moment.</source>
@@ -2607,15 +2607,15 @@
         <translation>Die Lektion wird vorbereitet …</translation>
     </message>
     <message>
-        <source>Taking up the attempt …</source>
-        <translation>Der Versuch wird aufgenommen …</translation>
+        <source>Resuming the attempt …</source>
+        <translation>Der Versuch wird fortgesetzt …</translation>
     </message>
     <message>
-        <source>Your attempt goes on where it was left.</source>
-        <translation>Ihr Versuch geht dort weiter, wo er abbrach.</translation>
+        <source>Your attempt continues where you stopped.</source>
+        <translation>Ihr Versuch geht dort weiter, wo Sie aufgehört haben.</translation>
     </message>
     <message>
-        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
     </message>
     <message>
@@ -2623,7 +2623,7 @@
         <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder Sie wählen sie im Editor einer Lektion an diesem Zahn.</translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>Diese Übung ist noch nicht begonnen, also gibt es nichts zu bewerten.</translation>
     </message>
     <message>
@@ -2647,19 +2647,19 @@
         <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, deshalb zeigt sie eine simulierte Hand.</translation>
     </message>
     <message>
-        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
         <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, und eine simulierte Hand schafft sie nicht.</translation>
     </message>
     <message>
-        <source>No pad has been named yet: say beneath the view what each is made of.</source>
-        <translation>Noch ist kein Feld benannt: Sagen Sie unter dem Bild, woraus jedes besteht.</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>Noch hat kein Feld eine Antwort. Wählen Sie unter dem Bild, woraus jedes Feld besteht.</translation>
     </message>
     <message>
         <source>The attempt is no longer there.</source>
         <translation>Der Versuch ist nicht mehr da.</translation>
     </message>
     <message>
-        <source>Working out the score card …</source>
+        <source>Preparing the score card …</source>
         <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
     <message>
@@ -2699,7 +2699,7 @@
         <translation>Dieses Konto wurde gesperrt, und Sie wurden abgemeldet. Fragen Sie die Verwaltung.</translation>
     </message>
     <message>
-        <source>The grade that could not be kept is kept now.</source>
+        <source>The grade that could not be saved is now saved.</source>
         <translation>Die Bewertung, die nicht gespeichert werden konnte, ist jetzt gespeichert.</translation>
     </message>
     <message>
@@ -2723,8 +2723,8 @@
         <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
     </message>
     <message>
-        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
-        <translation>Sie sind in einer Prüfung: Frühere Versuche werden geöffnet, wenn sie zu Ende ist. Drücken Sie G für die Note, oder nehmen Sie eine andere Lektion.</translation>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>Frühere Versuche sind während einer Prüfung nicht verfügbar. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
     </message>
     <message>
         <source>Another school is now where yours was, and you were logged out. Log in again.</source>
@@ -2746,7 +2746,7 @@
         <translation>Das Bewertungsblatt wurde als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The score card could not be written. Choose another folder, or free some disk space.</source>
         <translation>Das Bewertungsblatt konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
     </message>
     <message>
@@ -2754,11 +2754,11 @@
         <translation>Das Bewertungsblatt wurde gedruckt.</translation>
     </message>
     <message>
-        <source>The printer did not take the score card.</source>
-        <translation>Der Drucker hat das Bewertungsblatt nicht angenommen.</translation>
+        <source>The score card could not be printed.</source>
+        <translation>Das Bewertungsblatt konnte nicht gedruckt werden.</translation>
     </message>
     <message>
-        <source>The score card is being made …</source>
+        <source>Creating the score card …</source>
         <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
     <message>
@@ -3799,8 +3799,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zeit zwischen zwei Takten der Regelung: 99 von 100 in der letzten Sekunde waren kürzer.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
-        <translation>Zwei Voreinstellungen werden blind verglichen: Bis das vorbei ist, wird nicht verraten, was man fühlt. „Vergleich beenden“ neben dem Zahn beendet es.</translation>
+        <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>Ein Blindvergleich zweier Voreinstellungen läuft, deshalb sind ihre Werte verborgen. „Vergleich beenden“ neben dem Zahn beendet ihn.</translation>
     </message>
 </context>
 <context>
@@ -5907,12 +5907,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Go to a moment: click it, or press Enter</source>
-        <translation>Zu einem Zustand gehen: anklicken oder Eingabetaste</translation>
+        <source>Click a state, or press Enter, to return to it</source>
+        <translation>Einen Zustand anklicken oder Eingabetaste drücken, um zu ihm zurückzukehren</translation>
     </message>
     <message>
-        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
-        <translation>Jeder Ihrer Striche erscheint hier als kleines Bild. Ein Klick führt dorthin zurück; was danach kam, bleibt als eigener Zweig erhalten.</translation>
+        <source>Each stroke appears here as a small picture. Click a picture to go back to it. Later strokes stay as a separate branch.</source>
+        <translation>Jeder Strich erscheint hier als kleines Bild. Ein Klick auf ein Bild führt dorthin zurück. Spätere Striche bleiben als eigener Zweig erhalten.</translation>
     </message>
 </context>
 <context>
@@ -5926,12 +5926,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>Stop the recording</source>
-        <translation>Die Aufzeichnung beenden</translation>
+        <source>Stop the replay</source>
+        <translation>Die Wiedergabe beenden</translation>
     </message>
     <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation>Nicht weiter zusehen und zur eigenen Arbeit zurückkehren (Esc)</translation>
+        <source>Stop the replay and return to your own work (Esc)</source>
+        <translation>Die Wiedergabe beenden und zur eigenen Arbeit zurückkehren (Esc)</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5955,7 +5955,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <source>Left and Right move from stroke to stroke, Home and End to the beginning and the end.</source>
         <translation>Links und rechts führen von Strich zu Strich, Pos1 und Ende zum Anfang und zum Ende.</translation>
     </message>
     <message>
@@ -5968,8 +5968,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Strich %1, %2 s, %3</translation>
     </message>
     <message>
-        <source>Elsewhere for %1, which is no time of the attempt</source>
-        <translation>%1 lang anderswo, was keine Zeit des Versuchs ist</translation>
+        <source>Interruption of %1, not counted as working time</source>
+        <translation>Unterbrechung von %1, zählt nicht als Arbeitszeit</translation>
     </message>
 </context>
 <context>
@@ -6288,15 +6288,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Handstück an oder aus</translation>
     </message>
     <message>
-        <source>Let the bur turn, or stop it</source>
-        <translation>Den Bohrer laufen lassen oder anhalten</translation>
+        <source>Start or stop the bur</source>
+        <translation>Den Bohrer starten oder anhalten</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Take back the last stroke</source>
+        <source>Undo the last stroke</source>
         <translation>Den letzten Strich rückgängig machen</translation>
     </message>
     <message>
@@ -6304,7 +6304,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Make the stroke again that was taken back</source>
+        <source>Redo the stroke that was undone</source>
         <translation>Den rückgängig gemachten Strich wiederholen</translation>
     </message>
     <message>
@@ -6312,15 +6312,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Make the tooth whole again; undo brings your work back</source>
-        <translation>Mit unversehrtem Zahn neu beginnen; „Rückgängig“ bringt Ihre Arbeit zurück</translation>
+        <source>Reset the tooth; Undo restores your work</source>
+        <translation>Den Zahn zurücksetzen; „Rückgängig“ stellt Ihre Arbeit wieder her</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Bewerten</translation>
     </message>
     <message>
-        <source>Measure what you have cut and explain the grade</source>
+        <source>Measure your preparation and explain the grade</source>
         <translation>Die Präparation messen und die Bewertung erklären</translation>
     </message>
     <message>
@@ -6328,8 +6328,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Handstück</translation>
     </message>
     <message>
-        <source>Take this bur</source>
-        <translation>Diesen Bohrer nehmen</translation>
+        <source>Use this bur</source>
+        <translation>Diesen Bohrer verwenden</translation>
     </message>
     <message>
         <source>Other hand</source>
@@ -6368,27 +6368,27 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Watch a saved attempt again</source>
-        <translation>Einen gespeicherten Versuch noch einmal ansehen</translation>
+        <source>Replay a saved attempt</source>
+        <translation>Einen gespeicherten Versuch abspielen</translation>
     </message>
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>View from the start</source>
-        <translation>Anfangsansicht</translation>
+        <source>Reset view</source>
+        <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
-        <source>Turn the tooth back to where it began</source>
-        <translation>Den Zahn wie am Anfang ansehen</translation>
+        <source>Return to the initial view</source>
+        <translation>Zur Anfangsansicht zurückkehren</translation>
     </message>
     <message>
         <source>Side panel</source>
         <translation>Seitenleiste</translation>
     </message>
     <message>
-        <source>Show the figures, or put them away</source>
+        <source>Show or hide the figures</source>
         <translation>Die Messwerte ein- oder ausblenden</translation>
     </message>
     <message>
@@ -6429,8 +6429,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Wiedergabe anhalten</translation>
     </message>
     <message>
-        <source>Hold the recording where it is, or let it go on</source>
-        <translation>Die Aufzeichnung anhalten oder weiterlaufen lassen</translation>
+        <source>Pause or resume the replay</source>
+        <translation>Die Wiedergabe anhalten oder fortsetzen</translation>
     </message>
     <message>
         <source>Resume the replay</source>
@@ -6441,11 +6441,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Das Handstück von der anderen Seite halten; die Ansicht bleibt</translation>
     </message>
     <message>
-        <source>Lead the handpiece home</source>
-        <translation>Handstück heimführen</translation>
+        <source>Return the handpiece</source>
+        <translation>Handstück zurückführen</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand back over the tooth</source>
+        <source>Let the handpiece guide your hand back over the tooth</source>
         <translation>Die Hand vom Handstück über den Zahn zurückführen lassen</translation>
     </message>
     <message>
@@ -6453,12 +6453,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Turn round</source>
-        <translation>Umdrehen</translation>
+        <source>Rotate 180°</source>
+        <translation>Um 180° drehen</translation>
     </message>
     <message>
-        <source>Look from the other side: half a circle</source>
-        <translation>Von der anderen Seite sehen: ein halber Kreis</translation>
+        <source>Look at the tooth from the opposite side</source>
+        <translation>Den Zahn von der anderen Seite sehen</translation>
     </message>
     <message>
         <source>Dental mirror</source>
@@ -6466,40 +6466,40 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Mundspiegel</translation>
     </message>
     <message>
-        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
-        <translation>Den Spiegel nehmen oder weglegen; am Glas ziehen, mit Umschalt kippen</translation>
+        <source>Show or hide the mirror; drag its glass to move it, with Shift to tilt it</source>
+        <translation>Den Spiegel ein- oder ausblenden; am Glas ziehen bewegt ihn, mit Umschalt kippt es ihn</translation>
     </message>
     <message>
         <source>Light on the handpiece</source>
         <translation>Licht am Handstück</translation>
     </message>
     <message>
-        <source>Let the handpiece light the cavity</source>
+        <source>Light the cavity from the handpiece</source>
         <translation>Das Handstück leuchtet in die Kavität</translation>
     </message>
     <message>
-        <source>Colours of depth</source>
+        <source>Depth colours</source>
         <translation>Tiefenfarben</translation>
     </message>
     <message>
-        <source>Colour the cut by its depth and tell it under the pointer</source>
-        <translation>Den Schnitt nach seiner Tiefe färben und sie unter dem Zeiger nennen</translation>
+        <source>Colour the cut by its depth and show the depth at the pointer</source>
+        <translation>Den Schnitt nach seiner Tiefe färben und die Tiefe am Zeiger anzeigen</translation>
     </message>
     <message>
-        <source>Where the hand is</source>
-        <translation>Wo die Hand ist</translation>
+        <source>Hand position</source>
+        <translation>Position der Hand</translation>
     </message>
     <message>
         <source>Show faintly where the hand holds the bur</source>
         <translation>Blass zeigen, wo die Hand den Bohrer hält</translation>
     </message>
     <message>
-        <source>Colours for every eye</source>
-        <translation>Farben für jedes Auge</translation>
+        <source>Colour-blind palette</source>
+        <translation>Farben für Farbenblinde</translation>
     </message>
     <message>
-        <source>Give each tissue a colour and a pattern that nobody confuses</source>
-        <translation>Jedem Gewebe eine Farbe und ein Muster geben, die niemand verwechselt</translation>
+        <source>Give each tissue a colour and a pattern that are easy to tell apart</source>
+        <translation>Jedem Gewebe eine Farbe und ein Muster geben, die leicht zu unterscheiden sind</translation>
     </message>
     <message>
         <source>Wet tooth</source>
@@ -6507,7 +6507,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Nasser Zahn</translation>
     </message>
     <message>
-        <source>Let the tooth shine as if it were wet</source>
+        <source>Make the tooth shine as if it were wet</source>
         <translation>Den Zahn glänzen lassen, als wäre er nass</translation>
     </message>
     <message>
@@ -6527,19 +6527,19 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Brille oder Bildschirm wählen und an die Augen anpassen</translation>
     </message>
     <message>
-        <source>Turn left and right over</source>
-        <translation>Links und rechts vertauschen</translation>
+        <source>Mirror horizontally</source>
+        <translation>Horizontal spiegeln</translation>
     </message>
     <message>
         <source>For a half-silvered mirror over the hand</source>
         <translation>Für einen halbdurchlässigen Spiegel über der Hand</translation>
     </message>
     <message>
-        <source>Turn up and down over</source>
-        <translation>Oben und unten vertauschen</translation>
+        <source>Mirror vertically</source>
+        <translation>Vertikal spiegeln</translation>
     </message>
     <message>
-        <source>For a screen that lies upside down over the hand</source>
+        <source>For a screen mounted upside down over the hand</source>
         <translation>Für einen Bildschirm, der kopfüber über der Hand liegt</translation>
     </message>
     <message>
@@ -6555,8 +6555,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Weniger Bewegung</translation>
     </message>
     <message>
-        <source>No gliding, no spinning bur</source>
-        <translation>Kein Gleiten, kein drehender Bohrer</translation>
+        <source>No animations and no spinning bur</source>
+        <translation>Keine Animationen, kein drehender Bohrer</translation>
     </message>
     <message>
         <source>Whole mouth</source>
@@ -6575,15 +6575,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Show a live cut through the bur, or put it away</source>
-        <translation>Einen mitlaufenden Schnitt durch den Bohrer zeigen oder wegräumen</translation>
+        <source>Show or hide a live section through the bur</source>
+        <translation>Einen mitlaufenden Schnitt durch den Bohrer ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Turn the section</source>
         <translation>Schnitt drehen</translation>
     </message>
     <message>
-        <source>Turn the cut about the bur by 15 degrees</source>
+        <source>Turn the section around the bur by 15 degrees</source>
         <translation>Den Schnitt um 15 Grad um den Bohrer drehen</translation>
     </message>
     <message>
@@ -6603,16 +6603,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Nachbarzähne</translation>
     </message>
     <message>
-        <source>Show the teeth beside this one, and the gum</source>
-        <translation>Die Zähne daneben und das Zahnfleisch zeigen</translation>
+        <source>Show the adjacent teeth and the gum</source>
+        <translation>Die Nachbarzähne und das Zahnfleisch zeigen</translation>
     </message>
     <message>
-        <source>Colours against the ideal</source>
+        <source>Deviation from the ideal</source>
         <translation>Abweichung vom Ideal</translation>
     </message>
     <message>
-        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
-        <translation>Einfärben, was zu tief ist und was noch fehlt, und am Zeiger angeben</translation>
+        <source>Colour what is too deep and what is still to cut, and show the value at the pointer</source>
+        <translation>Einfärben, was zu tief ist und was noch fehlt, und den Wert am Zeiger anzeigen</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -6627,28 +6627,28 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation>Zeigen, wohin man zurückkann, mit allen Zweigen, oder wieder schließen</translation>
+        <source>Show or hide the undo history with all its branches</source>
+        <translation>Den Verlauf mit allen Zweigen ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Replay</source>
         <translation>Wiedergabe</translation>
     </message>
     <message>
-        <source>A stroke back</source>
-        <translation>Einen Strich zurück</translation>
+        <source>Previous stroke</source>
+        <translation>Vorheriger Strich</translation>
     </message>
     <message>
-        <source>Go back to the end of the stroke before, and hold there</source>
-        <translation>Zum Ende des vorigen Strichs zurückgehen und dort halten</translation>
+        <source>Go to the end of the previous stroke and pause</source>
+        <translation>Zum Ende des vorigen Strichs gehen und anhalten</translation>
     </message>
     <message>
-        <source>A stroke on</source>
-        <translation>Einen Strich weiter</translation>
+        <source>Next stroke</source>
+        <translation>Nächster Strich</translation>
     </message>
     <message>
-        <source>Go on to the end of the next stroke, and hold there</source>
-        <translation>Zum Ende des nächsten Strichs gehen und dort halten</translation>
+        <source>Go to the end of the next stroke and pause</source>
+        <translation>Zum Ende des nächsten Strichs gehen und anhalten</translation>
     </message>
     <message>
         <source>To the beginning</source>
@@ -6683,8 +6683,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation>Dieses Handstück nehmen</translation>
+        <source>Use this handpiece</source>
+        <translation>Dieses Handstück verwenden</translation>
     </message>
     <message>
         <source>Colour the bur</source>
@@ -6692,15 +6692,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Bohrer färben</translation>
     </message>
     <message>
-        <source>Colour the bur by how near it is to what is to be kept</source>
-        <translation>Den Bohrer danach färben, wie nah er dem ist, was bleiben soll</translation>
+        <source>Colour the bur by its distance from tissue that must be kept</source>
+        <translation>Den Bohrer nach seinem Abstand zu Gewebe färben, das erhalten bleiben muss</translation>
     </message>
     <message>
         <source>Guided hand</source>
         <translation>Geführte Hand</translation>
     </message>
     <message>
-        <source>Let a gentle force hold the hand within the outline</source>
+        <source>A gentle force keeps the hand within the outline</source>
         <translation>Eine sanfte Kraft hält die Hand im Umriss</translation>
     </message>
     <message>
@@ -6708,40 +6708,40 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Lektion bearbeiten …</translation>
     </message>
     <message>
-        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
-        <translation>Ideal und Bewertung der Lektion ändern, die in der Liste gewählt ist</translation>
+        <source>Change the ideal and the rubric of the selected lesson</source>
+        <translation>Ideal und Bewertungsschema der ausgewählten Lektion ändern</translation>
     </message>
     <message>
-        <source>Save this attempt as the reference …</source>
+        <source>Save this attempt as a reference …</source>
         <translation>Diesen Versuch als Referenz speichern …</translation>
     </message>
     <message>
-        <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>Behält, was Sie präpariert haben, als Ideal für Lektionen</translation>
+        <source>Save your preparation as an ideal for lessons</source>
+        <translation>Ihre Präparation als Ideal für Lektionen speichern</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
         <translation>Versuch des Experten</translation>
     </message>
     <message>
-        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <source>Watch how an expert does it; during a replay, beside this attempt</source>
         <translation>Ansehen, wie ein Experte es macht; bei einer Wiedergabe neben diesem Versuch</translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation>Noch einer daneben</translation>
+        <source>Compare with …</source>
+        <translation>Vergleichen mit …</translation>
     </message>
     <message>
-        <source>Open another attempt beside this one, or put it away</source>
+        <source>Open another attempt beside this one, or close it</source>
         <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
     </message>
     <message>
-        <source>Be led along</source>
-        <translation>Sich führen lassen</translation>
+        <source>Guide my hand</source>
+        <translation>Hand führen</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
-        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
+        <source>Let the handpiece guide your hand along the attempt; push against it to stop</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; drücken Sie dagegen, um es zu beenden</translation>
     </message>
     <message>
         <source>Hardness presets</source>
@@ -6756,8 +6756,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Konsole</translation>
     </message>
     <message>
-        <source>Look at parameters and turn them while you drill, or put it away</source>
-        <translation>Parameter ansehen und verstellen, während Sie bohren, oder die Konsole weglegen</translation>
+        <source>Show or hide parameters that you can change while you drill</source>
+        <translation>Parameter, die Sie beim Bohren ändern können, ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -6776,24 +6776,24 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Meine Versuche</translation>
     </message>
     <message>
-        <source>See how your attempts went</source>
-        <translation>Sehen, wie Ihre Versuche gelaufen sind</translation>
+        <source>See the results of your attempts</source>
+        <translation>Die Ergebnisse Ihrer Versuche sehen</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Klassen</translation>
     </message>
     <message>
-        <source>See how a class does, and who needs help</source>
-        <translation>Sehen, wie es einer Klasse geht und wer Hilfe braucht</translation>
+        <source>See the results of a class and who needs help</source>
+        <translation>Die Ergebnisse einer Klasse sehen und wer Hilfe braucht</translation>
     </message>
     <message>
         <source>Take the tour</source>
         <translation>Rundgang</translation>
     </message>
     <message>
-        <source>Be shown round, step by step</source>
-        <translation>Sich Schritt für Schritt herumführen lassen</translation>
+        <source>Get to know the window step by step</source>
+        <translation>Das Fenster Schritt für Schritt kennenlernen</translation>
     </message>
     <message>
         <source>School</source>
@@ -6804,20 +6804,20 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Personen, Klassenlisten, Sicherungen und das Protokoll</translation>
     </message>
     <message>
-        <source>Log in; lock this place, change your password or the language</source>
-        <translation>Anmelden; diesen Platz sperren, Passwort oder Sprache ändern</translation>
+        <source>Log in, lock this workstation, or change your password or the language</source>
+        <translation>Anmelden, diesen Arbeitsplatz sperren, Passwort oder Sprache ändern</translation>
     </message>
     <message>
-        <source>Lock, or let another log in</source>
-        <translation>Sperren oder jemand anderen anmelden</translation>
+        <source>Lock or switch user</source>
+        <translation>Sperren oder Benutzer wechseln</translation>
     </message>
     <message>
-        <source>Your work stays; who comes back or logs in says who he is</source>
-        <translation>Ihre Arbeit bleibt; wer zurückkommt oder sich anmeldet, sagt, wer er ist</translation>
+        <source>Your work stays open; a password is needed to continue</source>
+        <translation>Ihre Arbeit bleibt offen; zum Weitermachen ist ein Passwort nötig</translation>
     </message>
     <message>
-        <source>Close what is open here; nothing is lost</source>
-        <translation>Schließt, was hier offen ist; nichts geht verloren</translation>
+        <source>Close this page; nothing is lost</source>
+        <translation>Diese Seite schließen; nichts geht verloren</translation>
     </message>
     <message>
         <source>Back to the attempts</source>
@@ -6839,12 +6839,12 @@ unsaved</source>
 ungesichert</translation>
     </message>
     <message>
-        <source>Show what was done at other computers meanwhile</source>
-        <translation>Zeigen, was inzwischen an anderen Computern getan wurde</translation>
+        <source>Show changes made on other computers</source>
+        <translation>Änderungen von anderen Computern zeigen</translation>
     </message>
     <message>
-        <source>Read again</source>
-        <translation>Neu einlesen</translation>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
     </message>
 </context>
 <context>
@@ -7172,16 +7172,16 @@ ungesichert</translation>
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>The tooth is whole again.</source>
-        <translation>Der Zahn ist wieder unversehrt.</translation>
+        <source>The tooth was reset.</source>
+        <translation>Der Zahn wurde zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Bring my work back</source>
-        <translation>Arbeit zurückholen</translation>
+        <source>Restore my work</source>
+        <translation>Arbeit wiederherstellen</translation>
     </message>
     <message>
-        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
-        <translation>Cusp ist noch mit dem Vorigen beschäftigt und hat das nicht getan. Versuchen Sie es noch einmal.</translation>
+        <source>Cusp was still busy and did not do that. Try again.</source>
+        <translation>Cusp war noch beschäftigt und hat das nicht getan. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>%1 – Cusp</source>
@@ -7212,7 +7212,7 @@ ungesichert</translation>
         <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie eine solche Datei herein.</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <source>This is a replay. Stop it to grade your own work.</source>
         <translation>Das ist eine Wiedergabe. Beenden Sie sie, um Ihre eigene Arbeit bewerten zu lassen.</translation>
     </message>
     <message>
@@ -7220,7 +7220,7 @@ ungesichert</translation>
         <translation>Die Aufzeichnung wurde als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The recording has come to its end.</source>
+        <source>The recording has ended.</source>
         <translation>Die Aufzeichnung ist zu Ende.</translation>
     </message>
     <message>
@@ -7228,20 +7228,20 @@ ungesichert</translation>
         <translation>Wiedergabe beenden</translation>
     </message>
     <message>
-        <source>What you have cut would be lost.</source>
-        <translation>Was Sie präpariert haben, ginge verloren.</translation>
+        <source>Your work would be lost.</source>
+        <translation>Ihre Arbeit ginge verloren.</translation>
     </message>
     <message>
-        <source>It has not been saved as a recording since you last cut.</source>
-        <translation>Es wurde seit dem letzten Abtrag nicht als Aufzeichnung gespeichert.</translation>
+        <source>Your latest cuts are not saved as a recording.</source>
+        <translation>Ihre letzten Schnitte sind nicht als Aufzeichnung gespeichert.</translation>
     </message>
     <message>
         <source>&amp;Save the recording …</source>
         <translation>Aufzeichnung &amp;speichern …</translation>
     </message>
     <message>
-        <source>Undo takes the stroke back.</source>
-        <translation>„Rückgängig“ nimmt den letzten Strich zurück.</translation>
+        <source>You can undo the stroke.</source>
+        <translation>Sie können den Strich rückgängig machen.</translation>
     </message>
     <message>
         <source>Tooth perforated</source>
@@ -7268,17 +7268,17 @@ ungesichert</translation>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
-        <translation>So lassen</translation>
+        <source>Keep this unit</source>
+        <translation>Diese Einheit behalten</translation>
     </message>
     <message>
-        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
-        <translation>Von unten wird nicht präpariert: Der Bohrer arbeitet auf der anderen Seite des Zahns. Drehen Sie den Zahn zurück oder drücken Sie V.</translation>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
+        <translation>Von unten können Sie nicht präparieren: Der Bohrer ist auf der anderen Seite des Zahns. Drehen Sie den Zahn zurück oder drücken Sie V.</translation>
     </message>
     <message>
-        <source>The simulated handpiece is at work</source>
+        <source>The simulated handpiece is active</source>
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
-        <translation>Das simulierte Handstück arbeitet</translation>
+        <translation>Das simulierte Handstück ist aktiv</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
@@ -7289,7 +7289,7 @@ ungesichert</translation>
         <translation>Das Bild wurde als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
         <translation>Das Bild konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
     <message>
@@ -7301,8 +7301,8 @@ ungesichert</translation>
         <translation>Nur ein Zahn mit Karies hat eine ideale Präparation.</translation>
     </message>
     <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie mögen, oder drücken Sie G.</translation>
+        <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
+        <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie möchten, oder drücken Sie G für die Bewertung.</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -7313,28 +7313,28 @@ ungesichert</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>Aus dieser Datei wird keine Lektion, also gibt es nichts zu bearbeiten. Beheben Sie erst, was genannt ist.</translation>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>Diese Datei ist keine gültige Lektion, deshalb kann sie nicht bearbeitet werden. Beheben Sie zuerst die genannten Fehler.</translation>
     </message>
     <message>
         <source>Captured ideals (%1)</source>
         <translation>Abgenommene Ideale (%1)</translation>
     </message>
     <message>
-        <source>You held against it, so your hand is free. Press A to be led again.</source>
-        <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
+        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
+        <translation>Sie haben gegen die Führung gedrückt, deshalb wurde sie beendet. Mit A beginnt sie wieder.</translation>
     </message>
     <message>
-        <source>The handpiece is not there any more, so your hand is free.</source>
-        <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+        <source>The handpiece is no longer available, so the guidance stopped.</source>
+        <translation>Das Handstück ist nicht mehr verfügbar, deshalb wurde die Führung beendet.</translation>
     </message>
     <message>
-        <source>The exercise begins anew.</source>
+        <source>The exercise starts again.</source>
         <translation>Die Übung beginnt von vorn.</translation>
     </message>
     <message>
-        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
-        <translation>Sie sind in einer Prüfung, und der Editor zeigt das Ideal einer Lektion. Beenden Sie erst die Prüfung: Drücken Sie G für die Note oder nehmen Sie eine andere Lektion.</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>Der Lektionseditor ist während einer Prüfung nicht verfügbar, denn er zeigt das Ideal. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
     </message>
     <message>
         <source>%1: an attempt of %2 was not finished.</source>
@@ -7350,8 +7350,8 @@ ungesichert</translation>
         <translation>Der Versuch wurde verworfen; er bleibt sieben Tage aufgehoben.</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>Zurückholen</translation>
+        <source>Restore it</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Import a hardness preset</source>
@@ -7383,20 +7383,20 @@ ungesichert</translation>
         <translation>Es fühlt sich jetzt an wie %1.</translation>
     </message>
     <message>
-        <source>In an exam, what is felt stays as it is.</source>
-        <translation>In einer Prüfung bleibt, was man fühlt, wie es ist.</translation>
+        <source>The hardness cannot be changed during an exam.</source>
+        <translation>Während einer Prüfung kann die Härte nicht geändert werden.</translation>
     </message>
     <message>
-        <source>This is a replay: it feels as it was recorded.</source>
-        <translation>Das ist eine Wiedergabe: Sie fühlt sich an, wie sie aufgezeichnet wurde.</translation>
+        <source>A replay uses the recorded hardness.</source>
+        <translation>Eine Wiedergabe verwendet die aufgezeichnete Härte.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: that comes to its end first.</source>
-        <translation>Gerade werden zwei Voreinstellungen blind verglichen: Das geht zuerst zu Ende.</translation>
+        <source>A blind comparison of two presets is running. Finish it first.</source>
+        <translation>Ein Blindvergleich zweier Voreinstellungen läuft. Beenden Sie ihn zuerst.</translation>
     </message>
     <message>
-        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
-        <translation>Diese Lektion bringt ihre eigene Härte mit. Nur die Kräfte lassen sich ändern.</translation>
+        <source>This lesson sets its own hardness. Only the forces can be changed.</source>
+        <translation>Diese Lektion legt ihre eigene Härte fest. Nur die Kräfte lassen sich ändern.</translation>
     </message>
     <message>
         <source>Hardness presets (%1)</source>
@@ -7407,20 +7407,20 @@ ungesichert</translation>
         <translation>Tabellen (%1)</translation>
     </message>
     <message>
-        <source>The exam would be broken off without a score.</source>
-        <translation>Die Prüfung würde ohne Punktzahl abgebrochen.</translation>
+        <source>The exam would end without a score.</source>
+        <translation>Die Prüfung würde ohne Punktzahl enden.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
-        <translation>Sie zählt trotzdem als Versuch. Was Sie präpariert haben, kann später nicht bewertet werden.</translation>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
+        <translation>Sie zählt trotzdem als Versuch. Ihre Arbeit kann später nicht bewertet werden.</translation>
     </message>
     <message>
         <source>&amp;Grade it now</source>
         <translation>Jetzt &amp;bewerten</translation>
     </message>
     <message>
-        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
-        <translation>Lektionen ändern Lehrkräfte: Melden Sie sich als solche an. Um die Lektion zu machen, wählen Sie sie in der Liste.</translation>
+        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
+        <translation>Nur Lehrkräfte können Lektionen bearbeiten: Melden Sie sich als Lehrkraft an. Um die Lektion zu üben, wählen Sie sie in der Liste.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -7443,38 +7443,38 @@ ungesichert</translation>
         <translation>Aus einer Datei …</translation>
     </message>
     <message>
-        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
-        <translation>Sie hatten Ihre Versuche an dieser Lektion schon aufgebraucht, darum wird diese Bewertung nicht behalten.</translation>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
+        <translation>Sie hatten für diese Lektion keine Versuche mehr, darum wird diese Bewertung nicht gespeichert.</translation>
     </message>
     <message>
-        <source>The work itself can be kept as a recording.</source>
-        <translation>Die Arbeit selbst kann als Aufzeichnung behalten werden.</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>Sie können Ihre Arbeit als Aufzeichnung speichern.</translation>
     </message>
     <message>
-        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
-        <translation>Die Daten der Schule antworten noch nicht. Sie können weiter üben; was Sie angefragt haben, kommt, sobald sie antworten.</translation>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>Die Datenbank der Schule antwortet noch nicht. Sie können weiter präparieren; Ihre Anfrage wird erledigt, sobald sie antwortet.</translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
             <numerusform>%n Bewertung ist noch nicht gespeichert und ginge verloren.</numerusform>
             <numerusform>%n Bewertungen sind noch nicht gespeichert und gingen verloren.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
-        <translation>Die Festplatte nimmt gerade nichts an. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte, oder prüfen Sie die Rechte des Ordners.</translation>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
+        <translation>Der Datenträger ist nicht beschreibbar. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei, oder prüfen Sie die Rechte des Ordners.</translation>
     </message>
     <message>
-        <source>The time of this exam is over: nothing more can be cut.</source>
-        <translation>Die Zeit dieser Prüfung ist um: Es wird nichts mehr abgetragen.</translation>
+        <source>The time for this exam is over: cutting is disabled.</source>
+        <translation>Die Zeit für diese Prüfung ist um: Schneiden ist nicht mehr möglich.</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it.</source>
-        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G für die Note.</translation>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
+        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G, um sie zu bewerten.</translation>
     </message>
     <message>
-        <source>&amp;Go on with it</source>
+        <source>&amp;Continue it</source>
         <translation>&amp;Damit weitermachen</translation>
     </message>
     <message>
@@ -7482,15 +7482,15 @@ ungesichert</translation>
         <translation>Ein neuer Versuch beginnt.</translation>
     </message>
     <message>
-        <source>This exam would be put away without a score.</source>
-        <translation>Diese Prüfung würde ohne Punktzahl weggelegt.</translation>
+        <source>This exam would be discarded without a score.</source>
+        <translation>Diese Prüfung würde ohne Punktzahl verworfen.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
-        <translation>Sie zählt trotzdem als Versuch. Gleich danach können Sie sie noch zurückholen.</translation>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
+        <translation>Sie zählt trotzdem als Versuch. Direkt danach können Sie sie noch wiederherstellen.</translation>
     </message>
     <message>
-        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>Der Einmalcode gilt nicht mehr. Bitten Sie die Verwaltung um einen neuen.</translation>
     </message>
 </context>
@@ -7516,27 +7516,27 @@ ungesichert</translation>
         <translation>Ganzer Mund</translation>
     </message>
     <message>
-        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
-        <translation>Die Pfeiltasten gehen am Zahnbogen entlang, die Eingabetaste nimmt den Zahn.</translation>
+        <source>Arrow keys move along the arch, Enter selects the tooth.</source>
+        <translation>Die Pfeiltasten gehen am Zahnbogen entlang, die Eingabetaste wählt den Zahn.</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
-        <translation>Dieser Computer kann den ganzen Mund nicht zeichnen. Die flachen Zahnbögen leisten dasselbe.</translation>
+        <source>This computer cannot draw the whole mouth. Use the flat arches instead.</source>
+        <translation>Dieser Computer kann den ganzen Mund nicht zeichnen. Nehmen Sie stattdessen die flachen Zahnbögen.</translation>
     </message>
     <message>
-        <source>The teeth are being made …</source>
+        <source>Creating the teeth …</source>
         <translation>Die Zähne entstehen …</translation>
     </message>
     <message>
-        <source>Chosen. Enter or a double click takes it.</source>
-        <translation>Gewählt. Die Eingabetaste oder ein Doppelklick nimmt ihn.</translation>
+        <source>Selected. Press Enter or double-click to use it.</source>
+        <translation>Ausgewählt. Eingabetaste oder Doppelklick nimmt ihn.</translation>
     </message>
     <message>
-        <source>Click to choose it.</source>
+        <source>Click to select it.</source>
         <translation>Klicken wählt ihn.</translation>
     </message>
     <message>
@@ -7643,12 +7643,12 @@ ungesichert</translation>
         <translation>&lt; 1</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
-        <translation>Wie tief die Spitze unter der ursprünglichen Oberfläche steht. Am Rand des Zahns wird nichts angezeigt: Senkrecht gemessen sagt das Maß dort wenig.</translation>
+        <source>Depth of the tip below the original surface. No value is shown at the edge of the tooth, where a vertical depth means little.</source>
+        <translation>Tiefe der Spitze unter der ursprünglichen Oberfläche. Am Rand des Zahns wird kein Wert angezeigt, weil die senkrechte Tiefe dort wenig aussagt.</translation>
     </message>
     <message>
-        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
-        <translation>Abgetragenes Volumen der Pulpa. Die Bewertung betrachtet die freiliegende Fläche in mm².</translation>
+        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
+        <translation>Abgetragenes Volumen der Pulpa. Die Bewertung verwendet die freigelegte Fläche in mm².</translation>
     </message>
     <message>
         <source>N, %1 sideways</source>
@@ -7664,16 +7664,16 @@ ungesichert</translation>
         <translation>Handstück</translation>
     </message>
     <message>
-        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
-        <translation>Das Handstück liegt auf der Krone auf: Tiefer kommt der Bohrer nicht.</translation>
+        <source>The handpiece touches the crown, so the bur cannot go deeper.</source>
+        <translation>Das Handstück berührt die Krone, deshalb kommt der Bohrer nicht tiefer.</translation>
     </message>
     <message>
         <source>Dentin over pulp</source>
         <translation>Dentin über Pulpa</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
-        <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
+        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
+        <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Lassen Sie zwei Millimeter stehen; weniger als ein halber Millimeter schadet der Pulpa.</translation>
     </message>
     <message>
         <source>To the limit</source>
@@ -7681,12 +7681,12 @@ ungesichert</translation>
         <translation>Bis zur Grenze</translation>
     </message>
     <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
-        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
+        <source>Distance from the head of the bur to tissue that must be kept, downwards or sideways. No value is shown above one millimetre.</source>
+        <translation>Abstand vom Kopf des Bohrers zu Gewebe, das erhalten bleiben muss, nach unten oder zur Seite. Über einem Millimeter wird kein Wert angezeigt.</translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
-        <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
+        <source>Speed of the bur in revolutions per minute. Load slows it down until it stalls</source>
+        <translation>Drehzahl des Bohrers in Umdrehungen pro Minute. Last bremst ihn, bis er stehen bleibt</translation>
     </message>
     <message>
         <source>rpm</source>
@@ -7776,23 +7776,23 @@ ungesichert</translation>
         <translation>Diesen Zahn präparieren</translation>
     </message>
     <message>
-        <source>Put this tooth on the table (Enter)</source>
-        <translation>Diesen Zahn zum Üben nehmen (Eingabe)</translation>
+        <source>Practise on this tooth (Enter)</source>
+        <translation>An diesem Zahn üben (Eingabe)</translation>
     </message>
     <message>
-        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <source>Or drill your own tooth: a scan as an OBJ, STL or PLY file. You can also drop the file anywhere on this window.</source>
         <translation>Oder präparieren Sie einen eigenen Zahn: einen Scan als OBJ, STL oder PLY. Sie können die Datei auch irgendwo auf dieses Fenster ziehen.</translation>
     </message>
     <message>
-        <source>Nothing chosen</source>
+        <source>No tooth selected</source>
         <translation>Kein Zahn gewählt</translation>
     </message>
     <message>
-        <source>On the table now. Taking it again gives you a whole one.</source>
-        <translation>An diesem Zahn arbeiten Sie gerade. Wählen Sie ihn noch einmal, beginnt er unversehrt.</translation>
+        <source>In use. Choosing it again resets it.</source>
+        <translation>In Arbeit. Wenn Sie ihn noch einmal wählen, wird er zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Click a tooth, or walk with the arrow keys.</source>
+        <source>Click a tooth, or use the arrow keys.</source>
         <translation>Klicken Sie einen Zahn an oder wählen Sie mit den Pfeiltasten.</translation>
     </message>
     <message>
@@ -7979,8 +7979,8 @@ ungesichert</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>What is shown of the tooth, and how</source>
-        <translation>Was vom Zahn gezeigt wird, und wie</translation>
+        <source>Choose what the view shows</source>
+        <translation>Wählen, was die Ansicht zeigt</translation>
     </message>
 </context>
 <context>

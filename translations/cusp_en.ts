@@ -433,10 +433,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
-            <numerusform>%n grade is not kept yet, and would be lost.</numerusform>
-            <numerusform>%n grades are not kept yet, and would be lost.</numerusform>
+            <numerusform>%n grade is not saved yet and would be lost.</numerusform>
+            <numerusform>%n grades are not saved yet and would be lost.</numerusform>
         </translation>
     </message>
 </context>

@@ -1854,12 +1854,12 @@
 <context>
     <name>HistoryPanel</name>
     <message>
-        <source>Whole tooth</source>
+        <source>Intact tooth</source>
         <translation>Diente intacto</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Intacto de nuevo</translation>
+        <source>Tooth reset</source>
+        <translation>Diente restablecido</translation>
     </message>
     <message>
         <source>%1 mm³ %2</source>
@@ -2299,7 +2299,7 @@
         <translation>radiografía</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>colores de profundidad</translation>
     </message>
     <message>
@@ -2311,7 +2311,7 @@
         <translation>ideal</translation>
     </message>
     <message>
-        <source>No aid in use</source>
+        <source>No aids in use</source>
         <translation>Ninguna ayuda en uso</translation>
     </message>
     <message>
@@ -2327,8 +2327,8 @@
         <translation>Rehecho</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Intacto de nuevo</translation>
+        <source>Tooth reset</source>
+        <translation>Diente restablecido</translation>
     </message>
     <message>
         <source>Bur %1: %2</source>
@@ -2339,11 +2339,11 @@
         <translation>Nota %1</translation>
     </message>
     <message>
-        <source>The hand was led home</source>
+        <source>The hand was guided back</source>
         <translation>Se llevó la mano de vuelta</translation>
     </message>
     <message>
-        <source>Taken up again</source>
+        <source>Resumed</source>
         <translation>Reanudado</translation>
     </message>
     <message>
@@ -2351,13 +2351,13 @@
         <translation>color de la fresa</translation>
     </message>
     <message>
-        <source>held within the outline</source>
-        <translation>retenida dentro del contorno</translation>
+        <source>guided hand</source>
+        <translation>mano guiada</translation>
     </message>
     <message>
-        <source>%1 pad: said to be %2</source>
+        <source>%1 pad: answer %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
-        <translation>%1: se dijo %2</translation>
+        <translation>%1: respuesta %2</translation>
     </message>
     <message>
         <source>Handpiece: %1</source>
@@ -2583,12 +2583,12 @@
         <translation>Leyendo %1 …</translation>
     </message>
     <message>
-        <source>The tooth is whole, and yours to drill.</source>
-        <translation>El diente está intacto y es suyo para tallar.</translation>
+        <source>The tooth is intact. You can start drilling.</source>
+        <translation>El diente está intacto. Puede empezar a tallar.</translation>
     </message>
     <message>
-        <source>This is your own work again, as you left it.</source>
-        <translation>Aquí está de nuevo su propio trabajo, tal como lo dejó.</translation>
+        <source>You are back in your own work.</source>
+        <translation>Ha vuelto a su propio trabajo.</translation>
     </message>
     <message>
         <source>The tooth is not ready yet. Try again in a moment.</source>
@@ -2607,15 +2607,15 @@
         <translation>Preparando la lección …</translation>
     </message>
     <message>
-        <source>Taking up the attempt …</source>
+        <source>Resuming the attempt …</source>
         <translation>Reanudando el intento …</translation>
     </message>
     <message>
-        <source>Your attempt goes on where it was left.</source>
+        <source>Your attempt continues where you stopped.</source>
         <translation>Su intento continúa donde lo dejó.</translation>
     </message>
     <message>
-        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
         <translation>Este intento se hizo con otro dispositivo, así que no se puede continuar. Se conserva.</translation>
     </message>
     <message>
@@ -2623,7 +2623,7 @@
         <translation>La referencia se guardó como %1. Una lección la nombra, o elíjala en el editor de una lección sobre este diente.</translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>Este ejercicio aún no ha empezado, así que no hay nada que calificar.</translation>
     </message>
     <message>
@@ -2647,19 +2647,19 @@
         <translation>Ningún docente ha grabado esta lección, así que la muestra una mano simulada.</translation>
     </message>
     <message>
-        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
-        <translation>Ningún docente ha grabado esta lección, y una mano simulada no la consigue.</translation>
+        <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
+        <translation>Ningún docente ha grabado esta lección, y la mano simulada no puede hacerla.</translation>
     </message>
     <message>
-        <source>No pad has been named yet: say beneath the view what each is made of.</source>
-        <translation>Aún no se ha nombrado ningún campo: diga debajo de la vista de qué está hecho cada uno.</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>Ningún campo tiene respuesta todavía. Elija debajo de la vista de qué está hecho cada campo.</translation>
     </message>
     <message>
         <source>The attempt is no longer there.</source>
         <translation>El intento ya no está.</translation>
     </message>
     <message>
-        <source>Working out the score card …</source>
+        <source>Preparing the score card …</source>
         <translation>Preparando la hoja de puntuación …</translation>
     </message>
     <message>
@@ -2699,7 +2699,7 @@
         <translation>Esta cuenta se ha desactivado y se ha cerrado su sesión. Pregunte a la administración.</translation>
     </message>
     <message>
-        <source>The grade that could not be kept is kept now.</source>
+        <source>The grade that could not be saved is now saved.</source>
         <translation>La calificación que no se pudo guardar ya está guardada.</translation>
     </message>
     <message>
@@ -2723,8 +2723,8 @@
         <translation>Se ha cambiado su papel y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
     </message>
     <message>
-        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
-        <translation>Está en un examen: los intentos anteriores se abren cuando termine. Pulse G para la calificación o tome otra lección.</translation>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>Los intentos anteriores no están disponibles durante un examen. Pulse G para terminar el examen o empiece otra lección.</translation>
     </message>
     <message>
         <source>Another school is now where yours was, and you were logged out. Log in again.</source>
@@ -2746,7 +2746,7 @@
         <translation>La hoja de puntuación se guardó como %1.</translation>
     </message>
     <message>
-        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The score card could not be written. Choose another folder, or free some disk space.</source>
         <translation>La hoja de puntuación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
     <message>
@@ -2754,11 +2754,11 @@
         <translation>La hoja de puntuación se imprimió.</translation>
     </message>
     <message>
-        <source>The printer did not take the score card.</source>
-        <translation>La impresora no aceptó la hoja de puntuación.</translation>
+        <source>The score card could not be printed.</source>
+        <translation>No se pudo imprimir la hoja de puntuación.</translation>
     </message>
     <message>
-        <source>The score card is being made …</source>
+        <source>Creating the score card …</source>
         <translation>Preparando la hoja de puntuación …</translation>
     </message>
     <message>
@@ -3799,8 +3799,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Tiempo entre dos ciclos del servo: 99 de cada 100 del último segundo fueron más cortos.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
-        <translation>Se comparan dos ajustes a ciegas: hasta que termine no se dice qué se siente. «Terminar la comparación», junto al diente, le pone fin.</translation>
+        <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>Hay en curso una comparación a ciegas de dos ajustes, así que sus valores están ocultos. «Terminar la comparación», junto al diente, le pone fin.</translation>
     </message>
 </context>
 <context>
@@ -5907,12 +5907,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Historial de cambios</translation>
     </message>
     <message>
-        <source>Go to a moment: click it, or press Enter</source>
-        <translation>Ir a un momento: haga clic en él o pulse Intro</translation>
+        <source>Click a state, or press Enter, to return to it</source>
+        <translation>Haga clic en un estado, o pulse Intro, para volver a él</translation>
     </message>
     <message>
-        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
-        <translation>Cada pasada suya aparece aquí como una imagen pequeña. Haga clic en una para volver a ella; lo que vino después se conserva como una rama propia.</translation>
+        <source>Each stroke appears here as a small picture. Click a picture to go back to it. Later strokes stay as a separate branch.</source>
+        <translation>Cada pasada aparece aquí como una imagen pequeña. Haga clic en una imagen para volver a ella. Las pasadas posteriores se conservan como una rama aparte.</translation>
     </message>
 </context>
 <context>
@@ -5926,12 +5926,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Detener</translation>
     </message>
     <message>
-        <source>Stop the recording</source>
-        <translation>Detener la grabación</translation>
+        <source>Stop the replay</source>
+        <translation>Detener la reproducción</translation>
     </message>
     <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation>Dejar de mirar y volver a su propio trabajo (Esc)</translation>
+        <source>Stop the replay and return to your own work (Esc)</source>
+        <translation>Detener la reproducción y volver a su propio trabajo (Esc)</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5955,7 +5955,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Línea de tiempo</translation>
     </message>
     <message>
-        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <source>Left and Right move from stroke to stroke, Home and End to the beginning and the end.</source>
         <translation>Izquierda y derecha van de pasada en pasada; Inicio y Fin, al principio y al final.</translation>
     </message>
     <message>
@@ -5968,8 +5968,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Pasada %1, %2 s, %3</translation>
     </message>
     <message>
-        <source>Elsewhere for %1, which is no time of the attempt</source>
-        <translation>En otra parte durante %1, que no cuenta como tiempo del intento</translation>
+        <source>Interruption of %1, not counted as working time</source>
+        <translation>Interrupción de %1, no cuenta como tiempo de trabajo</translation>
     </message>
 </context>
 <context>
@@ -6288,15 +6288,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Fresa en marcha o parada</translation>
     </message>
     <message>
-        <source>Let the bur turn, or stop it</source>
-        <translation>Hacer girar la fresa o detenerla</translation>
+        <source>Start or stop the bur</source>
+        <translation>Poner en marcha o parar la fresa</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>
     <message>
-        <source>Take back the last stroke</source>
+        <source>Undo the last stroke</source>
         <translation>Deshacer la última pasada</translation>
     </message>
     <message>
@@ -6304,7 +6304,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Rehacer</translation>
     </message>
     <message>
-        <source>Make the stroke again that was taken back</source>
+        <source>Redo the stroke that was undone</source>
         <translation>Rehacer la pasada que se deshizo</translation>
     </message>
     <message>
@@ -6312,24 +6312,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Empezar de nuevo</translation>
     </message>
     <message>
-        <source>Make the tooth whole again; undo brings your work back</source>
-        <translation>Dejar el diente intacto de nuevo; deshacer recupera su trabajo</translation>
+        <source>Reset the tooth; Undo restores your work</source>
+        <translation>Restablecer el diente; Deshacer recupera su trabajo</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Calificar</translation>
     </message>
     <message>
-        <source>Measure what you have cut and explain the grade</source>
-        <translation>Medir lo que ha tallado y explicar la calificación</translation>
+        <source>Measure your preparation and explain the grade</source>
+        <translation>Medir su preparación y explicar la calificación</translation>
     </message>
     <message>
         <source>Handpiece</source>
         <translation>Pieza de mano</translation>
     </message>
     <message>
-        <source>Take this bur</source>
-        <translation>Tomar esta fresa</translation>
+        <source>Use this bur</source>
+        <translation>Usar esta fresa</translation>
     </message>
     <message>
         <source>Other hand</source>
@@ -6368,28 +6368,28 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Abrir una grabación</translation>
     </message>
     <message>
-        <source>Watch a saved attempt again</source>
-        <translation>Volver a ver un intento guardado</translation>
+        <source>Replay a saved attempt</source>
+        <translation>Reproducir un intento guardado</translation>
     </message>
     <message>
         <source>Window</source>
         <translation>Ventana</translation>
     </message>
     <message>
-        <source>View from the start</source>
-        <translation>Vista inicial</translation>
+        <source>Reset view</source>
+        <translation>Restablecer la vista</translation>
     </message>
     <message>
-        <source>Turn the tooth back to where it began</source>
-        <translation>Volver el diente a como estaba al principio</translation>
+        <source>Return to the initial view</source>
+        <translation>Volver a la vista inicial</translation>
     </message>
     <message>
         <source>Side panel</source>
         <translation>Panel lateral</translation>
     </message>
     <message>
-        <source>Show the figures, or put them away</source>
-        <translation>Mostrar las medidas u ocultarlas</translation>
+        <source>Show or hide the figures</source>
+        <translation>Mostrar u ocultar las medidas</translation>
     </message>
     <message>
         <source>Full screen</source>
@@ -6429,8 +6429,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Pausar la reproducción</translation>
     </message>
     <message>
-        <source>Hold the recording where it is, or let it go on</source>
-        <translation>Detener la grabación donde está o dejar que siga</translation>
+        <source>Pause or resume the replay</source>
+        <translation>Pausar o reanudar la reproducción</translation>
     </message>
     <message>
         <source>Resume the replay</source>
@@ -6441,24 +6441,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Sostener la pieza de mano desde el otro lado; la vista no cambia</translation>
     </message>
     <message>
-        <source>Lead the handpiece home</source>
+        <source>Return the handpiece</source>
         <translation>Devolver la pieza de mano</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand back over the tooth</source>
-        <translation>Dejar que la pieza de mano lleve su mano de vuelta sobre el diente</translation>
+        <source>Let the handpiece guide your hand back over the tooth</source>
+        <translation>Dejar que la pieza de mano guíe su mano de vuelta sobre el diente</translation>
     </message>
     <message>
         <source>View</source>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>Turn round</source>
-        <translation>Dar la vuelta</translation>
+        <source>Rotate 180°</source>
+        <translation>Girar 180°</translation>
     </message>
     <message>
-        <source>Look from the other side: half a circle</source>
-        <translation>Mirar desde el otro lado: media vuelta</translation>
+        <source>Look at the tooth from the opposite side</source>
+        <translation>Ver el diente desde el lado opuesto</translation>
     </message>
     <message>
         <source>Dental mirror</source>
@@ -6466,40 +6466,40 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Espejo dental</translation>
     </message>
     <message>
-        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
-        <translation>Tomar el espejo o dejarlo; arrastre el cristal, con Mayúsculas para inclinarlo</translation>
+        <source>Show or hide the mirror; drag its glass to move it, with Shift to tilt it</source>
+        <translation>Mostrar u ocultar el espejo; arrastre el cristal para moverlo, con Mayúsculas para inclinarlo</translation>
     </message>
     <message>
         <source>Light on the handpiece</source>
         <translation>Luz en la pieza de mano</translation>
     </message>
     <message>
-        <source>Let the handpiece light the cavity</source>
-        <translation>Dejar que la pieza de mano ilumine la cavidad</translation>
+        <source>Light the cavity from the handpiece</source>
+        <translation>Iluminar la cavidad desde la pieza de mano</translation>
     </message>
     <message>
-        <source>Colours of depth</source>
+        <source>Depth colours</source>
         <translation>Colores de profundidad</translation>
     </message>
     <message>
-        <source>Colour the cut by its depth and tell it under the pointer</source>
-        <translation>Colorear el tallado por su profundidad e indicarla bajo el puntero</translation>
+        <source>Colour the cut by its depth and show the depth at the pointer</source>
+        <translation>Colorear el tallado por su profundidad y mostrarla en el puntero</translation>
     </message>
     <message>
-        <source>Where the hand is</source>
-        <translation>Dónde está la mano</translation>
+        <source>Hand position</source>
+        <translation>Posición de la mano</translation>
     </message>
     <message>
         <source>Show faintly where the hand holds the bur</source>
         <translation>Mostrar tenuemente dónde sostiene la mano la fresa</translation>
     </message>
     <message>
-        <source>Colours for every eye</source>
-        <translation>Colores para todos los ojos</translation>
+        <source>Colour-blind palette</source>
+        <translation>Paleta para daltónicos</translation>
     </message>
     <message>
-        <source>Give each tissue a colour and a pattern that nobody confuses</source>
-        <translation>Dar a cada tejido un color y una trama que nadie confunde</translation>
+        <source>Give each tissue a colour and a pattern that are easy to tell apart</source>
+        <translation>Dar a cada tejido un color y una trama fáciles de distinguir</translation>
     </message>
     <message>
         <source>Wet tooth</source>
@@ -6507,8 +6507,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Diente húmedo</translation>
     </message>
     <message>
-        <source>Let the tooth shine as if it were wet</source>
-        <translation>Dejar que el diente brille como si estuviera húmedo</translation>
+        <source>Make the tooth shine as if it were wet</source>
+        <translation>Hacer que el diente brille como si estuviera húmedo</translation>
     </message>
     <message>
         <source>Stereo picture</source>
@@ -6527,19 +6527,19 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Elegir gafas o pantalla y ajustarla a sus ojos</translation>
     </message>
     <message>
-        <source>Turn left and right over</source>
-        <translation>Invertir izquierda y derecha</translation>
+        <source>Mirror horizontally</source>
+        <translation>Reflejar horizontalmente</translation>
     </message>
     <message>
         <source>For a half-silvered mirror over the hand</source>
         <translation>Para un espejo semirreflectante sobre la mano</translation>
     </message>
     <message>
-        <source>Turn up and down over</source>
-        <translation>Invertir arriba y abajo</translation>
+        <source>Mirror vertically</source>
+        <translation>Reflejar verticalmente</translation>
     </message>
     <message>
-        <source>For a screen that lies upside down over the hand</source>
+        <source>For a screen mounted upside down over the hand</source>
         <translation>Para una pantalla colocada boca abajo sobre la mano</translation>
     </message>
     <message>
@@ -6555,8 +6555,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Menos movimiento</translation>
     </message>
     <message>
-        <source>No gliding, no spinning bur</source>
-        <translation>Sin deslizamientos ni fresa girando</translation>
+        <source>No animations and no spinning bur</source>
+        <translation>Sin animaciones ni fresa girando</translation>
     </message>
     <message>
         <source>Whole mouth</source>
@@ -6575,15 +6575,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Corte</translation>
     </message>
     <message>
-        <source>Show a live cut through the bur, or put it away</source>
-        <translation>Mostrar un corte en vivo a través de la fresa u ocultarlo</translation>
+        <source>Show or hide a live section through the bur</source>
+        <translation>Mostrar u ocultar un corte en vivo a través de la fresa</translation>
     </message>
     <message>
         <source>Turn the section</source>
         <translation>Girar el corte</translation>
     </message>
     <message>
-        <source>Turn the cut about the bur by 15 degrees</source>
+        <source>Turn the section around the bur by 15 degrees</source>
         <translation>Girar el corte 15 grados alrededor de la fresa</translation>
     </message>
     <message>
@@ -6603,16 +6603,16 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Dientes adyacentes</translation>
     </message>
     <message>
-        <source>Show the teeth beside this one, and the gum</source>
-        <translation>Mostrar los dientes junto a este, y la encía</translation>
+        <source>Show the adjacent teeth and the gum</source>
+        <translation>Mostrar los dientes adyacentes y la encía</translation>
     </message>
     <message>
-        <source>Colours against the ideal</source>
-        <translation>Colores frente al ideal</translation>
+        <source>Deviation from the ideal</source>
+        <translation>Desviación del ideal</translation>
     </message>
     <message>
-        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
-        <translation>Colorear lo que es demasiado profundo y lo que falta, e indicarlo bajo el puntero</translation>
+        <source>Colour what is too deep and what is still to cut, and show the value at the pointer</source>
+        <translation>Colorear lo que es demasiado profundo y lo que falta, y mostrar el valor en el puntero</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -6627,28 +6627,28 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Historial</translation>
     </message>
     <message>
-        <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation>Mostrar a qué se puede volver, con todas las ramas, u ocultarlo</translation>
+        <source>Show or hide the undo history with all its branches</source>
+        <translation>Mostrar u ocultar el historial con todas sus ramas</translation>
     </message>
     <message>
         <source>Replay</source>
         <translation>Reproducción</translation>
     </message>
     <message>
-        <source>A stroke back</source>
-        <translation>Una pasada atrás</translation>
+        <source>Previous stroke</source>
+        <translation>Pasada anterior</translation>
     </message>
     <message>
-        <source>Go back to the end of the stroke before, and hold there</source>
-        <translation>Volver al final de la pasada anterior y detenerse allí</translation>
+        <source>Go to the end of the previous stroke and pause</source>
+        <translation>Ir al final de la pasada anterior y pausar</translation>
     </message>
     <message>
-        <source>A stroke on</source>
-        <translation>Una pasada adelante</translation>
+        <source>Next stroke</source>
+        <translation>Pasada siguiente</translation>
     </message>
     <message>
-        <source>Go on to the end of the next stroke, and hold there</source>
-        <translation>Ir al final de la pasada siguiente y detenerse allí</translation>
+        <source>Go to the end of the next stroke and pause</source>
+        <translation>Ir al final de la pasada siguiente y pausar</translation>
     </message>
     <message>
         <source>To the beginning</source>
@@ -6683,8 +6683,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Reproducir la grabación más deprisa, hasta 16 veces</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation>Tomar esta pieza de mano</translation>
+        <source>Use this handpiece</source>
+        <translation>Usar esta pieza de mano</translation>
     </message>
     <message>
         <source>Colour the bur</source>
@@ -6692,56 +6692,56 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Colorear la fresa</translation>
     </message>
     <message>
-        <source>Colour the bur by how near it is to what is to be kept</source>
-        <translation>Colorear la fresa según lo cerca que esté de lo que debe conservarse</translation>
+        <source>Colour the bur by its distance from tissue that must be kept</source>
+        <translation>Colorear la fresa según su distancia al tejido que debe conservarse</translation>
     </message>
     <message>
         <source>Guided hand</source>
         <translation>Mano guiada</translation>
     </message>
     <message>
-        <source>Let a gentle force hold the hand within the outline</source>
-        <translation>Dejar que una fuerza suave retenga la mano dentro del contorno</translation>
+        <source>A gentle force keeps the hand within the outline</source>
+        <translation>Una fuerza suave mantiene la mano dentro del contorno</translation>
     </message>
     <message>
         <source>Edit the lesson …</source>
         <translation>Editar la lección …</translation>
     </message>
     <message>
-        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
-        <translation>Cambiar el ideal y la calificación de la lección elegida en la lista</translation>
+        <source>Change the ideal and the rubric of the selected lesson</source>
+        <translation>Cambiar el ideal y la rúbrica de la lección elegida</translation>
     </message>
     <message>
-        <source>Save this attempt as the reference …</source>
+        <source>Save this attempt as a reference …</source>
         <translation>Guardar este intento como referencia …</translation>
     </message>
     <message>
-        <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>Conservar lo que ha tallado como el ideal que piden las lecciones</translation>
+        <source>Save your preparation as an ideal for lessons</source>
+        <translation>Guardar su preparación como ideal para lecciones</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
         <translation>El intento del experto</translation>
     </message>
     <message>
-        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <source>Watch how an expert does it; during a replay, beside this attempt</source>
         <translation>Ver cómo lo hace un experto; en una reproducción, junto a este intento</translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation>Otro al lado</translation>
+        <source>Compare with …</source>
+        <translation>Comparar con …</translation>
     </message>
     <message>
-        <source>Open another attempt beside this one, or put it away</source>
+        <source>Open another attempt beside this one, or close it</source>
         <translation>Abrir otro intento junto a este, o cerrarlo</translation>
     </message>
     <message>
-        <source>Be led along</source>
-        <translation>Dejarse guiar</translation>
+        <source>Guide my hand</source>
+        <translation>Guiar mi mano</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
-        <translation>Dejar que la pieza de mano guíe su mano a lo largo del intento; un empujón la suelta</translation>
+        <source>Let the handpiece guide your hand along the attempt; push against it to stop</source>
+        <translation>La pieza de mano guía su mano a lo largo del intento; empuje en contra para soltarla</translation>
     </message>
     <message>
         <source>Hardness presets</source>
@@ -6760,8 +6760,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Consola</translation>
     </message>
     <message>
-        <source>Look at parameters and turn them while you drill, or put it away</source>
-        <translation>Ver parámetros y cambiarlos mientras fresa, u ocultarla</translation>
+        <source>Show or hide parameters that you can change while you drill</source>
+        <translation>Mostrar u ocultar parámetros que puede cambiar mientras fresa</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -6776,24 +6776,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Mis intentos</translation>
     </message>
     <message>
-        <source>See how your attempts went</source>
-        <translation>Ver cómo fueron sus intentos</translation>
+        <source>See the results of your attempts</source>
+        <translation>Ver los resultados de sus intentos</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Grupos</translation>
     </message>
     <message>
-        <source>See how a class does, and who needs help</source>
-        <translation>Ver cómo va un grupo y quién necesita ayuda</translation>
+        <source>See the results of a class and who needs help</source>
+        <translation>Ver los resultados de un grupo y quién necesita ayuda</translation>
     </message>
     <message>
         <source>Take the tour</source>
         <translation>Visita guiada</translation>
     </message>
     <message>
-        <source>Be shown round, step by step</source>
-        <translation>Recorrer el programa paso a paso</translation>
+        <source>Get to know the window step by step</source>
+        <translation>Conocer la ventana paso a paso</translation>
     </message>
     <message>
         <source>School</source>
@@ -6804,20 +6804,20 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Personas, listas, copias de seguridad y el registro</translation>
     </message>
     <message>
-        <source>Log in; lock this place, change your password or the language</source>
-        <translation>Iniciar sesión; bloquear este puesto, cambiar la contraseña o el idioma</translation>
+        <source>Log in, lock this workstation, or change your password or the language</source>
+        <translation>Iniciar sesión, bloquear este puesto, cambiar la contraseña o el idioma</translation>
     </message>
     <message>
-        <source>Lock, or let another log in</source>
-        <translation>Bloquear, o que entre otra persona</translation>
+        <source>Lock or switch user</source>
+        <translation>Bloquear o cambiar de usuario</translation>
     </message>
     <message>
-        <source>Your work stays; who comes back or logs in says who he is</source>
-        <translation>Su trabajo se conserva; quien vuelva o entre dirá quién es</translation>
+        <source>Your work stays open; a password is needed to continue</source>
+        <translation>Su trabajo sigue abierto; para continuar se necesita una contraseña</translation>
     </message>
     <message>
-        <source>Close what is open here; nothing is lost</source>
-        <translation>Cierra lo que está abierto aquí; no se pierde nada</translation>
+        <source>Close this page; nothing is lost</source>
+        <translation>Cerrar esta página; no se pierde nada</translation>
     </message>
     <message>
         <source>Back to the attempts</source>
@@ -6839,12 +6839,12 @@ unsaved</source>
 sin guardar</translation>
     </message>
     <message>
-        <source>Show what was done at other computers meanwhile</source>
-        <translation>Mostrar lo que se hizo entretanto en otros ordenadores</translation>
+        <source>Show changes made on other computers</source>
+        <translation>Mostrar los cambios hechos en otros ordenadores</translation>
     </message>
     <message>
-        <source>Read again</source>
-        <translation>Leer de nuevo</translation>
+        <source>Reload</source>
+        <translation>Recargar</translation>
     </message>
 </context>
 <context>
@@ -7172,16 +7172,16 @@ sin guardar</translation>
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>The tooth is whole again.</source>
-        <translation>El diente está intacto de nuevo.</translation>
+        <source>The tooth was reset.</source>
+        <translation>El diente se ha restablecido.</translation>
     </message>
     <message>
-        <source>Bring my work back</source>
+        <source>Restore my work</source>
         <translation>Recuperar mi trabajo</translation>
     </message>
     <message>
-        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
-        <translation>Cusp aún está ocupado con lo anterior y no lo hizo. Inténtelo de nuevo.</translation>
+        <source>Cusp was still busy and did not do that. Try again.</source>
+        <translation>Cusp aún estaba ocupado y no lo hizo. Inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>%1 – Cusp</source>
@@ -7212,7 +7212,7 @@ sin guardar</translation>
         <translation>Esto no es ni un escaneo (OBJ, STL, PLY) ni una grabación. Suelte uno de ellos.</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <source>This is a replay. Stop it to grade your own work.</source>
         <translation>Esto es una reproducción. Deténgala para que se califique su propio trabajo.</translation>
     </message>
     <message>
@@ -7220,28 +7220,28 @@ sin guardar</translation>
         <translation>La grabación se guardó como %1.</translation>
     </message>
     <message>
-        <source>The recording has come to its end.</source>
-        <translation>La grabación ha llegado a su fin.</translation>
+        <source>The recording has ended.</source>
+        <translation>La grabación ha terminado.</translation>
     </message>
     <message>
         <source>Stop the replay</source>
         <translation>Detener la reproducción</translation>
     </message>
     <message>
-        <source>What you have cut would be lost.</source>
-        <translation>Lo que ha tallado se perdería.</translation>
+        <source>Your work would be lost.</source>
+        <translation>Su trabajo se perdería.</translation>
     </message>
     <message>
-        <source>It has not been saved as a recording since you last cut.</source>
-        <translation>No se ha guardado como grabación desde la última vez que talló.</translation>
+        <source>Your latest cuts are not saved as a recording.</source>
+        <translation>Sus últimos cortes no están guardados como grabación.</translation>
     </message>
     <message>
         <source>&amp;Save the recording …</source>
         <translation>&amp;Guardar la grabación …</translation>
     </message>
     <message>
-        <source>Undo takes the stroke back.</source>
-        <translation>Deshacer anula la pasada.</translation>
+        <source>You can undo the stroke.</source>
+        <translation>Puede deshacer la pasada.</translation>
     </message>
     <message>
         <source>Tooth perforated</source>
@@ -7268,17 +7268,17 @@ sin guardar</translation>
         <translation>Metros</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
-        <translation>Dejarlo como está</translation>
+        <source>Keep this unit</source>
+        <translation>Mantener esta unidad</translation>
     </message>
     <message>
-        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
-        <translation>Desde abajo no se talla nada: la fresa trabaja al otro lado del diente. Vuelva a girarlo o pulse V.</translation>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
+        <translation>No se puede tallar desde abajo: la fresa está al otro lado del diente. Vuelva a girarlo o pulse V.</translation>
     </message>
     <message>
-        <source>The simulated handpiece is at work</source>
+        <source>The simulated handpiece is active</source>
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
-        <translation>La pieza de mano simulada está trabajando</translation>
+        <translation>La pieza de mano simulada está activa</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
@@ -7289,7 +7289,7 @@ sin guardar</translation>
         <translation>La imagen se guardó como %1.</translation>
     </message>
     <message>
-        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
         <translation>La imagen no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
     <message>
@@ -7301,8 +7301,8 @@ sin guardar</translation>
         <translation>Solo un diente con caries tiene una preparación ideal.</translation>
     </message>
     <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>El tiempo de esta lección ha terminado. Siga cuanto quiera o pulse G.</translation>
+        <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
+        <translation>El tiempo de esta lección ha terminado. Continúe cuanto quiera o pulse G para la calificación.</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -7313,28 +7313,28 @@ sin guardar</translation>
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>Este archivo no puede darse como lección, así que no hay nada que editar. Corrija primero lo que se indica.</translation>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>Este archivo no es una lección válida, así que no se puede editar. Corrija primero los errores indicados.</translation>
     </message>
     <message>
         <source>Captured ideals (%1)</source>
         <translation>Ideales capturados (%1)</translation>
     </message>
     <message>
-        <source>You held against it, so your hand is free. Press A to be led again.</source>
-        <translation>Opuso resistencia, así que su mano está libre. Pulse A para que se le guíe de nuevo.</translation>
+        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
+        <translation>Empujó en contra de la guía, así que se detuvo. Pulse A para iniciarla de nuevo.</translation>
     </message>
     <message>
-        <source>The handpiece is not there any more, so your hand is free.</source>
-        <translation>La pieza de mano ya no está, así que su mano está libre.</translation>
+        <source>The handpiece is no longer available, so the guidance stopped.</source>
+        <translation>La pieza de mano ya no está disponible, así que la guía se detuvo.</translation>
     </message>
     <message>
-        <source>The exercise begins anew.</source>
+        <source>The exercise starts again.</source>
         <translation>El ejercicio empieza de nuevo.</translation>
     </message>
     <message>
-        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
-        <translation>Está en un examen, y el editor muestra el ideal de una lección. Termine primero el examen: pulse G para la calificación o tome otra lección.</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>El editor de lecciones no está disponible durante un examen, porque muestra el ideal. Pulse G para terminar el examen o empiece otra lección.</translation>
     </message>
     <message>
         <source>%1: an attempt of %2 was not finished.</source>
@@ -7350,7 +7350,7 @@ sin guardar</translation>
         <translation>El intento se descartó; se conserva siete días.</translation>
     </message>
     <message>
-        <source>Bring it back</source>
+        <source>Restore it</source>
         <translation>Recuperarlo</translation>
     </message>
     <message>
@@ -7391,36 +7391,36 @@ sin guardar</translation>
         <translation>Ahora se siente como %1.</translation>
     </message>
     <message>
-        <source>In an exam, what is felt stays as it is.</source>
-        <translation>En un examen, lo que se siente no cambia.</translation>
+        <source>The hardness cannot be changed during an exam.</source>
+        <translation>La dureza no se puede cambiar durante un examen.</translation>
     </message>
     <message>
-        <source>This is a replay: it feels as it was recorded.</source>
-        <translation>Esto es una reproducción: se siente como se grabó.</translation>
+        <source>A replay uses the recorded hardness.</source>
+        <translation>Una reproducción usa la dureza grabada.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: that comes to its end first.</source>
-        <translation>Se están comparando dos ajustes a ciegas: primero debe terminar esa comparación.</translation>
+        <source>A blind comparison of two presets is running. Finish it first.</source>
+        <translation>Hay en curso una comparación a ciegas de dos ajustes. Termínela primero.</translation>
     </message>
     <message>
-        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
-        <translation>Esta lección trae su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
+        <source>This lesson sets its own hardness. Only the forces can be changed.</source>
+        <translation>Esta lección fija su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
     </message>
     <message>
-        <source>The exam would be broken off without a score.</source>
-        <translation>El examen se interrumpiría sin puntuación.</translation>
+        <source>The exam would end without a score.</source>
+        <translation>El examen terminaría sin puntuación.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
-        <translation>Cuenta igualmente como intento. Lo que ha tallado no podrá calificarse más tarde.</translation>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
+        <translation>Cuenta igualmente como intento. Su trabajo no podrá calificarse más tarde.</translation>
     </message>
     <message>
         <source>&amp;Grade it now</source>
         <translation>&amp;Calificar ahora</translation>
     </message>
     <message>
-        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
-        <translation>Las lecciones las cambian los docentes: inicie sesión como tal. Para hacer la lección, elíjala en la lista.</translation>
+        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
+        <translation>Solo los docentes pueden editar lecciones: inicie sesión como docente. Para practicar la lección, elíjala en la lista.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -7443,54 +7443,54 @@ sin guardar</translation>
         <translation>De un archivo …</translation>
     </message>
     <message>
-        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
-        <translation>Ya había agotado sus intentos en esta lección, así que esta calificación no se conserva.</translation>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
+        <translation>Ya no le quedaban intentos en esta lección, así que esta calificación no se guarda.</translation>
     </message>
     <message>
-        <source>The work itself can be kept as a recording.</source>
-        <translation>El trabajo en sí puede conservarse como grabación.</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>Puede guardar su trabajo como grabación.</translation>
     </message>
     <message>
-        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
-        <translation>Los datos de la escuela aún no responden. Usted puede seguir practicando; lo que pidió llegará cuando respondan.</translation>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>La base de datos de la escuela aún no responde. Puede seguir tallando; su petición se completará cuando responda.</translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
             <numerusform>%n calificación aún no está guardada y se perdería.</numerusform>
             <numerusform>%n calificaciones aún no están guardadas y se perderían.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
-        <translation>El disco no admite nada ahora. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco o revise los permisos de la carpeta.</translation>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
+        <translation>No se puede escribir en el disco. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco o revise los permisos de la carpeta.</translation>
     </message>
     <message>
-        <source>The time of this exam is over: nothing more can be cut.</source>
-        <translation>El tiempo de este examen ha terminado: no se puede tallar más.</translation>
+        <source>The time for this exam is over: cutting is disabled.</source>
+        <translation>El tiempo de este examen ha terminado: ya no se puede tallar.</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it.</source>
-        <translation>Este examen ha terminado, pero aún no tiene calificación. Pulse G para obtenerla.</translation>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
+        <translation>Este examen ha terminado, pero aún no está calificado. Pulse G para calificarlo.</translation>
     </message>
     <message>
-        <source>&amp;Go on with it</source>
-        <translation>&amp;Seguir con él</translation>
+        <source>&amp;Continue it</source>
+        <translation>&amp;Continuarlo</translation>
     </message>
     <message>
         <source>Another attempt begins.</source>
         <translation>Empieza otro intento.</translation>
     </message>
     <message>
-        <source>This exam would be put away without a score.</source>
+        <source>This exam would be discarded without a score.</source>
         <translation>Este examen se descartaría sin puntuación.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
-        <translation>Cuenta como intento de todos modos. Justo después aún puede recuperarlo.</translation>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
+        <translation>Cuenta igualmente como intento. Justo después podrá recuperarlo.</translation>
     </message>
     <message>
-        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>El código de un solo uso ya no es válido. Pida otro a un administrador.</translation>
     </message>
 </context>
@@ -7516,27 +7516,27 @@ sin guardar</translation>
         <translation>Boca completa</translation>
     </message>
     <message>
-        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
-        <translation>Las flechas recorren la arcada; Intro toma el diente.</translation>
+        <source>Arrow keys move along the arch, Enter selects the tooth.</source>
+        <translation>Las flechas recorren la arcada; Intro elige el diente.</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
-        <translation>Este ordenador no puede dibujar la boca completa. Las arcadas planas sirven igual.</translation>
+        <source>This computer cannot draw the whole mouth. Use the flat arches instead.</source>
+        <translation>Este ordenador no puede dibujar la boca completa. Use en su lugar las arcadas planas.</translation>
     </message>
     <message>
-        <source>The teeth are being made …</source>
+        <source>Creating the teeth …</source>
         <translation>Se están creando los dientes …</translation>
     </message>
     <message>
-        <source>Chosen. Enter or a double click takes it.</source>
-        <translation>Elegido. Intro o un doble clic lo toma.</translation>
+        <source>Selected. Press Enter or double-click to use it.</source>
+        <translation>Elegido. Pulse Intro o haga doble clic para usarlo.</translation>
     </message>
     <message>
-        <source>Click to choose it.</source>
+        <source>Click to select it.</source>
         <translation>Haga clic para elegirlo.</translation>
     </message>
     <message>
@@ -7643,12 +7643,12 @@ sin guardar</translation>
         <translation>&lt; 1</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
-        <translation>A qué distancia está la punta por debajo de la superficie original. En el borde del diente no se muestra nada, porque allí la vertical dice poco.</translation>
+        <source>Depth of the tip below the original surface. No value is shown at the edge of the tooth, where a vertical depth means little.</source>
+        <translation>Profundidad de la punta bajo la superficie original. En el borde del diente no se muestra ningún valor, porque allí la profundidad vertical dice poco.</translation>
     </message>
     <message>
-        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
-        <translation>Volumen de pulpa tallado. La calificación mira el área abierta, en mm².</translation>
+        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
+        <translation>Volumen de pulpa eliminado. La calificación usa el área expuesta, en mm².</translation>
     </message>
     <message>
         <source>N, %1 sideways</source>
@@ -7664,16 +7664,16 @@ sin guardar</translation>
         <translation>Pieza de mano</translation>
     </message>
     <message>
-        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
-        <translation>La pieza de mano se apoya en la corona: la fresa no llega más abajo.</translation>
+        <source>The handpiece touches the crown, so the bur cannot go deeper.</source>
+        <translation>La pieza de mano toca la corona, así que la fresa no puede bajar más.</translation>
     </message>
     <message>
         <source>Dentin over pulp</source>
         <translation>Dentina sobre pulpa</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
-        <translation>Dentina sana entre el tallado y la pulpa, justo debajo de la punta. Se desean dos milímetros; menos de medio milímetro daña la pulpa.</translation>
+        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
+        <translation>Dentina sana entre el tallado y la pulpa, en vertical bajo la punta. Deje dos milímetros; menos de medio milímetro daña la pulpa.</translation>
     </message>
     <message>
         <source>To the limit</source>
@@ -7681,12 +7681,12 @@ sin guardar</translation>
         <translation>Hasta el límite</translation>
     </message>
     <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
-        <translation>A qué distancia está la cabeza de la fresa de lo que debe conservarse, hacia abajo o hacia los lados. A más de un milímetro no se muestra nada.</translation>
+        <source>Distance from the head of the bur to tissue that must be kept, downwards or sideways. No value is shown above one millimetre.</source>
+        <translation>Distancia de la cabeza de la fresa al tejido que debe conservarse, hacia abajo o hacia los lados. Por encima de un milímetro no se muestra ningún valor.</translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
-        <translation>Vueltas de la fresa por minuto: una carga la frena hasta que se para</translation>
+        <source>Speed of the bur in revolutions per minute. Load slows it down until it stalls</source>
+        <translation>Velocidad de la fresa en revoluciones por minuto. La carga la frena hasta que se para</translation>
     </message>
     <message>
         <source>rpm</source>
@@ -7776,24 +7776,24 @@ sin guardar</translation>
         <translation>Tallar este diente</translation>
     </message>
     <message>
-        <source>Put this tooth on the table (Enter)</source>
-        <translation>Poner este diente en la mesa (Intro)</translation>
+        <source>Practise on this tooth (Enter)</source>
+        <translation>Practicar en este diente (Intro)</translation>
     </message>
     <message>
-        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <source>Or drill your own tooth: a scan as an OBJ, STL or PLY file. You can also drop the file anywhere on this window.</source>
         <translation>O talle un diente propio: un escaneo OBJ, STL o PLY. También puede soltar el archivo en cualquier lugar de esta ventana.</translation>
     </message>
     <message>
-        <source>Nothing chosen</source>
-        <translation>Nada elegido</translation>
+        <source>No tooth selected</source>
+        <translation>Ningún diente elegido</translation>
     </message>
     <message>
-        <source>On the table now. Taking it again gives you a whole one.</source>
-        <translation>Ahora en la mesa. Si lo toma de nuevo, obtiene uno intacto.</translation>
+        <source>In use. Choosing it again resets it.</source>
+        <translation>En uso. Si lo elige de nuevo, se restablece.</translation>
     </message>
     <message>
-        <source>Click a tooth, or walk with the arrow keys.</source>
-        <translation>Haga clic en un diente o recórralos con las flechas.</translation>
+        <source>Click a tooth, or use the arrow keys.</source>
+        <translation>Haga clic en un diente o use las flechas.</translation>
     </message>
     <message>
         <source>Flat arches</source>
@@ -7979,8 +7979,8 @@ sin guardar</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>What is shown of the tooth, and how</source>
-        <translation>Qué se muestra del diente y cómo</translation>
+        <source>Choose what the view shows</source>
+        <translation>Elegir qué muestra la vista</translation>
     </message>
 </context>
 <context>

@@ -1852,12 +1852,12 @@
 <context>
     <name>HistoryPanel</name>
     <message>
-        <source>Whole tooth</source>
+        <source>Intact tooth</source>
         <translation>切削前の歯</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>元に戻した歯</translation>
+        <source>Tooth reset</source>
+        <translation>歯をリセット</translation>
     </message>
     <message>
         <source>%1 mm³ %2</source>
@@ -2278,7 +2278,7 @@
 <context>
     <name>TimeLine</name>
     <message>
-        <source>%1 pad: said to be %2</source>
+        <source>%1 pad: answer %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
         <translation>%1のパッド：%2と回答</translation>
     </message>
@@ -2299,8 +2299,8 @@
         <translation>やり直しました</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>元に戻した歯</translation>
+        <source>Tooth reset</source>
+        <translation>歯をリセット</translation>
     </message>
     <message>
         <source>Bur %1: %2</source>
@@ -2311,7 +2311,7 @@
         <translation>ハンドピース：%1</translation>
     </message>
     <message>
-        <source>The hand was led home</source>
+        <source>The hand was guided back</source>
         <translation>手を定位置へ導きました</translation>
     </message>
     <message>
@@ -2319,7 +2319,7 @@
         <translation>点%1に接触</translation>
     </message>
     <message>
-        <source>Taken up again</source>
+        <source>Resumed</source>
         <translation>再開</translation>
     </message>
     <message>
@@ -2335,7 +2335,7 @@
         <translation>X線</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>深さの色分け</translation>
     </message>
     <message>
@@ -2351,11 +2351,11 @@
         <translation>バーの色</translation>
     </message>
     <message>
-        <source>held within the outline</source>
-        <translation>外形線内に保持</translation>
+        <source>guided hand</source>
+        <translation>手の誘導</translation>
     </message>
     <message>
-        <source>No aid in use</source>
+        <source>No aids in use</source>
         <translation>補助なし</translation>
     </message>
     <message>
@@ -2588,11 +2588,11 @@
         <translation>歯の準備ができていません。少し待ってからもう一度お試しください。</translation>
     </message>
     <message>
-        <source>No pad has been named yet: say beneath the view what each is made of.</source>
-        <translation>まだどのパッドにも名前がありません。画面の下で、それぞれ何でできているかを選んでください。</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>まだどのパッドにも回答がありません。画面の下で、それぞれ何でできているかを選んでください。</translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>この練習はまだ始まっていないため、採点するものがありません。</translation>
     </message>
     <message>
@@ -2620,19 +2620,19 @@
         <translation>この課題の教員の記録がないため、模擬の手がお見せします。</translation>
     </message>
     <message>
-        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
         <translation>この課題の教員の記録がなく、模擬の手でもできません。</translation>
     </message>
     <message>
-        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
         <translation>この試行は別のデバイスで行われたため、続けられません。保管されています。</translation>
     </message>
     <message>
-        <source>Taking up the attempt …</source>
+        <source>Resuming the attempt …</source>
         <translation>試行を再開しています …</translation>
     </message>
     <message>
-        <source>Your attempt goes on where it was left.</source>
+        <source>Your attempt continues where you stopped.</source>
         <translation>試行を中断したところから続けます。</translation>
     </message>
     <message>
@@ -2640,15 +2640,15 @@
         <translation>その試行はもうありません。</translation>
     </message>
     <message>
-        <source>The tooth is whole, and yours to drill.</source>
+        <source>The tooth is intact. You can start drilling.</source>
         <translation>歯は元どおりです。切削を始められます。</translation>
     </message>
     <message>
-        <source>This is your own work again, as you left it.</source>
+        <source>You are back in your own work.</source>
         <translation>ご自身の作業に戻りました。</translation>
     </message>
     <message>
-        <source>Working out the score card …</source>
+        <source>Preparing the score card …</source>
         <translation>成績表を作成しています …</translation>
     </message>
     <message>
@@ -2687,7 +2687,7 @@
         <translation>このアカウントは無効にされ、ログアウトしました。管理者に尋ねてください。</translation>
     </message>
     <message>
-        <source>The grade that could not be kept is kept now.</source>
+        <source>The grade that could not be saved is now saved.</source>
         <translation>保存できなかった採点結果が保存されました。</translation>
     </message>
     <message>
@@ -2710,8 +2710,8 @@
         <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
     </message>
     <message>
-        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
-        <translation>試験中です。以前の試行は試験が終わってから開けます。G キーで採点するか、別の課題を選んでください。</translation>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>試験中は以前の試行を開けません。Gで試験を終えるか、別の課題を始めてください。</translation>
     </message>
     <message>
         <source>Another school is now where yours was, and you were logged out. Log in again.</source>
@@ -2733,7 +2733,7 @@
         <translation>成績表を %1 として保存しました。</translation>
     </message>
     <message>
-        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The score card could not be written. Choose another folder, or free some disk space.</source>
         <translation>成績表を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
     </message>
     <message>
@@ -2741,11 +2741,11 @@
         <translation>成績表を印刷しました。</translation>
     </message>
     <message>
-        <source>The printer did not take the score card.</source>
-        <translation>プリンターが成績表を受け付けませんでした。</translation>
+        <source>The score card could not be printed.</source>
+        <translation>成績表を印刷できませんでした。</translation>
     </message>
     <message>
-        <source>The score card is being made …</source>
+        <source>Creating the score card …</source>
         <translation>成績表を作成しています …</translation>
     </message>
     <message>
@@ -3777,8 +3777,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>サーボの周期の間隔：直近1秒の100回中99回はこれより短い値です。</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
-        <translation>2つのプリセットをブラインド比較中です。終わるまで、どの感触かは示されません。歯の横の「比較を終える」で終わります。</translation>
+        <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>2つのプリセットをブラインド比較中のため、値は表示されません。歯の横の「比較を終える」で終わります。</translation>
     </message>
 </context>
 <context>
@@ -5859,12 +5859,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>操作履歴</translation>
     </message>
     <message>
-        <source>Go to a moment: click it, or press Enter</source>
-        <translation>時点に移動：クリックするか、Enterを押します</translation>
+        <source>Click a state, or press Enter, to return to it</source>
+        <translation>状態をクリックするかEnterを押すと、その状態に戻ります</translation>
     </message>
     <message>
-        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
-        <translation>切削するたびに、ここに小さな画像が現れます。クリックするとその時点に戻ります。その後の作業は別の枝として残ります。</translation>
+        <source>Each stroke appears here as a small picture. Click a picture to go back to it. Later strokes stay as a separate branch.</source>
+        <translation>ストロークごとに、ここに小さな画像が現れます。画像をクリックするとその時点に戻ります。その後のストロークは別の枝として残ります。</translation>
     </message>
 </context>
 <context>
@@ -5878,11 +5878,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>停止</translation>
     </message>
     <message>
-        <source>Stop the recording</source>
-        <translation>記録を停止</translation>
+        <source>Stop the replay</source>
+        <translation>再生を停止</translation>
     </message>
     <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
+        <source>Stop the replay and return to your own work (Esc)</source>
         <translation>再生をやめてご自身の作業に戻ります（Esc）</translation>
     </message>
     <message>
@@ -5907,7 +5907,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>タイムライン</translation>
     </message>
     <message>
-        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <source>Left and Right move from stroke to stroke, Home and End to the beginning and the end.</source>
         <translation>左右キーでストロークごとに、HomeとEndで最初と最後に移動します。</translation>
     </message>
     <message>
@@ -5920,8 +5920,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ストローク%1、%2秒、%3</translation>
     </message>
     <message>
-        <source>Elsewhere for %1, which is no time of the attempt</source>
-        <translation>%1 のあいだ別の画面にいました。この時間は課題の時間に入りません</translation>
+        <source>Interruption of %1, not counted as working time</source>
+        <translation>%1 の中断（作業時間に入りません）</translation>
     </message>
 </context>
 <context>
@@ -6238,7 +6238,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>切削のオン・オフ</translation>
     </message>
     <message>
-        <source>Let the bur turn, or stop it</source>
+        <source>Start or stop the bur</source>
         <translation>バーを回す、または止めます</translation>
     </message>
     <message>
@@ -6246,7 +6246,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Take back the last stroke</source>
+        <source>Undo the last stroke</source>
         <translation>直前のストロークを取り消します</translation>
     </message>
     <message>
@@ -6254,7 +6254,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>やり直す</translation>
     </message>
     <message>
-        <source>Make the stroke again that was taken back</source>
+        <source>Redo the stroke that was undone</source>
         <translation>取り消したストロークをもう一度行います</translation>
     </message>
     <message>
@@ -6262,15 +6262,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>履歴</translation>
     </message>
     <message>
-        <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation>戻れる時点を枝も含めて表示、または隠します</translation>
+        <source>Show or hide the undo history with all its branches</source>
+        <translation>操作履歴をすべての枝とともに表示、または隠します</translation>
     </message>
     <message>
         <source>Start again</source>
         <translation>最初からやり直す</translation>
     </message>
     <message>
-        <source>Make the tooth whole again; undo brings your work back</source>
+        <source>Reset the tooth; Undo restores your work</source>
         <translation>歯を元の状態に戻します。「元に戻す」で作業を復元できます</translation>
     </message>
     <message>
@@ -6278,7 +6278,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>採点</translation>
     </message>
     <message>
-        <source>Measure what you have cut and explain the grade</source>
+        <source>Measure your preparation and explain the grade</source>
         <translation>切削を測定し、成績を説明します</translation>
     </message>
     <message>
@@ -6286,11 +6286,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ハンドピース</translation>
     </message>
     <message>
-        <source>Take this bur</source>
+        <source>Use this bur</source>
         <translation>このバーを使います</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
+        <source>Use this handpiece</source>
         <translation>このハンドピースを使います</translation>
     </message>
     <message>
@@ -6302,11 +6302,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ハンドピースを反対側から持ちます。視点は変わりません</translation>
     </message>
     <message>
-        <source>Lead the handpiece home</source>
+        <source>Return the handpiece</source>
         <translation>ハンドピースを定位置へ</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand back over the tooth</source>
+        <source>Let the handpiece guide your hand back over the tooth</source>
         <translation>ハンドピースが手を歯の上へ導きます</translation>
     </message>
     <message>
@@ -6326,8 +6326,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>課題を編集 …</translation>
     </message>
     <message>
-        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
-        <translation>一覧で選んだ課題の理想形と採点を変更します</translation>
+        <source>Change the ideal and the rubric of the selected lesson</source>
+        <translation>選んだ課題の理想形と評価基準を変更します</translation>
     </message>
     <message>
         <source>Hardness presets</source>
@@ -6370,27 +6370,27 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>この試行のすべての動きをファイルに保存します</translation>
     </message>
     <message>
-        <source>Save this attempt as the reference …</source>
+        <source>Save this attempt as a reference …</source>
         <translation>この試行を基準として保存 …</translation>
     </message>
     <message>
-        <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>切削した形を、課題が求める理想形として保存します</translation>
+        <source>Save your preparation as an ideal for lessons</source>
+        <translation>切削した形を、課題の理想形として保存します</translation>
     </message>
     <message>
         <source>Open a recording</source>
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Watch a saved attempt again</source>
-        <translation>保存した試行をもう一度見ます</translation>
+        <source>Replay a saved attempt</source>
+        <translation>保存した試行を再生します</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
         <translation>エキスパートの試行</translation>
     </message>
     <message>
-        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <source>Watch how an expert does it; during a replay, beside this attempt</source>
         <translation>エキスパートの手順を見ます。再生中はこの試行の隣に表示します</translation>
     </message>
     <message>
@@ -6406,23 +6406,23 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>再生を一時停止</translation>
     </message>
     <message>
-        <source>Hold the recording where it is, or let it go on</source>
-        <translation>記録をその場で止める、または続けます</translation>
+        <source>Pause or resume the replay</source>
+        <translation>再生を一時停止、または再開します</translation>
     </message>
     <message>
-        <source>A stroke back</source>
+        <source>Previous stroke</source>
         <translation>前のストローク</translation>
     </message>
     <message>
-        <source>Go back to the end of the stroke before, and hold there</source>
+        <source>Go to the end of the previous stroke and pause</source>
         <translation>前のストロークの終わりに戻って止まります</translation>
     </message>
     <message>
-        <source>A stroke on</source>
+        <source>Next stroke</source>
         <translation>次のストローク</translation>
     </message>
     <message>
-        <source>Go on to the end of the next stroke, and hold there</source>
+        <source>Go to the end of the next stroke and pause</source>
         <translation>次のストロークの終わりまで進んで止まります</translation>
     </message>
     <message>
@@ -6458,20 +6458,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>記録を速く再生します（16倍まで）</translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation>もう1つ並べる</translation>
+        <source>Compare with …</source>
+        <translation>比較する …</translation>
     </message>
     <message>
-        <source>Open another attempt beside this one, or put it away</source>
+        <source>Open another attempt beside this one, or close it</source>
         <translation>別の試行をこの試行の隣に開く、または閉じます</translation>
     </message>
     <message>
-        <source>Be led along</source>
+        <source>Guide my hand</source>
         <translation>手を導く</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
-        <translation>ハンドピースが手を試行に沿って導きます。押すと離れます</translation>
+        <source>Let the handpiece guide your hand along the attempt; push against it to stop</source>
+        <translation>ハンドピースが手を試行に沿って導きます。押し返すと止まります</translation>
     </message>
     <message>
         <source>Seeing inside</source>
@@ -6482,7 +6482,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>断面</translation>
     </message>
     <message>
-        <source>Show a live cut through the bur, or put it away</source>
+        <source>Show or hide a live section through the bur</source>
         <translation>バーを通る断面を表示、または隠します</translation>
     </message>
     <message>
@@ -6490,7 +6490,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>断面を回す</translation>
     </message>
     <message>
-        <source>Turn the cut about the bur by 15 degrees</source>
+        <source>Turn the section around the bur by 15 degrees</source>
         <translation>バーを中心に断面を15度回します</translation>
     </message>
     <message>
@@ -6506,20 +6506,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>表示</translation>
     </message>
     <message>
-        <source>View from the start</source>
-        <translation>最初の視点</translation>
+        <source>Reset view</source>
+        <translation>表示をリセット</translation>
     </message>
     <message>
-        <source>Turn the tooth back to where it began</source>
-        <translation>歯を最初の向きに戻します</translation>
+        <source>Return to the initial view</source>
+        <translation>最初の視点に戻します</translation>
     </message>
     <message>
-        <source>Turn round</source>
-        <translation>反対側から見る</translation>
+        <source>Rotate 180°</source>
+        <translation>180°回転</translation>
     </message>
     <message>
-        <source>Look from the other side: half a circle</source>
-        <translation>反対側から見ます：半回転</translation>
+        <source>Look at the tooth from the opposite side</source>
+        <translation>反対側から歯を見ます</translation>
     </message>
     <message>
         <source>Dental mirror</source>
@@ -6527,31 +6527,31 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>デンタルミラー</translation>
     </message>
     <message>
-        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
-        <translation>ミラーを取る、または置きます。鏡面をドラッグ、Shiftで傾けます</translation>
+        <source>Show or hide the mirror; drag its glass to move it, with Shift to tilt it</source>
+        <translation>ミラーを表示、または隠します。鏡面をドラッグすると動き、Shiftを押すと傾きます</translation>
     </message>
     <message>
         <source>Light on the handpiece</source>
         <translation>ハンドピースのライト</translation>
     </message>
     <message>
-        <source>Let the handpiece light the cavity</source>
+        <source>Light the cavity from the handpiece</source>
         <translation>ハンドピースで窩洞を照らします</translation>
     </message>
     <message>
-        <source>Colours of depth</source>
+        <source>Depth colours</source>
         <translation>深さの色分け</translation>
     </message>
     <message>
-        <source>Colour the cut by its depth and tell it under the pointer</source>
+        <source>Colour the cut by its depth and show the depth at the pointer</source>
         <translation>切削面を深さで色分けし、ポインターの位置の値を示します</translation>
     </message>
     <message>
-        <source>Colours against the ideal</source>
+        <source>Deviation from the ideal</source>
         <translation>理想形との色分け</translation>
     </message>
     <message>
-        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
+        <source>Colour what is too deep and what is still to cut, and show the value at the pointer</source>
         <translation>深すぎる所と残りを色分けし、ポインターの位置の値を示します</translation>
     </message>
     <message>
@@ -6560,7 +6560,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>バーの色分け</translation>
     </message>
     <message>
-        <source>Colour the bur by how near it is to what is to be kept</source>
+        <source>Colour the bur by its distance from tissue that must be kept</source>
         <translation>残すべき部分への近さをバーの色で示します</translation>
     </message>
     <message>
@@ -6568,7 +6568,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>手の誘導</translation>
     </message>
     <message>
-        <source>Let a gentle force hold the hand within the outline</source>
+        <source>A gentle force keeps the hand within the outline</source>
         <translation>弱い力で手を外形線の内側に保ちます</translation>
     </message>
     <message>
@@ -6576,11 +6576,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>隣在歯</translation>
     </message>
     <message>
-        <source>Show the teeth beside this one, and the gum</source>
+        <source>Show the adjacent teeth and the gum</source>
         <translation>両隣の歯と歯肉を表示します</translation>
     </message>
     <message>
-        <source>Where the hand is</source>
+        <source>Hand position</source>
         <translation>手の位置</translation>
     </message>
     <message>
@@ -6588,12 +6588,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>手がバーを持つ位置を薄く表示します</translation>
     </message>
     <message>
-        <source>Colours for every eye</source>
-        <translation>誰にも見分けやすい色</translation>
+        <source>Colour-blind palette</source>
+        <translation>色覚対応の配色</translation>
     </message>
     <message>
-        <source>Give each tissue a colour and a pattern that nobody confuses</source>
-        <translation>各組織に、見間違えない色と模様を付けます</translation>
+        <source>Give each tissue a colour and a pattern that are easy to tell apart</source>
+        <translation>各組織に、見分けやすい色と模様を付けます</translation>
     </message>
     <message>
         <source>Wet tooth</source>
@@ -6601,7 +6601,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>濡れた歯</translation>
     </message>
     <message>
-        <source>Let the tooth shine as if it were wet</source>
+        <source>Make the tooth shine as if it were wet</source>
         <translation>濡れたように歯を光らせます</translation>
     </message>
     <message>
@@ -6621,7 +6621,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>めがねや画面を選び、目に合わせます</translation>
     </message>
     <message>
-        <source>Turn left and right over</source>
+        <source>Mirror horizontally</source>
         <translation>左右反転</translation>
     </message>
     <message>
@@ -6629,11 +6629,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>手の上に置いたハーフミラー用</translation>
     </message>
     <message>
-        <source>Turn up and down over</source>
+        <source>Mirror vertically</source>
         <translation>上下反転</translation>
     </message>
     <message>
-        <source>For a screen that lies upside down over the hand</source>
+        <source>For a screen mounted upside down over the hand</source>
         <translation>手の上に伏せて置いた画面用</translation>
     </message>
     <message>
@@ -6649,7 +6649,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>動きを減らす</translation>
     </message>
     <message>
-        <source>No gliding, no spinning bur</source>
+        <source>No animations and no spinning bur</source>
         <translation>滑らかな移動とバーの回転を表示しません</translation>
     </message>
     <message>
@@ -6661,7 +6661,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>サイドパネル</translation>
     </message>
     <message>
-        <source>Show the figures, or put them away</source>
+        <source>Show or hide the figures</source>
         <translation>数値を表示、または隠します</translation>
     </message>
     <message>
@@ -6669,8 +6669,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>コンソール</translation>
     </message>
     <message>
-        <source>Look at parameters and turn them while you drill, or put it away</source>
-        <translation>切削しながらパラメーターを見て変更します。もう一度で隠します</translation>
+        <source>Show or hide parameters that you can change while you drill</source>
+        <translation>切削中に変更できるパラメーターを表示、または隠します</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -6726,15 +6726,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>自分の試行</translation>
     </message>
     <message>
-        <source>See how your attempts went</source>
-        <translation>自分の試行の経過を見ます</translation>
+        <source>See the results of your attempts</source>
+        <translation>自分の試行の結果を見ます</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>クラス</translation>
     </message>
     <message>
-        <source>See how a class does, and who needs help</source>
+        <source>See the results of a class and who needs help</source>
         <translation>クラスの成績と、助けが必要な人を見ます</translation>
     </message>
     <message>
@@ -6742,8 +6742,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ツアーを見る</translation>
     </message>
     <message>
-        <source>Be shown round, step by step</source>
-        <translation>一歩ずつ案内を受けます</translation>
+        <source>Get to know the window step by step</source>
+        <translation>画面の使い方を順に案内します</translation>
     </message>
     <message>
         <source>School</source>
@@ -6754,20 +6754,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>人、クラス名簿、バックアップ、監査記録</translation>
     </message>
     <message>
-        <source>Log in; lock this place, change your password or the language</source>
+        <source>Log in, lock this workstation, or change your password or the language</source>
         <translation>ログイン。席のロック、パスワードや言語の変更</translation>
     </message>
     <message>
-        <source>Lock, or let another log in</source>
-        <translation>ロック、または別の人がログイン</translation>
+        <source>Lock or switch user</source>
+        <translation>ロック、またはユーザーを切り替え</translation>
     </message>
     <message>
-        <source>Your work stays; who comes back or logs in says who he is</source>
-        <translation>作業は残ります。戻る人もログインする人も、誰であるかを示します</translation>
+        <source>Your work stays open; a password is needed to continue</source>
+        <translation>作業は開いたままです。続けるにはパスワードが必要です</translation>
     </message>
     <message>
-        <source>Close what is open here; nothing is lost</source>
-        <translation>ここで開いているものを閉じます。何も失われません</translation>
+        <source>Close this page; nothing is lost</source>
+        <translation>このページを閉じます。何も失われません</translation>
     </message>
     <message>
         <source>Back to the attempts</source>
@@ -6789,11 +6789,11 @@ unsaved</source>
 保存なし</translation>
     </message>
     <message>
-        <source>Show what was done at other computers meanwhile</source>
-        <translation>その間にほかのコンピューターで行われたことを表示します</translation>
+        <source>Show changes made on other computers</source>
+        <translation>ほかのコンピューターで行われた変更を表示します</translation>
     </message>
     <message>
-        <source>Read again</source>
+        <source>Reload</source>
         <translation>再読み込み</translation>
     </message>
 </context>
@@ -7118,8 +7118,8 @@ unsaved</source>
 <context>
     <name>ui::shell::MainWindow</name>
     <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>この課題の時間が終わりました。好きなだけ続けるか、Gを押してください。</translation>
+        <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
+        <translation>この課題の時間が終わりました。好きなだけ続けるか、Gで採点してください。</translation>
     </message>
     <message>
         <source>Save the X-ray pictures</source>
@@ -7134,19 +7134,19 @@ unsaved</source>
         <translation>試験の新しい試行を始めます。</translation>
     </message>
     <message>
-        <source>The exercise begins anew.</source>
+        <source>The exercise starts again.</source>
         <translation>練習を最初から始めます。</translation>
     </message>
     <message>
-        <source>The tooth is whole again.</source>
-        <translation>歯を元の状態に戻しました。</translation>
+        <source>The tooth was reset.</source>
+        <translation>歯をリセットしました。</translation>
     </message>
     <message>
-        <source>Bring my work back</source>
+        <source>Restore my work</source>
         <translation>作業を復元</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <source>This is a replay. Stop it to grade your own work.</source>
         <translation>再生中です。ご自身の作業の採点を受けるには停止してください。</translation>
     </message>
     <message>
@@ -7179,36 +7179,36 @@ unsaved</source>
         <translation>手応えは%1になりました。</translation>
     </message>
     <message>
-        <source>In an exam, what is felt stays as it is.</source>
-        <translation>試験中は手応えを変更できません。</translation>
+        <source>The hardness cannot be changed during an exam.</source>
+        <translation>試験中は硬さを変更できません。</translation>
     </message>
     <message>
-        <source>This is a replay: it feels as it was recorded.</source>
-        <translation>再生中です：手応えは記録のとおりです。</translation>
+        <source>A replay uses the recorded hardness.</source>
+        <translation>再生では記録時の硬さを使います。</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: that comes to its end first.</source>
+        <source>A blind comparison of two presets is running. Finish it first.</source>
         <translation>2つのプリセットをブラインド比較中です。先に比較を終えてください。</translation>
     </message>
     <message>
-        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
+        <source>This lesson sets its own hardness. Only the forces can be changed.</source>
         <translation>この課題には固有の硬さがあります。変更できるのは力だけです。</translation>
     </message>
     <message>
-        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
-        <translation>試験中です。エディターには課題の理想形が表示されます。先に試験を終えてください：Gで採点、または別の課題を選びます。</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>課題エディターは理想形を表示するため、試験中は使えません。Gで試験を終えるか、別の課題を始めてください。</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>このファイルは課題として使えないため、編集できません。先に示された箇所を直してください。</translation>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>このファイルは有効な課題ではないため、編集できません。先に示された誤りを直してください。</translation>
     </message>
     <message>
-        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
         <translation>押し返したため、誘導を終えました。もう一度誘導を始めるにはAを押してください。</translation>
     </message>
     <message>
-        <source>The handpiece is not there any more, so your hand is free.</source>
-        <translation>ハンドピースがなくなったため、手は自由です。</translation>
+        <source>The handpiece is no longer available, so the guidance stopped.</source>
+        <translation>ハンドピースが使えなくなったため、誘導を終えました。</translation>
     </message>
     <message>
         <source>Only a tooth with decay has an ideal preparation.</source>
@@ -7219,15 +7219,15 @@ unsaved</source>
         <translation>画像を%1として保存しました。</translation>
     </message>
     <message>
-        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
         <translation>画像を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
     </message>
     <message>
-        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
         <translation>下からは切削できません：バーは歯の反対側で動いています。向きを戻すか、Vを押してください。</translation>
     </message>
     <message>
-        <source>Undo takes the stroke back.</source>
+        <source>You can undo the stroke.</source>
         <translation>「元に戻す」でこのストロークを取り消せます。</translation>
     </message>
     <message>
@@ -7239,7 +7239,7 @@ unsaved</source>
         <translation>露髄しました</translation>
     </message>
     <message>
-        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
+        <source>Cusp was still busy and did not do that. Try again.</source>
         <translation>Cuspは前の処理中のため、その操作を行いませんでした。もう一度お試しください。</translation>
     </message>
     <message numerus="yes">
@@ -7265,11 +7265,11 @@ unsaved</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
-        <translation>このままにする</translation>
+        <source>Keep this unit</source>
+        <translation>この単位のままにする</translation>
     </message>
     <message>
-        <source>The simulated handpiece is at work</source>
+        <source>The simulated handpiece is active</source>
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
         <translation>模擬ハンドピースが作業中です</translation>
     </message>
@@ -7296,7 +7296,7 @@ unsaved</source>
         <translation>試行を破棄しました。7日間保管されます。</translation>
     </message>
     <message>
-        <source>Bring it back</source>
+        <source>Restore it</source>
         <translation>復元する</translation>
     </message>
     <message>
@@ -7304,7 +7304,7 @@ unsaved</source>
         <translation>記録を%1として保存しました。</translation>
     </message>
     <message>
-        <source>The recording has come to its end.</source>
+        <source>The recording has ended.</source>
         <translation>記録の終わりです。</translation>
     </message>
     <message>
@@ -7312,11 +7312,11 @@ unsaved</source>
         <translation>再生を停止</translation>
     </message>
     <message>
-        <source>What you have cut would be lost.</source>
+        <source>Your work would be lost.</source>
         <translation>切削した内容が失われます。</translation>
     </message>
     <message>
-        <source>It has not been saved as a recording since you last cut.</source>
+        <source>Your latest cuts are not saved as a recording.</source>
         <translation>最後の切削以降、記録として保存されていません。</translation>
     </message>
     <message>
@@ -7356,11 +7356,11 @@ unsaved</source>
         <translation>スキャン（OBJ、STL、PLY）でも記録でもありません。どちらかをドロップしてください。</translation>
     </message>
     <message>
-        <source>The exam would be broken off without a score.</source>
+        <source>The exam would end without a score.</source>
         <translation>試験は採点されないまま中断されます。</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
         <translation>それでも1回の試行として数えられます。切削したものは後から採点できません。</translation>
     </message>
     <message>
@@ -7368,7 +7368,7 @@ unsaved</source>
         <translation>今すぐ採点(&amp;G)</translation>
     </message>
     <message>
-        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
+        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
         <translation>課題を変更できるのは教員です。教員としてログインしてください。課題を行うには一覧から選んでください。</translation>
     </message>
     <message>
@@ -7392,37 +7392,37 @@ unsaved</source>
         <translation>ファイルから …</translation>
     </message>
     <message>
-        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
         <translation>この課題の試行回数はすでに使い切られているため、この成績は保存されません。</translation>
     </message>
     <message>
-        <source>The work itself can be kept as a recording.</source>
-        <translation>作業そのものは記録として残せます。</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>作業は記録として保存できます。</translation>
     </message>
     <message>
-        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
-        <translation>学校のデータがまだ応答しません。練習は続けられます。要求した内容は、応答があり次第表示されます。</translation>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>学校のデータベースがまだ応答しません。切削は続けられます。要求した内容は、応答があり次第処理されます。</translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
             <numerusform>%n 件の評価がまだ保存されておらず、失われます。</numerusform>
         </translation>
     </message>
     <message>
-        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
         <translation>現在ディスクに書き込めません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
     </message>
     <message>
-        <source>The time of this exam is over: nothing more can be cut.</source>
+        <source>The time for this exam is over: cutting is disabled.</source>
         <translation>この試験の時間は終わりました。これ以上切削できません。</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it.</source>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
         <translation>この試験は終わりましたが、まだ採点されていません。Gで採点します。</translation>
     </message>
     <message>
-        <source>&amp;Go on with it</source>
+        <source>&amp;Continue it</source>
         <translation>続ける(&amp;G)</translation>
     </message>
     <message>
@@ -7430,15 +7430,15 @@ unsaved</source>
         <translation>新しい試行を始めます。</translation>
     </message>
     <message>
-        <source>This exam would be put away without a score.</source>
-        <translation>この試験は得点なしで片付けられます。</translation>
+        <source>This exam would be discarded without a score.</source>
+        <translation>この試験は得点なしで破棄されます。</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
         <translation>それでも1回の試行として数えられます。直後であればまだ元に戻せます。</translation>
     </message>
     <message>
-        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>ワンタイムコードは無効になりました。新しいコードを管理者に依頼してください。</translation>
     </message>
 </context>
@@ -7460,15 +7460,15 @@ unsaved</source>
 <context>
     <name>ui::shell::Mouth</name>
     <message>
-        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
-        <translation>このコンピューターでは口腔全体を描けません。平面の歯列でも同じことができます。</translation>
+        <source>This computer cannot draw the whole mouth. Use the flat arches instead.</source>
+        <translation>このコンピューターでは口腔全体を描けません。代わりに平面の歯列を使ってください。</translation>
     </message>
     <message>
         <source>Whole mouth</source>
         <translation>口腔全体</translation>
     </message>
     <message>
-        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
+        <source>Arrow keys move along the arch, Enter selects the tooth.</source>
         <translation>矢印キーで歯列をたどり、Enterで歯を選びます。</translation>
     </message>
     <message>
@@ -7476,15 +7476,15 @@ unsaved</source>
         <translation>%1、%2</translation>
     </message>
     <message>
-        <source>The teeth are being made …</source>
+        <source>Creating the teeth …</source>
         <translation>歯を作成しています …</translation>
     </message>
     <message>
-        <source>Chosen. Enter or a double click takes it.</source>
+        <source>Selected. Press Enter or double-click to use it.</source>
         <translation>選択中です。Enterまたはダブルクリックで決定します。</translation>
     </message>
     <message>
-        <source>Click to choose it.</source>
+        <source>Click to select it.</source>
         <translation>クリックして選びます。</translation>
     </message>
     <message>
@@ -7564,15 +7564,15 @@ unsaved</source>
         <translation>深さ</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
-        <translation>先端が元の表面からどれだけ下にあるかを示します。真下に意味のない歯の縁では表示しません。</translation>
+        <source>Depth of the tip below the original surface. No value is shown at the edge of the tooth, where a vertical depth means little.</source>
+        <translation>元の表面からの先端の深さです。垂直の深さに意味のない歯の縁では表示しません。</translation>
     </message>
     <message>
         <source>Dentin over pulp</source>
         <translation>歯髄上の象牙質</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
+        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
         <translation>先端の真下で、切削面と歯髄の間にある健全象牙質です。2 mmが望ましく、0.5 mm未満では歯髄を傷つけます。</translation>
     </message>
     <message>
@@ -7581,7 +7581,7 @@ unsaved</source>
         <translation>限界まで</translation>
     </message>
     <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <source>Distance from the head of the bur to tissue that must be kept, downwards or sideways. No value is shown above one millimetre.</source>
         <translation>バーの頭部から残すべき部分までの下方または側方の距離です。1 mmを超える間は表示しません。</translation>
     </message>
     <message>
@@ -7589,7 +7589,7 @@ unsaved</source>
         <translation>除去量</translation>
     </message>
     <message>
-        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
         <translation>除去した歯髄の体積です。採点では露出した面積（mm²）を見ます。</translation>
     </message>
     <message>
@@ -7597,7 +7597,7 @@ unsaved</source>
         <translation>バー</translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <source>Speed of the bur in revolutions per minute. Load slows it down until it stalls</source>
         <translation>バーの毎分回転数：負荷で遅くなり、やがて止まります</translation>
     </message>
     <message>
@@ -7629,7 +7629,7 @@ unsaved</source>
         <translation>&lt; 1</translation>
     </message>
     <message>
-        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
+        <source>The handpiece touches the crown, so the bur cannot go deeper.</source>
         <translation>ハンドピースが歯冠に当たっています：これより深くは届きません。</translation>
     </message>
     <message>
@@ -7724,11 +7724,11 @@ unsaved</source>
         <translation>この歯を切削</translation>
     </message>
     <message>
-        <source>Put this tooth on the table (Enter)</source>
-        <translation>この歯を用意します（Enter）</translation>
+        <source>Practise on this tooth (Enter)</source>
+        <translation>この歯で練習します（Enter）</translation>
     </message>
     <message>
-        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <source>Or drill your own tooth: a scan as an OBJ, STL or PLY file. You can also drop the file anywhere on this window.</source>
         <translation>ご自身の歯も切削できます：OBJ、STL、PLYのスキャン。このウィンドウにファイルをドロップすることもできます。</translation>
     </message>
     <message>
@@ -7740,15 +7740,15 @@ unsaved</source>
         <translation>口腔全体</translation>
     </message>
     <message>
-        <source>Nothing chosen</source>
+        <source>No tooth selected</source>
         <translation>未選択</translation>
     </message>
     <message>
-        <source>On the table now. Taking it again gives you a whole one.</source>
-        <translation>現在の歯です。もう一度選ぶと切削前の歯になります。</translation>
+        <source>In use. Choosing it again resets it.</source>
+        <translation>使用中の歯です。もう一度選ぶとリセットされます。</translation>
     </message>
     <message>
-        <source>Click a tooth, or walk with the arrow keys.</source>
+        <source>Click a tooth, or use the arrow keys.</source>
         <translation>歯をクリックするか、矢印キーで移動してください。</translation>
     </message>
 </context>
@@ -7927,8 +7927,8 @@ unsaved</source>
         <translation>表示</translation>
     </message>
     <message>
-        <source>What is shown of the tooth, and how</source>
-        <translation>歯の何をどのように表示するか</translation>
+        <source>Choose what the view shows</source>
+        <translation>表示する内容を選びます</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,7 @@ private slots:
         WAIT_FOR(!actions().drill->isChecked());
         QCOMPARE(title(), QString("0 of 6 points touched"));
         actions().grade->trigger();
-        waitForMessage("not been begun");
+        waitForMessage("not been started");
         // With the bur turning nothing counts as touched, which is said.
         const auto* const advice = child<QLabel>("exerciseAdvice");
         for (const bool turns : {true, false}) {
@@ -218,9 +218,9 @@ private slots:
         const QImage cut = window().view().toothPicture();
         // What is said at the end is not said elsewhere.
         window().showReplayEnd();
-        QVERIFY(message().contains("come to its end"));
+        QVERIFY(message().contains("recording has ended"));
         actions().stepBack->trigger();
-        QVERIFY2(!message().contains("come to its end"), qPrintable(message()));
+        QVERIFY2(!message().contains("recording has ended"), qPrintable(message()));
         // Back to before it was cut, and forth to what the stroke has left.
         actions().replayBegin->trigger();
         WAIT_FOR_VALUE(removed(), QString("0.00"));
@@ -297,7 +297,7 @@ private slots:
     void aHandIsLedAlongARecording()
     {
         start({}, true);
-        QVERIFY(labelWith("The simulated handpiece is at work") != nullptr);
+        QVERIFY(labelWith("The simulated handpiece is active") != nullptr);
         const QString before = removed();
         WAIT_FOR(removed() != before);
         waitForTicks(1500);

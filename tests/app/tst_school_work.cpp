@@ -519,7 +519,7 @@ private slots:
         for (const char* button : {"openAttempt", "replayAttempt"}) {
             window().showMessage("Nothing yet.");
             click(button);
-            waitForMessage("You are in an exam");
+            waitForMessage("not available during an exam");
             QVERIFY(child<ui::people::HistoryPage>()->isVisible());
         }
         goToTooth();

@@ -132,7 +132,7 @@ private slots:
             QVERIFY(sent().isEmpty());
             QVERIFY2(message().isEmpty(), "the school may still refuse it");
             m_window->showBegunAnew();
-            QVERIFY2(message().contains("begins anew"), qPrintable(message()));
+            QVERIFY2(message().contains("starts again"), qPrintable(message()));
             child<MessageBar>()->dismiss();
         }
         beginLesson(assigned("class1-36"));
@@ -160,7 +160,7 @@ private slots:
             record(30.0);
             QVERIFY2(message().isEmpty(), qPrintable(message()));
             record(100.0);
-            QVERIFY2(message().contains("time of this lesson is over") == isLesson, qPrintable(message()));
+            QVERIFY2(message().contains("time for this lesson is over") == isLesson, qPrintable(message()));
             actions().lessons->trigger();
             QVERIFY2(message().isEmpty(), "it is said where the lesson is");
             actions().back->trigger();
@@ -186,7 +186,7 @@ private slots:
         const auto passOnAnotherPage = [&](double seconds) {
             actions().lessons->trigger();
             pass(seconds);
-            QVERIFY2(!message().contains("time of this"), qPrintable(message()));
+            QVERIFY2(!message().contains("time for this"), qPrintable(message()));
             actions().back->trigger();
         };
         const auto passGraded = [&] {
@@ -203,7 +203,7 @@ private slots:
         actions().reload->trigger();
         QCOMPARE(pass(20.0), QString("1:00"));
         QCOMPARE(passGraded(), QString("1:00"));
-        QVERIFY2(!message().contains("time of this lesson"), qPrintable(message()));
+        QVERIFY2(!message().contains("time for this lesson"), qPrintable(message()));
         // A resumed attempt keeps the pauses that it had before.
         begin(false);
         m_window->resumeClock(100.0, 40.0);
@@ -269,7 +269,7 @@ private slots:
                 QVERIFY(!actions().undo->isEnabled() && !actions().history->isEnabled());
                 actions().reload->trigger();
                 QCOMPARE(again.count(), 0);
-                QVERIFY2(message().contains("no grade yet"), qPrintable(message()));
+                QVERIFY2(message().contains("not graded yet"), qPrintable(message()));
             }
             showScoreAndGoBack();
             QVERIFY(!mayCut() && !actions().undo->isEnabled() && !actions().history->isEnabled());
@@ -285,7 +285,7 @@ private slots:
         // If the student has cut nothing when the time is over, there is nothing to grade and the exam begins again.
         beginLesson(exam);
         record(overS, 0.0, true);
-        QVERIFY2(message().contains("time of this exam is over"), qPrintable(message()));
+        QVERIFY2(message().contains("time for this exam is over"), qPrintable(message()));
         actions().reload->trigger();
         QCOMPARE(again.count(), 3);
         exam.lesson->exam = false;

@@ -762,13 +762,13 @@ QString aidWords(std::uint64_t aids)
     add(kSectionAid, QCoreApplication::translate("TimeLine", "section"));
     add(kDepthGaugeAid, QCoreApplication::translate("TimeLine", "depth gauge"));
     add(kRadiographAid, QCoreApplication::translate("TimeLine", "X-ray"));
-    add(kHeatMapAid, QCoreApplication::translate("TimeLine", "colours of depth"));
+    add(kHeatMapAid, QCoreApplication::translate("TimeLine", "depth colours"));
     add(kMirrorAid, QCoreApplication::translate("TimeLine", "mirror"));
     add(kIdealAid, QCoreApplication::translate("TimeLine", "ideal"));
     add(kBurColourAid, QCoreApplication::translate("TimeLine", "colour of the bur"));
-    add(kFixtureAid, QCoreApplication::translate("TimeLine", "held within the outline"));
+    add(kFixtureAid, QCoreApplication::translate("TimeLine", "guided hand"));
     return used.isEmpty()
-               ? QCoreApplication::translate("TimeLine", "No aid in use")
+               ? QCoreApplication::translate("TimeLine", "No aids in use")
                : QCoreApplication::translate("TimeLine", "Aids in use: %1").arg(used.join(QStringLiteral(", ")));
 }
 
