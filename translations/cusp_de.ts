@@ -6269,8 +6269,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 <context>
     <name>ui::shell::AccountMenu</name>
     <message>
-        <source>My place</source>
-        <translation>Mein Platz</translation>
+        <source>My account</source>
+        <translation>Mein Konto</translation>
     </message>
     <message>
         <source>Change my password …</source>
@@ -7046,8 +7046,8 @@ ungesichert</translation>
         <translation>Strg + Pfeile</translation>
     </message>
     <message>
-        <source>Come nearer, go back</source>
-        <translation>Näher, weiter weg</translation>
+        <source>Zoom in, zoom out</source>
+        <translation>Vergrößern, verkleinern</translation>
     </message>
     <message>
         <source>wheel</source>
@@ -7066,7 +7066,7 @@ ungesichert</translation>
         <translation>Am Zahn</translation>
     </message>
     <message>
-        <source>Turn it back</source>
+        <source>Reset view</source>
         <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
@@ -7078,7 +7078,7 @@ ungesichert</translation>
         <translation>Pos1</translation>
     </message>
     <message>
-        <source>Move it finely</source>
+        <source>Move it in fine steps</source>
         <translation>In feinen Schritten führen</translation>
     </message>
     <message>
@@ -7134,8 +7134,8 @@ ungesichert</translation>
         <translation>In einer Liste</translation>
     </message>
     <message>
-        <source>Sort it otherwise</source>
-        <translation>Anders sortieren</translation>
+        <source>Change the sorting</source>
+        <translation>Sortierung ändern</translation>
     </message>
 </context>
 <context>
@@ -7149,7 +7149,7 @@ ungesichert</translation>
         <translation>bestanden ab %1</translation>
     </message>
     <message>
-        <source>%1 by another rubric</source>
+        <source>%1 with another rubric</source>
         <translation>%1 nach anderer Regel</translation>
     </message>
     <message>
@@ -7761,8 +7761,8 @@ ungesichert</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Leave everything as it was before (Esc)</source>
-        <translation>Alles lassen, wie es vorher war (Esc)</translation>
+        <source>Discard the changes (Esc)</source>
+        <translation>Änderungen verwerfen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -7815,24 +7815,24 @@ ungesichert</translation>
         <translation>Alle Lektionen</translation>
     </message>
     <message>
-        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
-        <translation>Die von Cusp und Ihre eigenen. Die Suche nimmt ein Wort oder die Nummer eines Zahns.</translation>
+        <source>The lessons that come with Cusp, and your own. Search for a word or the number of a tooth.</source>
+        <translation>Die Lektionen von Cusp und Ihre eigenen. Suchen Sie nach einem Wort oder der Nummer eines Zahns.</translation>
     </message>
     <message>
         <source>Change a lesson</source>
         <translation>Eine Lektion ändern</translation>
     </message>
     <message>
-        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
-        <translation>Ändern Sie, was eine Lektion verlangt und wie sie bewertet, und sehen Sie, was das aus früheren Versuchen macht.</translation>
+        <source>Change the goal and the rubric of a lesson, and see the effect on earlier attempts.</source>
+        <translation>Ändern Sie Ziel und Bewertungsschema einer Lektion, und sehen Sie die Wirkung auf frühere Versuche.</translation>
     </message>
     <message>
         <source>Your classes</source>
         <translation>Ihre Klassen</translation>
     </message>
     <message>
-        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
-        <translation>Hier sehen Sie, wer Sie braucht und wie es allen geht. Geben Sie Lektionen auf, öffnen Sie Versuche, spielen Sie sie ab und schreiben Sie Kommentare.</translation>
+        <source>Here you see who needs help and how everybody is doing. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation>Hier sehen Sie, wer Hilfe braucht und wie alle vorankommen. Geben Sie Lektionen auf, öffnen Sie Versuche, spielen Sie sie ab und schreiben Sie Kommentare.</translation>
     </message>
     <message>
         <source>Try it yourself</source>
@@ -7843,23 +7843,23 @@ ungesichert</translation>
         <translation>Die Bewertung</translation>
     </message>
     <message>
-        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
-        <translation>Die Arbeit wird vermessen, und das Bewertungsblatt zeigt jeden verlorenen Punkt, wo und wann er verloren ging.</translation>
+        <source>Your work is measured, and the score card shows where and when each point was lost.</source>
+        <translation>Ihre Arbeit wird vermessen, und das Bewertungsblatt zeigt, wo und wann jeder Punkt verloren ging.</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Klassen</translation>
     </message>
     <message>
-        <source>How every class does at every lesson, as its teachers see it.</source>
-        <translation>Wie es jeder Klasse bei jeder Lektion geht, so wie ihre Lehrenden es sehen.</translation>
+        <source>The results of every class in every lesson, as its teachers see them.</source>
+        <translation>Die Ergebnisse jeder Klasse in jeder Lektion, so wie ihre Lehrkräfte sie sehen.</translation>
     </message>
     <message>
         <source>How it feels</source>
         <translation>Wie es sich anfühlt</translation>
     </message>
     <message>
-        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <source>Burs, force and depth are here. The hardness presets (F7) set how hard teeth are.</source>
         <translation>Bohrer, Kraft und Tiefe stehen hier. Wie hart Zähne sind, bestimmen die Härte-Voreinstellungen (F7).</translation>
     </message>
     <message>
@@ -7871,52 +7871,52 @@ ungesichert</translation>
         <translation>Lektionen</translation>
     </message>
     <message>
-        <source>Choose here what to practise. What your class is to do comes first.</source>
-        <translation>Wählen Sie hier, was Sie üben. Was Ihrer Klasse aufgegeben ist, steht zuerst.</translation>
+        <source>Choose here what to practise. Lessons assigned to your class come first.</source>
+        <translation>Wählen Sie hier, was Sie üben. Die Lektionen, die Ihrer Klasse aufgegeben sind, stehen zuerst.</translation>
     </message>
     <message>
-        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
-        <translation>Wählen Sie hier, was Sie üben. Jede Lektion sagt, was sie verlangt und wie sie bewertet wird.</translation>
+        <source>Choose here what to practise. Each lesson states its goal and how it is graded.</source>
+        <translation>Wählen Sie hier, was Sie üben. Jede Lektion nennt ihr Ziel und ihre Bewertung.</translation>
     </message>
     <message>
         <source>Bur, force and depth</source>
         <translation>Bohrer, Kraft und Tiefe</translation>
     </message>
     <message>
-        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
-        <translation>Nehmen Sie einen anderen Bohrer, stellen Sie ein, wie fest die Maus drückt, und lesen Sie beim Präparieren Kraft und Tiefe ab.</translation>
+        <source>Change the bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation>Wechseln Sie den Bohrer, stellen Sie ein, wie fest die Maus drückt, und lesen Sie beim Präparieren Kraft und Tiefe ab.</translation>
     </message>
     <message>
         <source>Seeing inside</source>
         <translation>Hineinsehen</translation>
     </message>
     <message>
-        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <source>A live section through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
         <translation>Ein mitlaufender Schnitt durch den Bohrer zeigt Schmelz, Dentin und Pulpa, wo die Lektion es erlaubt.</translation>
     </message>
     <message>
-        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
-        <translation>Wie sich Ihre Punkte entwickelt haben, was Ihre Lehrkraft sagt, und jeder Versuch zum Abspielen.</translation>
+        <source>See how your scores develop, read your instructor&apos;s comments, and replay every attempt.</source>
+        <translation>Sehen Sie, wie sich Ihre Punkte entwickeln, lesen Sie die Kommentare Ihrer Lehrkraft, und spielen Sie jeden Versuch ab.</translation>
     </message>
     <message>
-        <source>Your place</source>
-        <translation>Ihr Platz</translation>
+        <source>Your account</source>
+        <translation>Ihr Konto</translation>
     </message>
     <message>
-        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
-        <translation>Wer sich anmeldet, behält seine Bewertungen. Sonst wird nichts aufbewahrt.</translation>
+        <source>Log in to save your grades. Without a login, nothing is saved.</source>
+        <translation>Melden Sie sich an, damit Ihre Bewertungen gespeichert werden. Ohne Anmeldung wird nichts gespeichert.</translation>
     </message>
     <message>
-        <source>Lock your place when you leave it, or let somebody else log in.</source>
-        <translation>Sperren Sie Ihren Platz, wenn Sie ihn verlassen, oder lassen Sie jemand anderen sich anmelden.</translation>
+        <source>Lock the window when you leave, or switch user.</source>
+        <translation>Sperren Sie das Fenster, wenn Sie gehen, oder wechseln Sie den Benutzer.</translation>
     </message>
     <message>
         <source>Every key</source>
         <translation>Alle Tasten</translation>
     </message>
     <message>
-        <source>All keys are listed here. From there you can take this tour again.</source>
-        <translation>Hier stehen alle Tasten. Von dort können Sie diesen Rundgang noch einmal machen.</translation>
+        <source>All keys are listed here. You can also start this tour again from there.</source>
+        <translation>Hier stehen alle Tasten. Von dort können Sie auch diesen Rundgang wieder starten.</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -7948,8 +7948,8 @@ ungesichert</translation>
         <translation>Die Schule</translation>
     </message>
     <message>
-        <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
-        <translation>Tragen Sie Personen ein, einzeln oder aus einer Liste, teilen Sie sie Klassen zu, und kümmern Sie sich um Sicherungen und Prüfprotokoll.</translation>
+        <source>Add people one by one or from a list, assign them to classes, and manage backups and the audit.</source>
+        <translation>Fügen Sie Personen einzeln oder aus einer Liste hinzu, teilen Sie sie Klassen zu, und verwalten Sie Sicherungen und Prüfprotokoll.</translation>
     </message>
     <message>
         <source>My attempts</source>

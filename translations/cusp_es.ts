@@ -6269,8 +6269,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 <context>
     <name>ui::shell::AccountMenu</name>
     <message>
-        <source>My place</source>
-        <translation>Mi puesto</translation>
+        <source>My account</source>
+        <translation>Mi cuenta</translation>
     </message>
     <message>
         <source>Change my password …</source>
@@ -7046,7 +7046,7 @@ sin guardar</translation>
         <translation>Control + flechas</translation>
     </message>
     <message>
-        <source>Come nearer, go back</source>
+        <source>Zoom in, zoom out</source>
         <translation>Acercarse, alejarse</translation>
     </message>
     <message>
@@ -7066,8 +7066,8 @@ sin guardar</translation>
         <translation>Sobre el diente</translation>
     </message>
     <message>
-        <source>Turn it back</source>
-        <translation>Volver la vista</translation>
+        <source>Reset view</source>
+        <translation>Restablecer la vista</translation>
     </message>
     <message>
         <source>right double-click</source>
@@ -7078,7 +7078,7 @@ sin guardar</translation>
         <translation>Inicio</translation>
     </message>
     <message>
-        <source>Move it finely</source>
+        <source>Move it in fine steps</source>
         <translation>Moverla con precisión</translation>
     </message>
     <message>
@@ -7134,8 +7134,8 @@ sin guardar</translation>
         <translation>En una lista</translation>
     </message>
     <message>
-        <source>Sort it otherwise</source>
-        <translation>Ordenar de otro modo</translation>
+        <source>Change the sorting</source>
+        <translation>Cambiar el orden</translation>
     </message>
 </context>
 <context>
@@ -7149,7 +7149,7 @@ sin guardar</translation>
         <translation>aprobado desde %1</translation>
     </message>
     <message>
-        <source>%1 by another rubric</source>
+        <source>%1 with another rubric</source>
         <translation>%1 según otra rúbrica</translation>
     </message>
     <message>
@@ -7761,8 +7761,8 @@ sin guardar</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Leave everything as it was before (Esc)</source>
-        <translation>Dejar todo como estaba antes (Esc)</translation>
+        <source>Discard the changes (Esc)</source>
+        <translation>Descartar los cambios (Esc)</translation>
     </message>
 </context>
 <context>
@@ -7815,24 +7815,24 @@ sin guardar</translation>
         <translation>Todas las lecciones</translation>
     </message>
     <message>
-        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
-        <translation>Las que trae Cusp y las suyas. La búsqueda acepta una palabra o el número de un diente.</translation>
+        <source>The lessons that come with Cusp, and your own. Search for a word or the number of a tooth.</source>
+        <translation>Las lecciones que trae Cusp y las suyas. Busque una palabra o el número de un diente.</translation>
     </message>
     <message>
         <source>Change a lesson</source>
         <translation>Cambiar una lección</translation>
     </message>
     <message>
-        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
-        <translation>Cambie lo que pide una lección y cómo califica, y vea qué resultaría de los intentos anteriores.</translation>
+        <source>Change the goal and the rubric of a lesson, and see the effect on earlier attempts.</source>
+        <translation>Cambie el objetivo y la rúbrica de una lección, y vea el efecto en los intentos anteriores.</translation>
     </message>
     <message>
         <source>Your classes</source>
         <translation>Sus grupos</translation>
     </message>
     <message>
-        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
-        <translation>Aquí ve quién le necesita y cómo va cada uno. Asigne lecciones, abra intentos, reprodúzcalos y escriba comentarios.</translation>
+        <source>Here you see who needs help and how everybody is doing. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation>Aquí ve quién necesita ayuda y cómo va cada uno. Asigne lecciones, abra intentos, reprodúzcalos y escriba comentarios.</translation>
     </message>
     <message>
         <source>Try it yourself</source>
@@ -7843,24 +7843,24 @@ sin guardar</translation>
         <translation>La calificación</translation>
     </message>
     <message>
-        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
-        <translation>El trabajo se mide, y la hoja de puntuación muestra cada punto perdido, dónde y cuándo.</translation>
+        <source>Your work is measured, and the score card shows where and when each point was lost.</source>
+        <translation>Su trabajo se mide, y la hoja de puntuación muestra dónde y cuándo se perdió cada punto.</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Grupos</translation>
     </message>
     <message>
-        <source>How every class does at every lesson, as its teachers see it.</source>
-        <translation>Cómo va cada grupo en cada lección, tal como lo ven sus docentes.</translation>
+        <source>The results of every class in every lesson, as its teachers see them.</source>
+        <translation>Los resultados de cada grupo en cada lección, tal como los ven sus docentes.</translation>
     </message>
     <message>
         <source>How it feels</source>
         <translation>Cómo se siente</translation>
     </message>
     <message>
-        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
-        <translation>Aquí están las fresas, la fuerza y la profundidad. La dureza de los dientes se fija en los ajustes de dureza (F7).</translation>
+        <source>Burs, force and depth are here. The hardness presets (F7) set how hard teeth are.</source>
+        <translation>Aquí están las fresas, la fuerza y la profundidad. Los ajustes de dureza (F7) fijan la dureza de los dientes.</translation>
     </message>
     <message>
         <source>The tooth</source>
@@ -7871,52 +7871,52 @@ sin guardar</translation>
         <translation>Lecciones</translation>
     </message>
     <message>
-        <source>Choose here what to practise. What your class is to do comes first.</source>
-        <translation>Elija aquí qué practicar. Lo asignado a su grupo aparece primero.</translation>
+        <source>Choose here what to practise. Lessons assigned to your class come first.</source>
+        <translation>Elija aquí qué practicar. Las lecciones asignadas a su grupo aparecen primero.</translation>
     </message>
     <message>
-        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
-        <translation>Elija aquí qué practicar. Cada lección dice qué pide y cómo se califica.</translation>
+        <source>Choose here what to practise. Each lesson states its goal and how it is graded.</source>
+        <translation>Elija aquí qué practicar. Cada lección indica su objetivo y cómo se califica.</translation>
     </message>
     <message>
         <source>Bur, force and depth</source>
         <translation>Fresa, fuerza y profundidad</translation>
     </message>
     <message>
-        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
-        <translation>Tome otra fresa, ajuste cuánto presiona el ratón y lea la fuerza y la profundidad mientras talla.</translation>
+        <source>Change the bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation>Cambie de fresa, ajuste cuánto presiona el ratón y lea la fuerza y la profundidad mientras talla.</translation>
     </message>
     <message>
         <source>Seeing inside</source>
         <translation>Ver por dentro</translation>
     </message>
     <message>
-        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <source>A live section through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
         <translation>Un corte en vivo a través de la fresa muestra esmalte, dentina y pulpa, si la lección lo permite.</translation>
     </message>
     <message>
-        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
-        <translation>Cómo han ido sus puntuaciones, qué dice su docente, y cada intento para reproducirlo.</translation>
+        <source>See how your scores develop, read your instructor&apos;s comments, and replay every attempt.</source>
+        <translation>Vea cómo evolucionan sus puntuaciones, lea los comentarios de su docente y reproduzca cada intento.</translation>
     </message>
     <message>
-        <source>Your place</source>
-        <translation>Su puesto</translation>
+        <source>Your account</source>
+        <translation>Su cuenta</translation>
     </message>
     <message>
-        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
-        <translation>Quien inicia sesión conserva sus calificaciones. Si no, no se conserva nada.</translation>
+        <source>Log in to save your grades. Without a login, nothing is saved.</source>
+        <translation>Inicie sesión para guardar sus calificaciones. Sin iniciar sesión no se guarda nada.</translation>
     </message>
     <message>
-        <source>Lock your place when you leave it, or let somebody else log in.</source>
-        <translation>Bloquee su puesto al dejarlo, o deje que otra persona inicie sesión.</translation>
+        <source>Lock the window when you leave, or switch user.</source>
+        <translation>Bloquee la ventana al irse, o cambie de usuario.</translation>
     </message>
     <message>
         <source>Every key</source>
         <translation>Todas las teclas</translation>
     </message>
     <message>
-        <source>All keys are listed here. From there you can take this tour again.</source>
-        <translation>Aquí están todas las teclas. Desde ahí puede repetir esta visita.</translation>
+        <source>All keys are listed here. You can also start this tour again from there.</source>
+        <translation>Aquí están todas las teclas. Desde ahí también puede repetir esta visita.</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -7948,8 +7948,8 @@ sin guardar</translation>
         <translation>La escuela</translation>
     </message>
     <message>
-        <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
-        <translation>Registre a las personas, una a una o desde una lista, asígnelas a grupos y cuide de las copias de seguridad y la auditoría.</translation>
+        <source>Add people one by one or from a list, assign them to classes, and manage backups and the audit.</source>
+        <translation>Añada personas una a una o desde una lista, asígnelas a grupos y gestione las copias de seguridad y la auditoría.</translation>
     </message>
     <message>
         <source>My attempts</source>

@@ -6219,8 +6219,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
 <context>
     <name>ui::shell::AccountMenu</name>
     <message>
-        <source>My place</source>
-        <translation>自分の席</translation>
+        <source>My account</source>
+        <translation>アカウント</translation>
     </message>
     <message>
         <source>Change my password …</source>
@@ -6944,7 +6944,7 @@ unsaved</source>
         <translation>矢印キー</translation>
     </message>
     <message>
-        <source>Move it finely</source>
+        <source>Move it in fine steps</source>
         <translation>細かく動かす</translation>
     </message>
     <message>
@@ -7016,8 +7016,8 @@ unsaved</source>
         <translation>同じ操作 + Shift</translation>
     </message>
     <message>
-        <source>Turn it back</source>
-        <translation>視点を戻す</translation>
+        <source>Reset view</source>
+        <translation>表示をリセット</translation>
     </message>
     <message>
         <source>right double-click</source>
@@ -7056,8 +7056,8 @@ unsaved</source>
         <translation>Alt + Page Up</translation>
     </message>
     <message>
-        <source>Come nearer, go back</source>
-        <translation>近づく・離れる</translation>
+        <source>Zoom in, zoom out</source>
+        <translation>拡大・縮小</translation>
     </message>
     <message>
         <source>wheel</source>
@@ -7084,14 +7084,14 @@ unsaved</source>
         <translation>一覧で</translation>
     </message>
     <message>
-        <source>Sort it otherwise</source>
+        <source>Change the sorting</source>
         <translation>並べ替えを変える</translation>
     </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
     <message>
-        <source>%1 by another rubric</source>
+        <source>%1 with another rubric</source>
         <translation>%1（別の評価基準）</translation>
     </message>
     <message>
@@ -7709,8 +7709,8 @@ unsaved</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Leave everything as it was before (Esc)</source>
-        <translation>すべてを元のままにします（Esc）</translation>
+        <source>Discard the changes (Esc)</source>
+        <translation>変更を破棄します（Esc）</translation>
     </message>
 </context>
 <context>
@@ -7763,7 +7763,7 @@ unsaved</source>
         <translation>すべての課題</translation>
     </message>
     <message>
-        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
+        <source>The lessons that come with Cusp, and your own. Search for a word or the number of a tooth.</source>
         <translation>Cuspに付属の課題と自作の課題です。言葉または歯の番号で検索できます。</translation>
     </message>
     <message>
@@ -7771,7 +7771,7 @@ unsaved</source>
         <translation>課題を変更する</translation>
     </message>
     <message>
-        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
+        <source>Change the goal and the rubric of a lesson, and see the effect on earlier attempts.</source>
         <translation>課題の内容と採点を変更し、これまでの試行がどう変わるかを確かめられます。</translation>
     </message>
     <message>
@@ -7779,7 +7779,7 @@ unsaved</source>
         <translation>担当クラス</translation>
     </message>
     <message>
-        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
+        <source>Here you see who needs help and how everybody is doing. Assign lessons, open attempts, replay them, and write comments.</source>
         <translation>助けが必要な人と全員の成績が分かります。課題を割り当て、試行を開いて再生し、コメントを書けます。</translation>
     </message>
     <message>
@@ -7791,7 +7791,7 @@ unsaved</source>
         <translation>採点</translation>
     </message>
     <message>
-        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
+        <source>Your work is measured, and the score card shows where and when each point was lost.</source>
         <translation>作業が計測され、どの点をどこでいつ失ったかが成績表に示されます。</translation>
     </message>
     <message>
@@ -7799,7 +7799,7 @@ unsaved</source>
         <translation>クラス</translation>
     </message>
     <message>
-        <source>How every class does at every lesson, as its teachers see it.</source>
+        <source>The results of every class in every lesson, as its teachers see them.</source>
         <translation>各クラスの課題ごとの成績を、教員と同じ画面で見られます。</translation>
     </message>
     <message>
@@ -7807,7 +7807,7 @@ unsaved</source>
         <translation>手応え</translation>
     </message>
     <message>
-        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <source>Burs, force and depth are here. The hardness presets (F7) set how hard teeth are.</source>
         <translation>バー、力、深さはここにあります。歯の硬さは硬さのプリセット（F7）で決めます。</translation>
     </message>
     <message>
@@ -7819,11 +7819,11 @@ unsaved</source>
         <translation>課題</translation>
     </message>
     <message>
-        <source>Choose here what to practise. What your class is to do comes first.</source>
+        <source>Choose here what to practise. Lessons assigned to your class come first.</source>
         <translation>練習する内容をここで選びます。クラスに割り当てられた課題が先に並びます。</translation>
     </message>
     <message>
-        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
+        <source>Choose here what to practise. Each lesson states its goal and how it is graded.</source>
         <translation>練習する内容をここで選びます。各課題に内容と採点方法が書かれています。</translation>
     </message>
     <message>
@@ -7831,7 +7831,7 @@ unsaved</source>
         <translation>バー、力、深さ</translation>
     </message>
     <message>
-        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <source>Change the bur, set how hard the mouse presses, and read force and depth while you drill.</source>
         <translation>バーの交換やマウスの押す力の設定ができ、切削中の力と深さを読み取れます。</translation>
     </message>
     <message>
@@ -7839,31 +7839,31 @@ unsaved</source>
         <translation>内部を見る</translation>
     </message>
     <message>
-        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <source>A live section through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
         <translation>課題が許す場合、バーを通る断面でエナメル質、象牙質、歯髄が見られます。</translation>
     </message>
     <message>
-        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
+        <source>See how your scores develop, read your instructor&apos;s comments, and replay every attempt.</source>
         <translation>点数の推移と教員のコメントが見られ、どの試行も再生できます。</translation>
     </message>
     <message>
-        <source>Your place</source>
-        <translation>この席</translation>
+        <source>Your account</source>
+        <translation>アカウント</translation>
     </message>
     <message>
-        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
+        <source>Log in to save your grades. Without a login, nothing is saved.</source>
         <translation>ログインすると成績が保存されます。ログインしないと何も保存されません。</translation>
     </message>
     <message>
-        <source>Lock your place when you leave it, or let somebody else log in.</source>
-        <translation>席を離れるときはロックするか、別の人に替わってください。</translation>
+        <source>Lock the window when you leave, or switch user.</source>
+        <translation>席を離れるときはロックするか、ユーザーを切り替えてください。</translation>
     </message>
     <message>
         <source>Every key</source>
         <translation>すべてのキー</translation>
     </message>
     <message>
-        <source>All keys are listed here. From there you can take this tour again.</source>
+        <source>All keys are listed here. You can also start this tour again from there.</source>
         <translation>すべてのキーの一覧です。このツアーもそこからもう一度見られます。</translation>
     </message>
     <message>
@@ -7896,7 +7896,7 @@ unsaved</source>
         <translation>学校</translation>
     </message>
     <message>
-        <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
+        <source>Add people one by one or from a list, assign them to classes, and manage backups and the audit.</source>
         <translation>利用者を一人ずつ、または名簿から登録し、クラスに入れます。バックアップと監査記録もここで管理します。</translation>
     </message>
     <message>
