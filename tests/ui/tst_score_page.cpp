@@ -315,7 +315,7 @@ private slots:
         m_page->setScore([] { return QString(); }, sheet, attempts(sheet), {}, {});
         auto* chart = child<ui::shell::HistoryChart>();
         const QString spoken = chart->accessibleName();
-        QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(sheet.totalTenths)), qPrintable(spoken));
+        QVERIFY2(spoken.contains("61.2 with another rubric, " + ui::text::points(sheet.totalTenths)), qPrintable(spoken));
         const auto labels = m_page->findChildren<QLabel*>();
         QCOMPARE(std::count_if(labels.begin(), labels.end(),
                                [](const QLabel* label) { return label->text() == "other rubric"; }),
@@ -323,7 +323,7 @@ private slots:
         // The pointer is told more of a column, and a file of all of them.
         QHelpEvent onFirst(QEvent::ToolTip, {4, 40}, chart->mapToGlobal(QPoint(4, 40)));
         QApplication::sendEvent(chart, &onFirst);
-        QVERIFY2(QToolTip::text().contains("2026") && QToolTip::text().contains("61.2 by another rubric"),
+        QVERIFY2(QToolTip::text().contains("2026") && QToolTip::text().contains("61.2 with another rubric"),
                  qPrintable(QToolTip::text()));
         const QTemporaryDir folder;
         auto* save = child<ui::charts::SaveButton>();
