@@ -344,10 +344,9 @@ void Application::openDatabase()
         m_window->readAgain();
     });
     connect(m_desk.get(), &SchoolDesk::waitOn, this, [this](int count) {
-        m_window->showMessage(
-            tr("%n attempt(s) on this computer cannot be given to this school: it does not know whose "
-               "they are, or they were signed with another station.key. They wait.",
-               nullptr, count));
+        m_window->showMessage(tr("%n attempt(s) on this computer cannot be sent to this school: the student is "
+                                 "unknown, or another station.key signed them. They stay on this computer.",
+                                 nullptr, count));
     });
     connect(m_desk.get(), &SchoolDesk::waitForOthers, this, [this](int count, const QString& schools) {
         m_window->showMessage(
@@ -495,10 +494,9 @@ void Application::restore(const database::Session& who)
                     .arg(AdminDesk::whyNotRestored(restored.error()));
             const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name
-            return replaced.isEmpty()
-                       ? tr("The backup of %1 is in place.").arg(when)
-                       : tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
-                             .arg(when, replaced);
+            return replaced.isEmpty() ? tr("The backup of %1 was restored.").arg(when)
+                                      : tr("The backup of %1 was restored. The previous file is kept next to it as %2.")
+                                            .arg(when, replaced);
         });
     });
 }
@@ -709,8 +707,8 @@ void Application::enter(const database::Session& who)
     if (who.role() == database::Role::Admin && m_desk)
         raisePasswordCost();
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
-        m_window->showWarning(tr("The school's data lie on a network drive: only one computer at a time can use them. "
-                                 "For several, keep them on a PostgreSQL server."));
+        m_window->showWarning(tr("The school's database is on a network drive, where only one computer at a time can "
+                                 "use it. For several computers, use a PostgreSQL server."));
 }
 
 /// What one person has mistyped makes no other wait.

@@ -1819,8 +1819,8 @@
 <context>
     <name>Health</name>
     <message>
-        <source>The handpiece is gone: no force. Plug it in again.</source>
-        <translation>Das Handstück ist nicht verbunden: keine Kraft. Stecken Sie es wieder an.</translation>
+        <source>The handpiece is disconnected: no force. Plug it in again.</source>
+        <translation>Das Handstück ist getrennt: keine Kraft. Stecken Sie es wieder ein.</translation>
     </message>
     <message>
         <source>The computer was too slow: the recording has a gap.</source>
@@ -1835,20 +1835,20 @@
         <translation>Kraft an der Grenze</translation>
     </message>
     <message>
-        <source>The bur is inside the tooth: lift it out, then it works.</source>
-        <translation>Der Bohrer steckt im Zahn: Heben Sie ihn heraus, dann arbeitet er.</translation>
+        <source>The bur is inside the tooth. Lift it out to continue.</source>
+        <translation>Der Bohrer steckt im Zahn. Heben Sie ihn heraus, um weiterzumachen.</translation>
     </message>
     <message>
-        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
-        <translation>Das Handstück antwortet verzögert: Der Zahn fühlt sich weicher an.</translation>
+        <source>The handpiece responds late: the tooth feels softer.</source>
+        <translation>Das Handstück antwortet spät: Der Zahn fühlt sich weicher an.</translation>
     </message>
     <message>
-        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
-        <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Halten Sie dagegen, lässt es los.</translation>
+        <source>The handpiece guides your hand back over the tooth. Push against it to stop.</source>
+        <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Drücken Sie dagegen, um es zu beenden.</translation>
     </message>
     <message>
-        <source>The outline holds your hand: Q lets it go.</source>
-        <translation>Der Umriss hält Ihre Hand: Q lässt sie los.</translation>
+        <source>The outline holds your hand. Press Q to release it.</source>
+        <translation>Der Umriss hält Ihre Hand. Drücken Sie Q, um sie freizugeben.</translation>
     </message>
 </context>
 <context>
@@ -2663,8 +2663,8 @@
         <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
     <message>
-        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation>Die Daten der Schule liegen auf einem Netzlaufwerk: Nur ein Computer zugleich kann sie benutzen. Für mehrere legen Sie sie auf einen PostgreSQL-Server.</translation>
+        <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
+        <translation>Die Datenbank der Schule liegt auf einem Netzlaufwerk, wo sie nur ein Computer zugleich benutzen kann. Nehmen Sie für mehrere Computer einen PostgreSQL-Server.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -2679,20 +2679,20 @@
         <translation>Die Sicherung wurde nicht zurückgespielt; nichts wurde verändert. %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>%n Versuch auf diesem Computer kann dieser Schule nicht gegeben werden: Sie weiß nicht, wessen er ist, oder er wurde mit einem anderen station.key signiert. Er wartet.</numerusform>
-            <numerusform>%n Versuche auf diesem Computer können dieser Schule nicht gegeben werden: Sie weiß nicht, wessen sie sind, oder sie wurden mit einem anderen station.key signiert. Sie warten.</numerusform>
+            <numerusform>%n Versuch auf diesem Computer kann nicht an diese Schule gesendet werden: Die Person ist unbekannt, oder er wurde mit einem anderen station.key signiert. Er bleibt auf diesem Computer.</numerusform>
+            <numerusform>%n Versuche auf diesem Computer können nicht an diese Schule gesendet werden: Die Person ist unbekannt, oder sie wurden mit einem anderen station.key signiert. Sie bleiben auf diesem Computer.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The backup of %1 is in place.</source>
+        <source>The backup of %1 was restored.</source>
         <extracomment>%2: a file&apos;s name</extracomment>
-        <translation>Die Sicherung vom %1 ist eingespielt.</translation>
+        <translation>Die Sicherung vom %1 wurde wiederhergestellt.</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <translation>Die Sicherung vom %1 ist eingespielt. Die Datei, die dort lag, liegt als %2 daneben.</translation>
+        <source>The backup of %1 was restored. The previous file is kept next to it as %2.</source>
+        <translation>Die Sicherung vom %1 wurde wiederhergestellt. Die vorige Datei liegt als %2 daneben.</translation>
     </message>
     <message>
         <source>This account was disabled, and you were logged out. Ask an admin.</source>
@@ -3942,8 +3942,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Röntgen: %1</translation>
     </message>
     <message>
-        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
-        <translation>Die Krone zwischen ihren beiden Nachbarn. Das sind gesunde Zähne von Cusp, die einander berühren.</translation>
+        <source>The crown between two sound neighbours made by Cusp, with contact points.</source>
+        <translation>Die Krone zwischen zwei gesunden Nachbarzähnen von Cusp, mit Kontaktpunkten.</translation>
     </message>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
@@ -7374,8 +7374,8 @@ ungesichert</translation>
         <translation>Der Vergleich konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
     <message>
-        <source>The hardness preset was kept: %1.</source>
-        <translation>Die Härte-Voreinstellung wurde behalten: %1.</translation>
+        <source>The hardness preset was saved: %1.</source>
+        <translation>Die Härte-Voreinstellung wurde gespeichert: %1.</translation>
     </message>
     <message>
         <source>It feels like %1 now.</source>
@@ -8691,7 +8691,7 @@ ungesichert</translation>
         <translation>Hilfen</translation>
     </message>
     <message>
-        <source>Marked by</source>
+        <source>Rubric</source>
         <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
         <translation>Bewertet nach</translation>
     </message>

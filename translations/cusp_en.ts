@@ -101,10 +101,10 @@
 <context>
     <name>app::Application</name>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>%n attempt on this computer cannot be given to this school: it does not know whose it is, or it was signed with another station.key. It waits.</numerusform>
-            <numerusform>%n attempts on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</numerusform>
+            <numerusform>%n attempt on this computer cannot be sent to this school: the student is unknown, or another station.key signed it. It stays on this computer.</numerusform>
+            <numerusform>%n attempts on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -1819,8 +1819,8 @@
 <context>
     <name>Health</name>
     <message>
-        <source>The handpiece is gone: no force. Plug it in again.</source>
-        <translation>La pieza de mano ya no está: no hay fuerza. Conéctela de nuevo.</translation>
+        <source>The handpiece is disconnected: no force. Plug it in again.</source>
+        <translation>La pieza de mano está desconectada: sin fuerza. Vuelva a conectarla.</translation>
     </message>
     <message>
         <source>The computer was too slow: the recording has a gap.</source>
@@ -1835,20 +1835,20 @@
         <translation>Fuerza en su límite</translation>
     </message>
     <message>
-        <source>The bur is inside the tooth: lift it out, then it works.</source>
-        <translation>La fresa está dentro del diente: sáquela y volverá a funcionar.</translation>
+        <source>The bur is inside the tooth. Lift it out to continue.</source>
+        <translation>La fresa está dentro del diente. Sáquela para continuar.</translation>
     </message>
     <message>
-        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
-        <translation>La pieza de mano responde tarde: el diente se nota más blando.</translation>
+        <source>The handpiece responds late: the tooth feels softer.</source>
+        <translation>La pieza de mano responde tarde: el diente se siente más blando.</translation>
     </message>
     <message>
-        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
-        <translation>La pieza de mano devuelve su mano sobre el diente. Oponga resistencia y la soltará.</translation>
+        <source>The handpiece guides your hand back over the tooth. Push against it to stop.</source>
+        <translation>La pieza de mano guía su mano de vuelta sobre el diente. Empuje en contra para detenerla.</translation>
     </message>
     <message>
-        <source>The outline holds your hand: Q lets it go.</source>
-        <translation>El contorno retiene su mano: Q la suelta.</translation>
+        <source>The outline holds your hand. Press Q to release it.</source>
+        <translation>El contorno retiene su mano. Pulse Q para soltarla.</translation>
     </message>
 </context>
 <context>
@@ -2663,8 +2663,8 @@
         <translation>Preparando la hoja de puntuación …</translation>
     </message>
     <message>
-        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation>Los datos de la escuela están en una unidad de red: solo un ordenador a la vez puede usarlos. Para varios, guárdelos en un servidor PostgreSQL.</translation>
+        <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
+        <translation>La base de datos de la escuela está en una unidad de red, donde solo puede usarla un ordenador a la vez. Para varios ordenadores, use un servidor PostgreSQL.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -2679,20 +2679,20 @@
         <translation>La copia de seguridad no se restauró; no se ha cambiado nada. %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>%n intento de este ordenador no se puede entregar a esta escuela: no sabe de quién es, o se firmó con otro station.key. Queda en espera.</numerusform>
-            <numerusform>%n intentos de este ordenador no se pueden entregar a esta escuela: no sabe de quién son, o se firmaron con otro station.key. Quedan en espera.</numerusform>
+            <numerusform>%n intento de este ordenador no se puede enviar a esta escuela: el estudiante es desconocido, o se firmó con otro station.key. Se queda en este ordenador.</numerusform>
+            <numerusform>%n intentos de este ordenador no se pueden enviar a esta escuela: el estudiante es desconocido, o se firmaron con otro station.key. Se quedan en este ordenador.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The backup of %1 is in place.</source>
+        <source>The backup of %1 was restored.</source>
         <extracomment>%2: a file&apos;s name</extracomment>
-        <translation>La copia del %1 está en su sitio.</translation>
+        <translation>Se restauró la copia del %1.</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <translation>La copia del %1 está en su sitio. El archivo que había se conserva a su lado como %2.</translation>
+        <source>The backup of %1 was restored. The previous file is kept next to it as %2.</source>
+        <translation>Se restauró la copia del %1. El archivo anterior se conserva a su lado como %2.</translation>
     </message>
     <message>
         <source>This account was disabled, and you were logged out. Ask an admin.</source>
@@ -3942,8 +3942,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Radiografía: %1</translation>
     </message>
     <message>
-        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
-        <translation>La corona entre sus dos vecinos. Son dientes sanos hechos por Cusp, y se tocan.</translation>
+        <source>The crown between two sound neighbours made by Cusp, with contact points.</source>
+        <translation>La corona entre dos vecinos sanos hechos por Cusp, con puntos de contacto.</translation>
     </message>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
@@ -7374,8 +7374,8 @@ sin guardar</translation>
         <translation>La comparación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
     <message>
-        <source>The hardness preset was kept: %1.</source>
-        <translation>El ajuste de dureza se conservó: %1.</translation>
+        <source>The hardness preset was saved: %1.</source>
+        <translation>El ajuste de dureza se guardó: %1.</translation>
     </message>
     <message>
         <source>Hardness presets (%1)</source>
@@ -8691,9 +8691,9 @@ sin guardar</translation>
         <translation>Ayudas</translation>
     </message>
     <message>
-        <source>Marked by</source>
+        <source>Rubric</source>
         <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
-        <translation>Calificada por</translation>
+        <translation>Rúbrica</translation>
     </message>
     <message>
         <source>%1, passed from %2</source>

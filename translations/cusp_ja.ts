@@ -1817,7 +1817,7 @@
 <context>
     <name>Health</name>
     <message>
-        <source>The handpiece is gone: no force. Plug it in again.</source>
+        <source>The handpiece is disconnected: no force. Plug it in again.</source>
         <translation>ハンドピースがありません：力は出ません。接続し直してください。</translation>
     </message>
     <message>
@@ -1829,19 +1829,19 @@
         <translation>コンピューターが遅く、画像が遅れています。</translation>
     </message>
     <message>
-        <source>The bur is inside the tooth: lift it out, then it works.</source>
+        <source>The bur is inside the tooth. Lift it out to continue.</source>
         <translation>バーが歯の内部にあります。引き上げると動作します。</translation>
     </message>
     <message>
-        <source>The outline holds your hand: Q lets it go.</source>
+        <source>The outline holds your hand. Press Q to release it.</source>
         <translation>外形線が手を保持しています。Qで解除します。</translation>
     </message>
     <message>
-        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
-        <translation>ハンドピースが手を歯の上へ導きます。押しとどめると離れます。</translation>
+        <source>The handpiece guides your hand back over the tooth. Push against it to stop.</source>
+        <translation>ハンドピースが手を歯の上へ導きます。押し返すと止まります。</translation>
     </message>
     <message>
-        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
+        <source>The handpiece responds late: the tooth feels softer.</source>
         <translation>ハンドピースの応答が遅いため、歯の手応えを柔らかくしています。</translation>
     </message>
     <message>
@@ -2652,8 +2652,8 @@
         <translation>成績表を作成しています …</translation>
     </message>
     <message>
-        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation>学校のデータはネットワークドライブ上にあり、同時に一台しか使えません。複数台ではPostgreSQLサーバーに置いてください。</translation>
+        <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
+        <translation>学校のデータベースはネットワークドライブ上にあり、同時に1台しか使えません。複数台ではPostgreSQLサーバーを使ってください。</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -2668,19 +2668,19 @@
         <translation>バックアップは復元されませんでした。何も変更されていません。%1</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>このコンピューターの試行%n件は、この学校に渡せません。誰のものか不明か、別の station.key で署名されています。保留されています。</numerusform>
+            <numerusform>このコンピューターの試行%n件は、この学校に送れません。学生が不明か、別の station.key で署名されています。このコンピューターに残ります。</numerusform>
         </translation>
     </message>
     <message>
-        <source>The backup of %1 is in place.</source>
+        <source>The backup of %1 was restored.</source>
         <extracomment>%2: a file&apos;s name</extracomment>
-        <translation>%1 のバックアップに置き換えました。</translation>
+        <translation>%1 のバックアップを復元しました。</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <translation>%1 のバックアップに置き換えました。元のファイルは %2 として横に残してあります。</translation>
+        <source>The backup of %1 was restored. The previous file is kept next to it as %2.</source>
+        <translation>%1 のバックアップを復元しました。以前のファイルは %2 として隣に残ります。</translation>
     </message>
     <message>
         <source>This account was disabled, and you were logged out. Ask an admin.</source>
@@ -3872,7 +3872,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>X線：%1</translation>
     </message>
     <message>
-        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
+        <source>The crown between two sound neighbours made by Cusp, with contact points.</source>
         <translation>両隣在歯の間の歯冠です。隣在歯はCuspが作った健全歯で、接触しています。</translation>
     </message>
     <message>
@@ -7170,7 +7170,7 @@ unsaved</source>
         <translation>比較を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
     </message>
     <message>
-        <source>The hardness preset was kept: %1.</source>
+        <source>The hardness preset was saved: %1.</source>
         <translation>硬さのプリセットを保存しました：%1。</translation>
     </message>
     <message>
@@ -8649,7 +8649,7 @@ unsaved</source>
         <translation>補助</translation>
     </message>
     <message>
-        <source>Marked by</source>
+        <source>Rubric</source>
         <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
         <translation>評価基準</translation>
     </message>

@@ -223,9 +223,9 @@ private slots:
         const QString detail = child<QLabel>("presetFaultDetail")->text();
         QVERIFY2(detail.contains("says nothing of ") && detail.contains("pulp"), qPrintable(detail));
         const auto* bar = child<ui::shell::MessageBar>();
-        QVERIFY2(bar->sentence().contains("was kept: slip"), qPrintable(bar->sentence()));
+        QVERIFY2(bar->sentence().contains("was saved: slip"), qPrintable(bar->sentence()));
         import(R"({"force": {"stiffness_n_per_mm": 15}})");
-        QVERIFY2(!bar->sentence().contains("was kept"),
+        QVERIFY2(!bar->sentence().contains("was saved"),
                  qPrintable(bar->sentence()));  // one would read the older of both
         QVERIFY2(fault->text().contains("Would tremble"), qPrintable(fault->text()));
         core::settings::FeelPreset stiff;

@@ -284,7 +284,7 @@ private slots:
         WAIT_FOR(child<QPushButton>("restoreBackup")->isVisible());
         QVERIFY(child<QPushButton>("tryAgain")->isVisible() && child<QPushButton>("practiseAsGuest")->isEnabled());
         click("restoreBackup");
-        waitForDoorToSay("is in place");
+        waitForDoorToSay("was restored");
         QCOMPARE(window().focusWidget(), child<QLineEdit>("username"));
         logIn("sam");
         QCOMPARE(count("audit WHERE action = 'backup.restored'"), 1);
@@ -693,7 +693,7 @@ private slots:
         QVERIFY(child<AdminPage>()->isVisible() && !child<QPushButton>("keepPresent")->isVisible());
         QCOMPARE(count("people"), 5);
         clickTwice("restoreThis");
-        waitForDoorToSay("is in place");
+        waitForDoorToSay("was restored");
         QCOMPARE(count("people"), 4);
         QCOMPARE(count("audit a JOIN people p ON p.uid = a.actor "
                        "WHERE a.action = 'backup.restored' AND p.username = 'admin'"),

@@ -380,7 +380,7 @@ private slots:
         damageSchool();
         start();
         click("restoreBackup");
-        waitForDoorToSay("is in place");
+        waitForDoorToSay("was restored");
         logIn("sam");
         WAIT_FOR_VALUE(attempts(), 1);
     }

@@ -343,7 +343,7 @@ private slots:
             return sentence->isVisible() ? sentence->text() : QString();
         };
         QVERIFY(!sentence->isVisible());
-        QTRY_VERIFY(isTold(kDeviceLost, false, false).contains("handpiece is gone"));
+        QTRY_VERIFY(isTold(kDeviceLost, false, false).contains("handpiece is disconnected"));
         QTRY_VERIFY(isTold(0, false, false).isEmpty());
         QTRY_VERIFY(isTold(0, true, false).startsWith("The handpiece touches the crown"));
         QTRY_VERIFY(isTold(0, true, true).isEmpty());

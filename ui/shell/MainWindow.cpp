@@ -228,7 +228,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
-            // On whichever page he is next, and until he has seen it.
+            // On whichever page the user is next, until they have seen it.
             m_messages->say([] {
                 return MessageBar::Message{
                     MessageBar::Kind::Warning, tr("The time for this exam is over: cutting is disabled."), {}, {}, {},
@@ -563,13 +563,13 @@ void MainWindow::showAccount()
             button->mapToGlobal(QPoint(button->width() - m_accountMenu->sizeHint().width(), button->height())));
 }
 
-/// Who is logged in locks his place; from there he comes back, or lets somebody else log in.
+/// Locks the window of the logged-in user, who can unlock it or switch user.
 void MainWindow::changeAccount()
 {
     if (isAtDoor() && m_who.isGuest())
         goBack();
     else if (m_who.isGuest() && m_isGraded && ownWork() == m_workGraded && m_pages->currentWidget() == m_scorePage)
-        emit keepWanted();  // his grade is what he logs in for
+        emit keepWanted();  // the guest logs in to save this grade
     else if (m_who.isGuest())
         // Who logs in begins with a clean table.
         leaveWork([this] {
@@ -949,7 +949,7 @@ void MainWindow::showPresetKept(const core::settings::FeelPreset& preset, const 
 {
     m_presets->select(preset);
     m_presets->setFault(note);
-    const QString said = tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset));
+    const QString said = tr("The hardness preset was saved: %1.").arg(presets::presetWords(preset));
     if (m_console->isVisible())
         m_console->say(note.isEmpty() ? said : said + u'\n' + note);
     else
@@ -1828,7 +1828,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     // Who has gone to another page since the tooth was asked for, or has not asked for one, stays there.
     const QWidget* const page = m_pages->currentWidget();
     const bool wasAsked = std::exchange(m_askedFrom, nullptr) == page;
-    if (isAtDoor())  // nobody is taken away from what he types there
+    if (isAtDoor())  // typing on the login page is not interrupted
         m_behindDoor = m_room;
     else if (wasAsked || page == m_room || page == m_chooser || m_replaying)
         goTo(m_room);

@@ -448,7 +448,7 @@ void LessonsPage::tellFeedback()
                             QString::fromStdString(newest.author));
 }
 
-/// A teacher's own lesson may lie on his computer only.
+/// A teacher's own lesson may be on that teacher's computer only.
 void LessonsPage::tellMissing()
 {
     QStringList missing;
@@ -694,7 +694,7 @@ void LessonsPage::describe()
         fact(tr("Burs"), burWords(lesson));
         fact(tr("Aids"), aidWords(lesson.aids));
         //: %1 is the name of a rubric, %2 the mark that is needed
-        fact(tr("Marked by"),
+        fact(tr("Rubric"),
              tr("%1, passed from %2").arg(said(lesson.rubric.title), text::points(lesson.rubric.passMarkTenths)) +
                  u'\n' + criteriaWords(lesson.rubric).join(u'\n'));
         if (!lesson.notModelled.empty())

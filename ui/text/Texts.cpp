@@ -567,21 +567,20 @@ QString handpieceName(std::string_view name)
 QString healthText(std::uint32_t health)
 {
     if ((health & core::session::kDeviceLost) != 0)
-        return QCoreApplication::translate("Health", "The handpiece is gone: no force. Plug it in again.");
+        return QCoreApplication::translate("Health", "The handpiece is disconnected: no force. Plug it in again.");
     if ((health & core::session::kRecordGap) != 0)
         return QCoreApplication::translate("Health", "The computer was too slow: the recording has a gap.");
     if ((health & core::session::kPatchQueueFull) != 0)
         return QCoreApplication::translate("Health", "The computer is slow: the picture lags behind.");
     if ((health & core::session::kBegunInside) != 0)
-        return QCoreApplication::translate("Health", "The bur is inside the tooth: lift it out, then it works.");
+        return QCoreApplication::translate("Health", "The bur is inside the tooth. Lift it out to continue.");
     if ((health & core::session::kHeldInside) != 0)
-        return QCoreApplication::translate("Health", "The outline holds your hand: Q lets it go.");
+        return QCoreApplication::translate("Health", "The outline holds your hand. Press Q to release it.");
     if ((health & core::session::kLedHome) != 0)
         return QCoreApplication::translate(
-            "Health", "The handpiece leads your hand back over the tooth. Hold it back, and it lets go.");
+            "Health", "The handpiece guides your hand back over the tooth. Push against it to stop.");
     if ((health & core::session::kLoopIsSlow) != 0)
-        return QCoreApplication::translate("Health",
-                                           "The handpiece answers late: the tooth is made softer to the hand.");
+        return QCoreApplication::translate("Health", "The handpiece responds late: the tooth feels softer.");
     if ((health & core::session::kForceClamped) != 0)
         return QCoreApplication::translate("Health", "Force at its limit");
     return {};
