@@ -726,7 +726,7 @@
         <translation>Der Scan lässt sich nicht öffnen. %1</translation>
     </message>
     <message>
-        <source>The tooth cannot be made. %1</source>
+        <source>The tooth cannot be created. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Der Zahn lässt sich nicht erzeugen. %1</translation>
     </message>
@@ -741,9 +741,9 @@
         <translation>Die Aufzeichnung wurde nicht gespeichert. %1</translation>
     </message>
     <message>
-        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <source>Grades will not be saved; drilling and grading still work. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Bewertungen werden nicht aufbewahrt; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
+        <translation>Bewertungen werden nicht gespeichert; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
     </message>
     <message>
         <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
@@ -758,14 +758,14 @@
         <translation>Die Datei stammt nicht von diesem Cusp oder von einem älteren.</translation>
     </message>
     <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <source>The lesson cannot be started; your work is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Lektion lässt sich nicht beginnen; was auf dem Tisch lag, liegt noch da. %1</translation>
+        <translation>Die Lektion lässt sich nicht beginnen; Ihre Arbeit ist unverändert. %1</translation>
     </message>
     <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
+        <source>The work cannot be graded; it is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Arbeit kann nicht bewertet werden; sie ist, wie sie war. %1</translation>
+        <translation>Die Arbeit kann nicht bewertet werden; sie ist unverändert. %1</translation>
     </message>
     <message>
         <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
@@ -777,9 +777,9 @@
         <translation>Dieser Versuch wird während der Arbeit nicht auf der Festplatte gesichert. %1</translation>
     </message>
     <message>
-        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <source>An unfinished attempt cannot be resumed. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Ein Versuch, der nicht beendet wurde, kann nicht wieder aufgenommen werden. %1</translation>
+        <translation>Ein unvollendeter Versuch kann nicht fortgesetzt werden. %1</translation>
     </message>
     <message>
         <source>Nothing has been cut yet that could be a reference.</source>
@@ -791,8 +791,8 @@
         <translation>Die Referenz wurde nicht gespeichert. %1</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
-        <translation>Ein anderes Programm schreibt gerade in die Daten der Schule. Versuchen Sie es gleich noch einmal.</translation>
+        <source>Another program is writing to the school&apos;s database. Try again in a moment.</source>
+        <translation>Ein anderes Programm schreibt gerade in die Datenbank der Schule. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
@@ -803,8 +803,8 @@
         <translation>Ihre Rolle erlaubt das nicht.</translation>
     </message>
     <message>
-        <source>Name or password is wrong.</source>
-        <translation>Name oder Passwort ist falsch.</translation>
+        <source>Wrong username or password.</source>
+        <translation>Benutzername oder Passwort ist falsch.</translation>
     </message>
     <message>
         <source>Too many logins have failed. Wait a moment and try again.</source>
@@ -815,9 +815,9 @@
         <translation>Wählen Sie zuerst ein Passwort.</translation>
     </message>
     <message>
-        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <source>The school&apos;s data cannot be shown now; your work is saved. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Was die Schule aufhebt, lässt sich gerade nicht zeigen; was Sie tun, wird aufgehoben. %1</translation>
+        <translation>Die Daten der Schule lassen sich gerade nicht anzeigen; Ihre Arbeit wird gespeichert. %1</translation>
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
@@ -833,8 +833,8 @@
         <translation>Das wurde nicht ausgeführt, und nichts wurde geändert. %1</translation>
     </message>
     <message>
-        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
-        <translation>Ein Versuch auf dem Weg zur Schule ist beschädigt und wurde beiseitegelegt, im Ordner „outbox/damaged“. Alles andere wird wie immer gespeichert.</translation>
+        <source>An attempt that was to be sent to the school is damaged. It was moved to the folder “outbox/damaged”. Everything else is saved as usual.</source>
+        <translation>Ein Versuch, der an die Schule gesendet werden sollte, ist beschädigt. Er wurde in den Ordner „outbox/damaged“ verschoben. Alles andere wird wie gewohnt gespeichert.</translation>
     </message>
     <message>
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
@@ -853,9 +853,9 @@
         <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, wenn er wieder antwortet.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <source>This grade is not saved yet; Cusp tries again while it runs. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Diese Bewertung ist noch nicht gespeichert; es wird wieder versucht, solange Cusp läuft. %1</translation>
+        <translation>Diese Bewertung ist noch nicht gespeichert; Cusp versucht es wieder, solange es läuft. %1</translation>
     </message>
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>

@@ -726,7 +726,7 @@
         <translation>No se puede abrir el escaneo. %1</translation>
     </message>
     <message>
-        <source>The tooth cannot be made. %1</source>
+        <source>The tooth cannot be created. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>No se puede crear el diente. %1</translation>
     </message>
@@ -741,9 +741,9 @@
         <translation>La grabación no se guardó. %1</translation>
     </message>
     <message>
-        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <source>Grades will not be saved; drilling and grading still work. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Las calificaciones no se conservarán; aun así puede tallar y recibir calificación. %1</translation>
+        <translation>Las calificaciones no se guardarán; aun así puede tallar y recibir calificación. %1</translation>
     </message>
     <message>
         <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
@@ -758,14 +758,14 @@
         <translation>El archivo no lo escribió este Cusp, o lo escribió uno más antiguo.</translation>
     </message>
     <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <source>The lesson cannot be started; your work is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>No se puede dar la lección; lo que había en la mesa sigue ahí. %1</translation>
+        <translation>No se puede empezar la lección; su trabajo no ha cambiado. %1</translation>
     </message>
     <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
+        <source>The work cannot be graded; it is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>No se puede calificar el trabajo; está como estaba. %1</translation>
+        <translation>No se puede calificar el trabajo; no ha cambiado. %1</translation>
     </message>
     <message>
         <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
@@ -777,9 +777,9 @@
         <translation>Este intento no se conserva en el disco mientras trabaja. %1</translation>
     </message>
     <message>
-        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <source>An unfinished attempt cannot be resumed. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Un intento que no se terminó no se puede reanudar. %1</translation>
+        <translation>Un intento sin terminar no se puede reanudar. %1</translation>
     </message>
     <message>
         <source>Nothing has been cut yet that could be a reference.</source>
@@ -791,8 +791,8 @@
         <translation>La referencia no se guardó. %1</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
-        <translation>Otro programa está escribiendo en los datos de la escuela. Inténtelo de nuevo en un momento.</translation>
+        <source>Another program is writing to the school&apos;s database. Try again in a moment.</source>
+        <translation>Otro programa está escribiendo en la base de datos de la escuela. Inténtelo de nuevo en un momento.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
@@ -803,8 +803,8 @@
         <translation>Su función no lo permite.</translation>
     </message>
     <message>
-        <source>Name or password is wrong.</source>
-        <translation>El nombre o la contraseña no son correctos.</translation>
+        <source>Wrong username or password.</source>
+        <translation>El nombre de usuario o la contraseña no son correctos.</translation>
     </message>
     <message>
         <source>Too many logins have failed. Wait a moment and try again.</source>
@@ -815,9 +815,9 @@
         <translation>Elija primero una contraseña.</translation>
     </message>
     <message>
-        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <source>The school&apos;s data cannot be shown now; your work is saved. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Lo que guarda la escuela no se puede mostrar ahora; lo que usted hace se conserva. %1</translation>
+        <translation>Los datos de la escuela no se pueden mostrar ahora; su trabajo se guarda. %1</translation>
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
@@ -833,8 +833,8 @@
         <translation>No se hizo, y nada ha cambiado. %1</translation>
     </message>
     <message>
-        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
-        <translation>Un intento en camino a la escuela está dañado y se apartó, en la carpeta «outbox/damaged». Todo lo demás se guarda como siempre.</translation>
+        <source>An attempt that was to be sent to the school is damaged. It was moved to the folder “outbox/damaged”. Everything else is saved as usual.</source>
+        <translation>Un intento que se iba a enviar a la escuela está dañado. Se movió a la carpeta «outbox/damaged». Todo lo demás se guarda como siempre.</translation>
     </message>
     <message>
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
@@ -853,9 +853,9 @@
         <translation>El servidor de la escuela no responde. Inténtelo de nuevo cuando responda.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <source>This grade is not saved yet; Cusp tries again while it runs. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Esta calificación aún no está guardada; se vuelve a intentar mientras Cusp esté abierto. %1</translation>
+        <translation>Esta calificación aún no está guardada; Cusp lo vuelve a intentar mientras esté abierto. %1</translation>
     </message>
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>

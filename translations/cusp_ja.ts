@@ -731,8 +731,8 @@
         <translation>この課題とは別の歯、または別のう蝕で作られています。課題の作成者に問い合わせてください。</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
-        <translation>別のプログラムが学校のデータに書き込み中です。少し待ってからもう一度お試しください。</translation>
+        <source>Another program is writing to the school&apos;s database. Try again in a moment.</source>
+        <translation>別のプログラムが学校のデータベースに書き込み中です。少し待ってからもう一度お試しください。</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
@@ -743,8 +743,8 @@
         <translation>あなたの権限では許可されていません。</translation>
     </message>
     <message>
-        <source>Name or password is wrong.</source>
-        <translation>名前またはパスワードが違います。</translation>
+        <source>Wrong username or password.</source>
+        <translation>ユーザー名またはパスワードが違います。</translation>
     </message>
     <message>
         <source>Too many logins have failed. Wait a moment and try again.</source>
@@ -760,17 +760,17 @@
         <translation>スキャンを開けません。%1</translation>
     </message>
     <message>
-        <source>The tooth cannot be made. %1</source>
+        <source>The tooth cannot be created. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>歯を作れません。%1</translation>
     </message>
     <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <source>The lesson cannot be started; your work is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>この課題は開始できません。これまでの歯はそのまま残っています。%1</translation>
     </message>
     <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
+        <source>The work cannot be graded; it is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>採点できません。作業内容はそのままです。%1</translation>
     </message>
@@ -794,7 +794,7 @@
         <translation>基準は保存されませんでした。%1</translation>
     </message>
     <message>
-        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <source>Grades will not be saved; drilling and grading still work. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>成績は保存されませんが、切削と採点はこれまでどおり使えます。%1</translation>
     </message>
@@ -808,12 +808,12 @@
         <translation>作業中、この試行はディスクに保存されません。%1</translation>
     </message>
     <message>
-        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <source>An unfinished attempt cannot be resumed. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>未完了の試行を再開できません。%1</translation>
     </message>
     <message>
-        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <source>The school&apos;s data cannot be shown now; your work is saved. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>学校の保管データは今表示できませんが、あなたの作業は保存されます。%1</translation>
     </message>
@@ -831,8 +831,8 @@
         <translation>実行されませんでした。何も変更されていません。%1</translation>
     </message>
     <message>
-        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
-        <translation>学校へ送る途中の試行が壊れているため、フォルダ「outbox/damaged」に取り分けました。ほかはこれまでどおり保存されます。</translation>
+        <source>An attempt that was to be sent to the school is damaged. It was moved to the folder “outbox/damaged”. Everything else is saved as usual.</source>
+        <translation>学校へ送る試行が壊れているため、フォルダー「outbox/damaged」に移しました。ほかはこれまでどおり保存されます。</translation>
     </message>
     <message>
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
@@ -851,7 +851,7 @@
         <translation>学校のサーバーが応答しません。サーバーが応答するようになったら、もう一度お試しください。</translation>
     </message>
     <message>
-        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <source>This grade is not saved yet; Cusp tries again while it runs. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>この評価はまだ保存されていません。Cuspの起動中はもう一度試み続けます。%1</translation>
     </message>

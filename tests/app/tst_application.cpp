@@ -289,7 +289,7 @@ private slots:
         };
         WAIT_FOR(isShown());
         actions().back->trigger();
-        QVERIFY(message().contains("whole"));
+        QVERIFY(message().contains("intact"));
         WAIT_FOR_VALUE(removed(), QString("0.00"));
         drillFirst();
     }
@@ -413,9 +413,9 @@ private slots:
         QCOMPARE(journals().size(), 1);
         answer("decline");
         WAIT_FOR(journals("discarded").size() == 3 && journals().isEmpty());
-        while (!message().isEmpty() && !message().contains("cannot be taken up again"))
+        while (!message().isEmpty() && !message().contains("cannot be resumed"))
             child<ui::shell::MessageBar>()->dismiss();
-        QVERIFY(message().contains("cannot be taken up again"));
+        QVERIFY(message().contains("cannot be resumed"));
     }
 
     /// The time of an exam runs on while the student is away or the program does not run. A graded exam is not

@@ -268,7 +268,7 @@ private slots:
         made.work.exercise = core::grading::PadsToName{{Material::Enamel, Material::Dentin, Material::Caries}};
         show(made);
         QCOMPARE(textOf("place"),
-                 QString("Left: enamel, as you said · Middle: dentin, you said decay · Right: decay, not named"));
+                 QString("Left: enamel, correct · Middle: dentin, your answer: decay · Right: decay, no answer"));
     }
 
     void aPointThatWasMissedIsShown()
@@ -281,7 +281,7 @@ private slots:
         made.work.exercise = core::grading::PointsToTouch{{{0.0, 0.0}, grid.nodeMm(grid.side / 3, grid.side / 2)}, 0.6};
         made.work.measured.practised = core::grading::Touched{{12.5, std::nullopt}};
         show(made);
-        QCOMPARE(textOf("place"), QString("1 of 2 points touched; the ring marks one that was not"));
+        QCOMPARE(textOf("place"), QString("1 of 2 points touched; the ring marks a missed point"));
         QCOMPARE(child<HeatMap>()->marked(), std::optional(missed));
         made.work.measured.practised = core::grading::Touched{{12.5, 20.0}};
         show(made);
@@ -315,7 +315,8 @@ private slots:
         m_page->setScore([] { return QString(); }, sheet, attempts(sheet), {}, {});
         auto* chart = child<ui::shell::HistoryChart>();
         const QString spoken = chart->accessibleName();
-        QVERIFY2(spoken.contains("61.2 with another rubric, " + ui::text::points(sheet.totalTenths)), qPrintable(spoken));
+        QVERIFY2(spoken.contains("61.2 with another rubric, " + ui::text::points(sheet.totalTenths)),
+                 qPrintable(spoken));
         const auto labels = m_page->findChildren<QLabel*>();
         QCOMPARE(std::count_if(labels.begin(), labels.end(),
                                [](const QLabel* label) { return label->text() == "other rubric"; }),
@@ -339,7 +340,7 @@ private slots:
         m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
         QVERIFY(!child<QLabel>("class")->isVisible());
         m_page->setClass({4, {}});
-        QVERIFY2(textOf("class").contains("takes 5 people"), qPrintable(textOf("class")));
+        QVERIFY2(textOf("class").contains("needs 5 people"), qPrintable(textOf("class")));
         QVERIFY(!textOf("class").contains("%"));
         m_page->setClass({12, 41.7});
         QVERIFY2(textOf("class").contains("42 % are below"), qPrintable(textOf("class")));

@@ -646,9 +646,9 @@ private slots:
                                            {at(40.0, 12), "Undone"},
                                            {at(15.0, 12), "Bur 4"},
                                            {at(26.0, 12), "Handpiece: Electric"},
-                                           {at(50.0, 12), "Middle pad: said to be dentin"},
+                                           {at(50.0, 12), "Middle pad: answer dentin"},
                                            {at(7.0, 24), "Stroke 1, 4.0 s"},
-                                           {at(30.0, 24), "Elsewhere for 0:06"}})
+                                           {at(30.0, 24), "Interruption of 0:06"}})
             QVERIFY2(line->saidAt(place).join(' ').contains(QLatin1String(words)), words);
         QVERIFY(line->saidAt(at(36.0, 24)).isEmpty());
     }

@@ -166,8 +166,8 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "It was made on another tooth, or with another decay, than this "
                                                     "lesson's. Ask who made the lesson.");
     case core::ErrorCode::Busy:
-        return QCoreApplication::translate("Error",
-                                           "Another program is writing to the school's data. Try again in a moment.");
+        return QCoreApplication::translate(
+            "Error", "Another program is writing to the school's database. Try again in a moment.");
     case core::ErrorCode::OpenElsewhere:
         return QCoreApplication::translate(
             "Error",
@@ -197,7 +197,7 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error",
                                            "This is the last admin who can log in. Make somebody else an admin first.");
     case core::ErrorCode::WrongLogin:
-        return QCoreApplication::translate("Error", "Name or password is wrong.");
+        return QCoreApplication::translate("Error", "Wrong username or password.");
     case core::ErrorCode::TooSoon:
         return QCoreApplication::translate("Error", "Too many logins have failed. Wait a moment and try again.");
     case core::ErrorCode::NewPassword:
@@ -222,14 +222,14 @@ QString errorText(const core::Error& error, Failed failed)
         return QCoreApplication::translate("Error", "The scan cannot be opened. %1").arg(reason(error.code, failed));
     case Failed::MakingTooth:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "The tooth cannot be made. %1").arg(reason(error.code, failed));
+        return QCoreApplication::translate("Error", "The tooth cannot be created. %1").arg(reason(error.code, failed));
     case Failed::OpeningLesson:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "The lesson cannot be given; what was on the table still is. %1")
+        return QCoreApplication::translate("Error", "The lesson cannot be started; your work is unchanged. %1")
             .arg(reason(error.code, failed));
     case Failed::Marking:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "The work cannot be marked; it is as it was. %1")
+        return QCoreApplication::translate("Error", "The work cannot be graded; it is unchanged. %1")
             .arg(reason(error.code, failed));
     case Failed::OpeningRecording:
         //: %1: why, and what to do
@@ -245,18 +245,15 @@ QString errorText(const core::Error& error, Failed failed)
         return QCoreApplication::translate("Error", "The reference was not saved. %1").arg(reason(error.code, failed));
     case Failed::KeepingGrades:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error",
-                                           "Grades will not be kept; drilling and grading work all the same. %1")
+        return QCoreApplication::translate("Error", "Grades will not be saved; drilling and grading still work. %1")
             .arg(reason(error.code, failed));
     case Failed::KeepingGrade:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error",
-                                           "This grade is not kept yet; it is tried again as long as Cusp runs. %1")
+        return QCoreApplication::translate("Error", "This grade is not saved yet; Cusp tries again while it runs. %1")
             .arg(reason(error.code, failed));
     case Failed::ReadingSchool:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error",
-                                           "What the school keeps cannot be shown now; what you do is kept. %1")
+        return QCoreApplication::translate("Error", "The school's data cannot be shown now; your work is saved. %1")
             .arg(reason(error.code, failed));
     case Failed::ChangingSchool:
         //: %1: why, and what to do
@@ -267,10 +264,9 @@ QString errorText(const core::Error& error, Failed failed)
         return QCoreApplication::translate("Error", "Nothing was written: what stands on it is read anew for it. %1")
             .arg(reason(error.code, failed));
     case Failed::SendingAttempt:
-        return QCoreApplication::translate(
-            "Error",
-            "An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. "
-            "All else is kept as ever.");
+        return QCoreApplication::translate("Error",
+                                           "An attempt that was to be sent to the school is damaged. It was moved to "
+                                           "the folder “outbox/damaged”. Everything else is saved as usual.");
     case Failed::KeepingAttempt:
     case Failed::KeepingExam:
         if (error.code == core::ErrorCode::FileUnwritable && failed == Failed::KeepingExam)
@@ -286,7 +282,7 @@ QString errorText(const core::Error& error, Failed failed)
             .arg(reason(error.code, failed));
     case Failed::ResumingAttempt:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "An attempt that was not finished cannot be taken up again. %1")
+        return QCoreApplication::translate("Error", "An unfinished attempt cannot be resumed. %1")
             .arg(reason(error.code, failed));
     }
     return QString::fromStdString(error.detail);
