@@ -344,10 +344,9 @@ void Application::openDatabase()
         m_window->readAgain();
     });
     connect(m_desk.get(), &SchoolDesk::waitOn, this, [this](int count) {
-        m_window->showMessage(
-            tr("%n attempt(s) on this computer cannot be given to this school: it does not know whose "
-               "they are, or they were signed with another station.key. They wait.",
-               nullptr, count));
+        m_window->showMessage(tr("%n attempt(s) on this computer cannot be sent to this school: the student is "
+                                 "unknown, or another station.key signed them. They stay on this computer.",
+                                 nullptr, count));
     });
     connect(m_desk.get(), &SchoolDesk::waitForOthers, this, [this](int count, const QString& schools) {
         m_window->showMessage(
@@ -495,10 +494,9 @@ void Application::restore(const database::Session& who)
                     .arg(AdminDesk::whyNotRestored(restored.error()));
             const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name
-            return replaced.isEmpty()
-                       ? tr("The backup of %1 is in place.").arg(when)
-                       : tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
-                             .arg(when, replaced);
+            return replaced.isEmpty() ? tr("The backup of %1 was restored.").arg(when)
+                                      : tr("The backup of %1 was restored. The previous file is kept next to it as %2.")
+                                            .arg(when, replaced);
         });
     });
 }
@@ -709,8 +707,8 @@ void Application::enter(const database::Session& who)
     if (who.role() == database::Role::Admin && m_desk)
         raisePasswordCost();
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
-        m_window->showWarning(tr("The school's data lie on a network drive: only one computer at a time can use them. "
-                                 "For several, keep them on a PostgreSQL server."));
+        m_window->showWarning(tr("The school's database is on a network drive, where only one computer at a time can "
+                                 "use it. For several computers, use a PostgreSQL server."));
 }
 
 /// What one person has mistyped makes no other wait.
@@ -1402,8 +1400,8 @@ void Application::gradeNow()
     }
     if (m_assignment.exercise && !(practised && core::grading::isBegun(*practised))) {
         m_window->showMessage(m_assignment.lesson && m_assignment.lesson->task == lessons::Task::TellLayers
-                                  ? tr("No pad has been named yet: say beneath the view what each is made of.")
-                                  : tr("This exercise has not been begun yet, so there is nothing to grade."));
+                                  ? tr("No pad has an answer yet. Choose below the view what each pad is made of.")
+                                  : tr("This exercise has not been started yet, so there is nothing to grade."));
         return;
     }
     if (!m_assignment.exercise && tooth->top == tooth->anatomy->top) {
@@ -1569,7 +1567,7 @@ void Application::takeKept(const Letter& letter, bool isAgain)
         return;
     m_window->forgetNotKept();
     if (isAgain)
-        m_window->showMessage(tr("The grade that could not be kept is kept now."));
+        m_window->showMessage(tr("The grade that could not be saved is now saved."));
 }
 
 void Application::takeRefused(const Letter& letter, bool isAgain, const core::Error& why)
@@ -1731,8 +1729,7 @@ bool Application::isHiddenByExam()
         return false;
     m_window->stopBusy();
     m_window->showMessage(
-        tr("You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another "
-           "lesson."));
+        tr("Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson."));
     return true;
 }
 
@@ -1742,7 +1739,7 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
     if (isHiddenByExam())
         return;
     const int load = ++m_loading;
-    m_window->showBusy(tr("Working out the score card …"));
+    m_window->showBusy(tr("Preparing the score card …"));
     inBackground(
         this,
         [recording, workOut = surfaceWorker()] {
@@ -1922,7 +1919,7 @@ void Application::openDemonstration(const lessons::Assignment& assignment)
                 m_window->stopBusy();
             m_window->showMessage(
                 recording ? tr("No teacher has recorded this lesson, so a simulated hand shows it.")
-                          : tr("No teacher has recorded this lesson, and a simulated hand does not manage it."));
+                          : tr("No teacher has recorded this lesson, and the simulated hand cannot do it."));
         });
 }
 
@@ -2078,12 +2075,11 @@ void Application::resumeUnfinished()
     const core::contact::ForceSettings& force = m_unfinished->recording.settings().force;
     const core::contact::ForceSettings device = settingsFor(m_options.simulatedDevice).force;
     if (force.workAreaMm != device.workAreaMm || force.vibrationN != device.vibrationN) {
-        m_window->showMessage(
-            tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
+        m_window->showMessage(tr("This attempt was made with another device and cannot be continued. It is kept."));
         return;
     }
     const int load = ++m_loading;
-    m_window->showBusy(tr("Taking up the attempt …"));
+    m_window->showBusy(tr("Resuming the attempt …"));
     if (const std::string lesson = limitedLessonOf(m_unfinished->recording); !lesson.empty())
         whereAllowed(lesson, [this, load] { rebuildUnfinished(load); });
     else
@@ -2144,7 +2140,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         gradeTakenUp(0);
         return;
     }
-    m_window->showMessage(tr("Your attempt goes on where it was left."));
+    m_window->showMessage(tr("Your attempt continues where you stopped."));
 }
 
 /// An exam whose score was seen, and was kept nowhere: nothing is cut any more. Once the session has it.
@@ -2277,7 +2273,7 @@ void Application::stopReplay()
     if (!m_assignment.anatomy) {
         if (const auto practice = lessons::practiceOn(m_replayed)) {
             begin(*practice, {}, false);
-            m_window->showMessage(tr("The tooth is whole, and yours to drill."));
+            m_window->showMessage(tr("The tooth is intact. You can start drilling."));
         }
         static_cast<void>(goBack());
         return;
@@ -2295,7 +2291,7 @@ void Application::stopReplay()
         m_window->view().setHeights(own->top);
     startLoops();
     if (!goBack())
-        m_window->showMessage(tr("This is your own work again, as you left it."));
+        m_window->showMessage(tr("You are back in your own work."));
 }
 
 }  // namespace app

@@ -94,9 +94,9 @@ void CardDesk::save()
         withCard([this, path](const ScoreCard& card) {
             const bool isSaved = ui::report::savePdf(path, titleOf(card), card);
             m_window.scorePage().say([isSaved, path] {
-                return isSaved ? tr("The score card was saved as %1.").arg(QDir::toNativeSeparators(path))
-                               : tr("The score card could not be written. Choose another folder, or make room on the "
-                                    "disk.");
+                return isSaved
+                           ? tr("The score card was saved as %1.").arg(QDir::toNativeSeparators(path))
+                           : tr("The score card could not be written. Choose another folder, or free some disk space.");
             });
         });
     });
@@ -108,7 +108,7 @@ void CardDesk::print()
         withCard([this, printer](const ScoreCard& card) {
             const bool isPrinted = ui::report::paintOn(*printer, card);
             m_window.scorePage().say([isPrinted] {
-                return isPrinted ? tr("The score card was printed.") : tr("The printer did not take the score card.");
+                return isPrinted ? tr("The score card was printed.") : tr("The score card could not be printed.");
             });
         });
     };
@@ -123,7 +123,7 @@ void CardDesk::withCard(const std::function<void(const ScoreCard&)>& use)
     if (!about)
         return;
     ScorePage& page = m_window.scorePage();
-    page.say([] { return tr("The score card is being made …"); });
+    page.say([] { return tr("Creating the score card …"); });
     ScoreCard card = page.card();
     card.attempt = about->attempt;
     card.person = about->person.isEmpty() ? tr("Not logged in") : about->person;

@@ -351,12 +351,12 @@
 <context>
     <name>Breach</name>
     <message>
-        <source>The pulp is open</source>
-        <translation>Die Pulpa ist offen</translation>
+        <source>The pulp is exposed</source>
+        <translation>Die Pulpa ist eröffnet</translation>
     </message>
     <message>
-        <source>There is a hole through the tooth</source>
-        <translation>Durch den Zahn geht ein Loch</translation>
+        <source>The tooth is perforated</source>
+        <translation>Der Zahn ist perforiert</translation>
     </message>
     <message>
         <source>Deeper than %1 mm</source>
@@ -367,39 +367,39 @@
         <translation>Die Randleiste ist dünner als %1 mm</translation>
     </message>
     <message>
-        <source>Cut where nothing was to be cut</source>
-        <translation>Dort geschnitten, wo nichts weg sollte</translation>
+        <source>Cut outside the target area</source>
+        <translation>Außerhalb des Zielbereichs geschnitten</translation>
     </message>
     <message>
-        <source>Pressed with %1 N, allowed are %2 N</source>
-        <translation>Mit %1 N gedrückt, erlaubt sind %2 N</translation>
+        <source>Pressed with %1 N; the limit is %2 N</source>
+        <translation>Mit %1 N gedrückt; die Grenze ist %2 N</translation>
     </message>
     <message>
-        <source>The bur has run in the air for %1 s</source>
-        <translation>Der Bohrer lief %1 s lang in der Luft</translation>
+        <source>The bur ran without contact for %1 s</source>
+        <translation>Der Bohrer lief %1 s lang ohne Kontakt</translation>
     </message>
     <message>
         <source>Cut with a bur that this lesson does not allow</source>
         <translation>Mit einem Bohrer geschnitten, den diese Lektion nicht erlaubt</translation>
     </message>
     <message>
-        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
-        <translation>Eine offene Pulpa stirbt meist ab: Durchtrennte Odontoblasten kommen nicht wieder. Sehen Sie auf den Schnitt und lassen Sie einen halben Millimeter Dentin stehen.</translation>
+        <source>An exposed pulp usually dies, because cut odontoblasts do not recover. Watch the section and leave half a millimetre of dentin.</source>
+        <translation>Eine eröffnete Pulpa stirbt meist ab, denn durchtrennte Odontoblasten erholen sich nicht. Achten Sie auf den Schnitt und lassen Sie einen halben Millimeter Dentin stehen.</translation>
     </message>
     <message>
-        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <source>A perforated tooth is usually lost. Watch the depth in the section.</source>
         <translation>Ein durchbohrter Zahn ist meist verloren. Achten Sie im Schnitt auf die Tiefe.</translation>
     </message>
     <message>
-        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
-        <translation>Was tiefer ist als nötig, schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief Sie sind.</translation>
+        <source>Cutting deeper than necessary weakens the tooth and comes close to the pulp. The section shows how deep you are.</source>
+        <translation>Tiefer zu schneiden als nötig schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief Sie sind.</translation>
     </message>
     <message>
         <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
         <translation>Eine dünne Randleiste bricht unter Last. Halten Sie mit der Außenkante des Bohrers früher an.</translation>
     </message>
     <message>
-        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <source>Sound tissue does not grow back. The dashed line in the section shows what to cut.</source>
         <translation>Gesundes Gewebe wächst nicht nach. Die gestrichelte Linie im Schnitt zeigt, was weg soll.</translation>
     </message>
     <message>
@@ -407,19 +407,19 @@
         <translation>Etwa 1 N schneidet am besten; mehr erhitzt die Pulpa, bremst die Turbine und rutscht ab. Lassen Sie den Bohrer arbeiten.</translation>
     </message>
     <message>
-        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>Ein Bohrer, der unbeachtet läuft, verletzt Lippen und Wangen. Halten Sie ihn an, wenn Sie nicht schneiden.</translation>
+        <source>A running bur can injure lips and cheeks. Stop it when you are not cutting.</source>
+        <translation>Ein laufender Bohrer kann Lippen und Wangen verletzen. Halten Sie ihn an, wenn Sie nicht schneiden.</translation>
     </message>
     <message>
-        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
-        <translation>Eine andere Form hinterlässt eine andere Kavität. Nehmen Sie einen Bohrer, den die Lektion nennt.</translation>
+        <source>The shape of the bur determines the shape of the cavity. Choose a bur that the lesson lists.</source>
+        <translation>Die Form des Bohrers bestimmt die Form der Kavität. Nehmen Sie einen Bohrer, den die Lektion nennt.</translation>
     </message>
     <message>
-        <source>The tooth beside was touched by the turning bur</source>
-        <translation>Der drehende Bohrer hat den Nachbarzahn berührt</translation>
+        <source>The running bur touched the adjacent tooth</source>
+        <translation>Der laufende Bohrer hat den Nachbarzahn berührt</translation>
     </message>
     <message>
-        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <source>A nick in the adjacent tooth collects plaque and decays. Stay inside the outline; N shows the adjacent teeth.</source>
         <translation>Eine Kerbe im Nachbarzahn hält Belag fest und wird kariös. Bleiben Sie im Umriss; N zeigt die Nachbarzähne.</translation>
     </message>
 </context>
@@ -466,8 +466,8 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
-        <translation>Schmelz und Dentin neben und unter der Karies. Was genau über der Karies liegt, muss abgetragen werden und zählt nicht.</translation>
+        <source>Enamel and dentin beside and below the decay. Tissue directly above the decay must be removed and is not counted.</source>
+        <translation>Schmelz und Dentin neben und unter der Karies. Gewebe genau über der Karies muss abgetragen werden und zählt nicht.</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -487,8 +487,8 @@
         <translation>bis %1 %2</translation>
     </message>
     <message>
-        <source>Not measured, so the attempt fails: %1 points that were left</source>
-        <translation>Nicht gemessen, also nicht bestanden: %1 Punkte, die übrig waren</translation>
+        <source>Not measured, so the attempt fails and the remaining %1 points are lost</source>
+        <translation>Nicht gemessen, also nicht bestanden: Die übrigen %1 Punkte sind verloren</translation>
     </message>
     <message>
         <source>Not measured, so it earns none of its %1 points</source>
@@ -499,13 +499,13 @@
         <translation>%1: nichts verloren</translation>
     </message>
     <message>
-        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <source>Allowed: %1. The attempt fails and the remaining %2 points are lost</source>
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
-        <translation>Erlaubt ist %1; damit ist der Versuch nicht bestanden, und die übrigen %2 Punkte sind verloren</translation>
+        <translation>Erlaubt: %1. Der Versuch ist nicht bestanden, und die übrigen %2 Punkte sind verloren</translation>
     </message>
     <message>
-        <source>%1 %2 too far off; a worse error decides</source>
-        <translation>%1 %2 zu weit daneben; ein größerer Fehler entscheidet</translation>
+        <source>%1 %2 outside the limit; a more serious error decides</source>
+        <translation>%1 %2 außerhalb der Grenze; ein schwererer Fehler entscheidet</translation>
     </message>
     <message>
         <source>%1; beyond it all of its %2 points are lost</source>
@@ -516,8 +516,8 @@
         <translation>(%1) / %2 %3 × %4 Punkte</translation>
     </message>
     <message>
-        <source>%1, no more than all of them</source>
-        <translation>%1, mehr als alle nicht</translation>
+        <source>%1, at most all of them</source>
+        <translation>%1, höchstens alle</translation>
     </message>
     <message>
         <source>%1 has reached %2</source>
@@ -526,11 +526,11 @@
     </message>
     <message>
         <source>None of its %1 points are earned before %2</source>
-        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>Keiner der %1 Punkte zählt, bevor %2</translation>
     </message>
     <message>
-        <source>%1 of the decay is out</source>
+        <source>%1 of the decay is removed</source>
         <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
         <translation>%1 der Karies entfernt sind</translation>
     </message>
@@ -543,8 +543,8 @@
         <translation>%1 der Form geschnitten sind</translation>
     </message>
     <message>
-        <source>The value that was measured here is not stored</source>
-        <translation>Der hier gemessene Wert ist nicht gespeichert</translation>
+        <source>The measured value was not saved</source>
+        <translation>Der gemessene Wert wurde nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -726,7 +726,7 @@
         <translation>Der Scan lässt sich nicht öffnen. %1</translation>
     </message>
     <message>
-        <source>The tooth cannot be made. %1</source>
+        <source>The tooth cannot be created. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Der Zahn lässt sich nicht erzeugen. %1</translation>
     </message>
@@ -741,9 +741,9 @@
         <translation>Die Aufzeichnung wurde nicht gespeichert. %1</translation>
     </message>
     <message>
-        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <source>Grades will not be saved; drilling and grading still work. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Bewertungen werden nicht aufbewahrt; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
+        <translation>Bewertungen werden nicht gespeichert; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
     </message>
     <message>
         <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
@@ -758,14 +758,14 @@
         <translation>Die Datei stammt nicht von diesem Cusp oder von einem älteren.</translation>
     </message>
     <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <source>The lesson cannot be started; your work is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Lektion lässt sich nicht beginnen; was auf dem Tisch lag, liegt noch da. %1</translation>
+        <translation>Die Lektion lässt sich nicht beginnen; Ihre Arbeit ist unverändert. %1</translation>
     </message>
     <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
+        <source>The work cannot be graded; it is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Arbeit kann nicht bewertet werden; sie ist, wie sie war. %1</translation>
+        <translation>Die Arbeit kann nicht bewertet werden; sie ist unverändert. %1</translation>
     </message>
     <message>
         <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
@@ -777,9 +777,9 @@
         <translation>Dieser Versuch wird während der Arbeit nicht auf der Festplatte gesichert. %1</translation>
     </message>
     <message>
-        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <source>An unfinished attempt cannot be resumed. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Ein Versuch, der nicht beendet wurde, kann nicht wieder aufgenommen werden. %1</translation>
+        <translation>Ein unvollendeter Versuch kann nicht fortgesetzt werden. %1</translation>
     </message>
     <message>
         <source>Nothing has been cut yet that could be a reference.</source>
@@ -791,8 +791,8 @@
         <translation>Die Referenz wurde nicht gespeichert. %1</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
-        <translation>Ein anderes Programm schreibt gerade in die Daten der Schule. Versuchen Sie es gleich noch einmal.</translation>
+        <source>Another program is writing to the school&apos;s database. Try again in a moment.</source>
+        <translation>Ein anderes Programm schreibt gerade in die Datenbank der Schule. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
@@ -803,8 +803,8 @@
         <translation>Ihre Rolle erlaubt das nicht.</translation>
     </message>
     <message>
-        <source>Name or password is wrong.</source>
-        <translation>Name oder Passwort ist falsch.</translation>
+        <source>Wrong username or password.</source>
+        <translation>Benutzername oder Passwort ist falsch.</translation>
     </message>
     <message>
         <source>Too many logins have failed. Wait a moment and try again.</source>
@@ -815,9 +815,9 @@
         <translation>Wählen Sie zuerst ein Passwort.</translation>
     </message>
     <message>
-        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <source>The school&apos;s data cannot be shown now; your work is saved. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Was die Schule aufhebt, lässt sich gerade nicht zeigen; was Sie tun, wird aufgehoben. %1</translation>
+        <translation>Die Daten der Schule lassen sich gerade nicht anzeigen; Ihre Arbeit wird gespeichert. %1</translation>
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
@@ -833,8 +833,8 @@
         <translation>Das wurde nicht ausgeführt, und nichts wurde geändert. %1</translation>
     </message>
     <message>
-        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
-        <translation>Ein Versuch auf dem Weg zur Schule ist beschädigt und wurde beiseitegelegt, im Ordner „outbox/damaged“. Alles andere wird wie immer gespeichert.</translation>
+        <source>An attempt that was to be sent to the school is damaged. It was moved to the folder “outbox/damaged”. Everything else is saved as usual.</source>
+        <translation>Ein Versuch, der an die Schule gesendet werden sollte, ist beschädigt. Er wurde in den Ordner „outbox/damaged“ verschoben. Alles andere wird wie gewohnt gespeichert.</translation>
     </message>
     <message>
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
@@ -853,9 +853,9 @@
         <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, wenn er wieder antwortet.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <source>This grade is not saved yet; Cusp tries again while it runs. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Diese Bewertung ist noch nicht gespeichert; es wird wieder versucht, solange Cusp läuft. %1</translation>
+        <translation>Diese Bewertung ist noch nicht gespeichert; Cusp versucht es wieder, solange es läuft. %1</translation>
     </message>
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
@@ -1819,8 +1819,8 @@
 <context>
     <name>Health</name>
     <message>
-        <source>The handpiece is gone: no force. Plug it in again.</source>
-        <translation>Das Handstück ist nicht verbunden: keine Kraft. Stecken Sie es wieder an.</translation>
+        <source>The handpiece is disconnected: no force. Plug it in again.</source>
+        <translation>Das Handstück ist getrennt: keine Kraft. Stecken Sie es wieder ein.</translation>
     </message>
     <message>
         <source>The computer was too slow: the recording has a gap.</source>
@@ -1835,31 +1835,31 @@
         <translation>Kraft an der Grenze</translation>
     </message>
     <message>
-        <source>The bur is inside the tooth: lift it out, then it works.</source>
-        <translation>Der Bohrer steckt im Zahn: Heben Sie ihn heraus, dann arbeitet er.</translation>
+        <source>The bur is inside the tooth. Lift it out to continue.</source>
+        <translation>Der Bohrer steckt im Zahn. Heben Sie ihn heraus, um weiterzumachen.</translation>
     </message>
     <message>
-        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
-        <translation>Das Handstück antwortet verzögert: Der Zahn fühlt sich weicher an.</translation>
+        <source>The handpiece responds late: the tooth feels softer.</source>
+        <translation>Das Handstück antwortet spät: Der Zahn fühlt sich weicher an.</translation>
     </message>
     <message>
-        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
-        <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Halten Sie dagegen, lässt es los.</translation>
+        <source>The handpiece guides your hand back over the tooth. Push against it to stop.</source>
+        <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Drücken Sie dagegen, um es zu beenden.</translation>
     </message>
     <message>
-        <source>The outline holds your hand: Q lets it go.</source>
-        <translation>Der Umriss hält Ihre Hand: Q lässt sie los.</translation>
+        <source>The outline holds your hand. Press Q to release it.</source>
+        <translation>Der Umriss hält Ihre Hand. Drücken Sie Q, um sie freizugeben.</translation>
     </message>
 </context>
 <context>
     <name>HistoryPanel</name>
     <message>
-        <source>Whole tooth</source>
-        <translation>Ganzer Zahn</translation>
+        <source>Intact tooth</source>
+        <translation>Unversehrter Zahn</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Wieder ganz</translation>
+        <source>Tooth reset</source>
+        <translation>Zahn zurückgesetzt</translation>
     </message>
     <message>
         <source>%1 mm³ %2</source>
@@ -1902,8 +1902,8 @@
         <translation>Röntgen</translation>
     </message>
     <message>
-        <source>colours of depth</source>
-        <translation>Farben der Tiefe</translation>
+        <source>depth colours</source>
+        <translation>Tiefenfarben</translation>
     </message>
     <message>
         <source>mirror</source>
@@ -1950,13 +1950,13 @@
         <translation>Tiefenanschlag</translation>
     </message>
     <message>
-        <source>%1, give or take %2, costs nothing</source>
+        <source>%1 ± %2 costs nothing</source>
         <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
-        <translation>%1, mehr oder weniger um %2, kostet nichts</translation>
+        <translation>%1 ± %2 kostet nichts</translation>
     </message>
     <message>
-        <source>From %1 up costs nothing</source>
-        <translation>Ab %1 kostet nichts</translation>
+        <source>%1 or more costs nothing</source>
+        <translation>%1 oder mehr kostet nichts</translation>
     </message>
     <message>
         <source>Up to %1 costs nothing</source>
@@ -2008,7 +2008,7 @@
     </message>
     <message>
         <source> as soon as %1</source>
-        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>, sobald %1</translation>
     </message>
     <message>
@@ -2017,9 +2017,9 @@
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>on the table</source>
+        <source>in progress</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
-        <translation>auf dem Tisch</translation>
+        <translation>in Arbeit</translation>
     </message>
     <message>
         <source>due since %1</source>
@@ -2039,8 +2039,8 @@
         <translation>fällig: %1</translation>
     </message>
     <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
-        <translation>Sie haben Ihre Versuche an dieser Lektion aufgebraucht. Ihre Lehrperson kann Ihnen weitere geben.</translation>
+        <source>You have no attempts left at this lesson. Your teacher can give you more.</source>
+        <translation>Sie haben für diese Lektion keine Versuche mehr. Ihre Lehrkraft kann Ihnen weitere geben.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n day(s) late</source>
@@ -2056,15 +2056,15 @@
         <translation>keine Versuche mehr</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
+        <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
+        <translation>Ihr letzter Versuch in dieser Prüfung wurde in einem anderen Fenster begonnen. Die Arbeit in diesem Fenster zählt nicht.</translation>
     </message>
 </context>
 <context>
     <name>Login</name>
     <message>
-        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
-        <translation>Name oder Passwort ist falsch. Versuchen Sie es noch einmal, oder bitten Sie die Verwaltung um einen Einmalcode.</translation>
+        <source>Wrong username or password. Try again, or ask an admin for a one-time code.</source>
+        <translation>Benutzername oder Passwort ist falsch. Versuchen Sie es noch einmal, oder bitten Sie die Verwaltung um einen Einmalcode.</translation>
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
@@ -2074,20 +2074,20 @@
         </translation>
     </message>
     <message>
-        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
-        <translation>Inzwischen wurde hier jemand eingetragen. Melden Sie sich als Verwaltung an.</translation>
+        <source>A user was added here in the meantime. Log in as an admin.</source>
+        <translation>Inzwischen wurde hier ein Benutzer angelegt. Melden Sie sich als Admin an.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, oder üben Sie ohne Anmeldung.</translation>
     </message>
     <message>
-        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>Ein Passwort hat acht Zeichen oder mehr, enthält nicht den Namen und ist keines, das alle zuerst versuchen, wie „passwort1“.</translation>
+        <source>A password has at least eight characters, does not contain the username and is not a common one such as &quot;password1&quot;.</source>
+        <translation>Ein Passwort hat mindestens acht Zeichen, enthält nicht den Benutzernamen und ist kein gängiges wie „passwort1“.</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
-        <translation>Ein anderes Programm schreibt gerade in die Daten der Schule; so lange kann niemand angemeldet werden. Versuchen Sie es gleich noch einmal.</translation>
+        <source>Another program is writing to the school&apos;s database, so nobody can log in. Try again in a moment.</source>
+        <translation>Ein anderes Programm schreibt gerade in die Datenbank der Schule, deshalb kann sich niemand anmelden. Versuchen Sie es gleich noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -2221,17 +2221,12 @@
 <context>
     <name>Section</name>
     <message>
-        <source>surface before anything was cut</source>
-        <extracomment>In the key of a picture, beside a line</extracomment>
-        <translation>Oberfläche vor dem ersten Schnitt</translation>
-    </message>
-    <message>
         <source>The plane does not meet the tooth here.</source>
         <translation>Die Ebene trifft den Zahn hier nicht.</translation>
     </message>
     <message>
-        <source>surface before</source>
-        <extracomment>The same, where a second line stands beside it</extracomment>
+        <source>original surface</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
         <translation>Oberfläche vorher</translation>
     </message>
     <message>
@@ -2304,7 +2299,7 @@
         <translation>Röntgenbild</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>Tiefenfarben</translation>
     </message>
     <message>
@@ -2316,7 +2311,7 @@
         <translation>Ideal</translation>
     </message>
     <message>
-        <source>No aid in use</source>
+        <source>No aids in use</source>
         <translation>Keine Hilfe in Gebrauch</translation>
     </message>
     <message>
@@ -2332,8 +2327,8 @@
         <translation>Wiederhergestellt</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Wieder ganz</translation>
+        <source>Tooth reset</source>
+        <translation>Zahn zurückgesetzt</translation>
     </message>
     <message>
         <source>Bur %1: %2</source>
@@ -2344,11 +2339,11 @@
         <translation>Notiz %1</translation>
     </message>
     <message>
-        <source>The hand was led home</source>
+        <source>The hand was guided back</source>
         <translation>Die Hand wurde zurückgeführt</translation>
     </message>
     <message>
-        <source>Taken up again</source>
+        <source>Resumed</source>
         <translation>Wieder aufgenommen</translation>
     </message>
     <message>
@@ -2356,13 +2351,13 @@
         <translation>Farbe des Bohrers</translation>
     </message>
     <message>
-        <source>held within the outline</source>
-        <translation>innerhalb des Umrisses gehalten</translation>
+        <source>guided hand</source>
+        <translation>geführte Hand</translation>
     </message>
     <message>
-        <source>%1 pad: said to be %2</source>
+        <source>%1 pad: answer %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
-        <translation>%1: %2 gesagt</translation>
+        <translation>%1: Antwort %2</translation>
     </message>
     <message>
         <source>Handpiece: %1</source>
@@ -2462,14 +2457,14 @@
         <translation>%1 zu tief</translation>
     </message>
     <message>
-        <source>%1 to go</source>
+        <source>%1 to cut</source>
         <extracomment>%1 is a length: so much is still to be taken away</extracomment>
         <translation>noch %1</translation>
     </message>
     <message>
-        <source>off the ideal, mm</source>
+        <source>deviation, mm</source>
         <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
-        <translation>neben dem Ideal, mm</translation>
+        <translation>Abweichung, mm</translation>
     </message>
 </context>
 <context>
@@ -2588,12 +2583,12 @@
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>The tooth is whole, and yours to drill.</source>
-        <translation>Der Zahn ist unversehrt, Sie können ihn jetzt selbst präparieren.</translation>
+        <source>The tooth is intact. You can start drilling.</source>
+        <translation>Der Zahn ist unversehrt. Sie können mit dem Präparieren beginnen.</translation>
     </message>
     <message>
-        <source>This is your own work again, as you left it.</source>
-        <translation>Hier ist wieder Ihre eigene Arbeit, so wie Sie sie verlassen haben.</translation>
+        <source>You are back in your own work.</source>
+        <translation>Sie sind wieder bei Ihrer eigenen Arbeit.</translation>
     </message>
     <message>
         <source>The tooth is not ready yet. Try again in a moment.</source>
@@ -2612,15 +2607,15 @@
         <translation>Die Lektion wird vorbereitet …</translation>
     </message>
     <message>
-        <source>Taking up the attempt …</source>
-        <translation>Der Versuch wird aufgenommen …</translation>
+        <source>Resuming the attempt …</source>
+        <translation>Der Versuch wird fortgesetzt …</translation>
     </message>
     <message>
-        <source>Your attempt goes on where it was left.</source>
-        <translation>Ihr Versuch geht dort weiter, wo er abbrach.</translation>
+        <source>Your attempt continues where you stopped.</source>
+        <translation>Ihr Versuch geht dort weiter, wo Sie aufgehört haben.</translation>
     </message>
     <message>
-        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
     </message>
     <message>
@@ -2628,7 +2623,7 @@
         <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder Sie wählen sie im Editor einer Lektion an diesem Zahn.</translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>Diese Übung ist noch nicht begonnen, also gibt es nichts zu bewerten.</translation>
     </message>
     <message>
@@ -2652,24 +2647,24 @@
         <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, deshalb zeigt sie eine simulierte Hand.</translation>
     </message>
     <message>
-        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
         <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, und eine simulierte Hand schafft sie nicht.</translation>
     </message>
     <message>
-        <source>No pad has been named yet: say beneath the view what each is made of.</source>
-        <translation>Noch ist kein Feld benannt: Sagen Sie unter dem Bild, woraus jedes besteht.</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>Noch hat kein Feld eine Antwort. Wählen Sie unter dem Bild, woraus jedes Feld besteht.</translation>
     </message>
     <message>
         <source>The attempt is no longer there.</source>
         <translation>Der Versuch ist nicht mehr da.</translation>
     </message>
     <message>
-        <source>Working out the score card …</source>
+        <source>Preparing the score card …</source>
         <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
     <message>
-        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation>Die Daten der Schule liegen auf einem Netzlaufwerk: Nur ein Computer zugleich kann sie benutzen. Für mehrere legen Sie sie auf einen PostgreSQL-Server.</translation>
+        <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
+        <translation>Die Datenbank der Schule liegt auf einem Netzlaufwerk, wo sie nur ein Computer zugleich benutzen kann. Nehmen Sie für mehrere Computer einen PostgreSQL-Server.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -2684,27 +2679,27 @@
         <translation>Die Sicherung wurde nicht zurückgespielt; nichts wurde verändert. %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>%n Versuch auf diesem Computer kann dieser Schule nicht gegeben werden: Sie weiß nicht, wessen er ist, oder er wurde mit einem anderen station.key signiert. Er wartet.</numerusform>
-            <numerusform>%n Versuche auf diesem Computer können dieser Schule nicht gegeben werden: Sie weiß nicht, wessen sie sind, oder sie wurden mit einem anderen station.key signiert. Sie warten.</numerusform>
+            <numerusform>%n Versuch auf diesem Computer kann nicht an diese Schule gesendet werden: Die Person ist unbekannt, oder er wurde mit einem anderen station.key signiert. Er bleibt auf diesem Computer.</numerusform>
+            <numerusform>%n Versuche auf diesem Computer können nicht an diese Schule gesendet werden: Die Person ist unbekannt, oder sie wurden mit einem anderen station.key signiert. Sie bleiben auf diesem Computer.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The backup of %1 is in place.</source>
+        <source>The backup of %1 was restored.</source>
         <extracomment>%2: a file&apos;s name</extracomment>
-        <translation>Die Sicherung vom %1 ist eingespielt.</translation>
+        <translation>Die Sicherung vom %1 wurde wiederhergestellt.</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <translation>Die Sicherung vom %1 ist eingespielt. Die Datei, die dort lag, liegt als %2 daneben.</translation>
+        <source>The backup of %1 was restored. The previous file is kept next to it as %2.</source>
+        <translation>Die Sicherung vom %1 wurde wiederhergestellt. Die vorige Datei liegt als %2 daneben.</translation>
     </message>
     <message>
         <source>This account was disabled, and you were logged out. Ask an admin.</source>
         <translation>Dieses Konto wurde gesperrt, und Sie wurden abgemeldet. Fragen Sie die Verwaltung.</translation>
     </message>
     <message>
-        <source>The grade that could not be kept is kept now.</source>
+        <source>The grade that could not be saved is now saved.</source>
         <translation>Die Bewertung, die nicht gespeichert werden konnte, ist jetzt gespeichert.</translation>
     </message>
     <message>
@@ -2728,8 +2723,8 @@
         <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
     </message>
     <message>
-        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
-        <translation>Sie sind in einer Prüfung: Frühere Versuche werden geöffnet, wenn sie zu Ende ist. Drücken Sie G für die Note, oder nehmen Sie eine andere Lektion.</translation>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>Frühere Versuche sind während einer Prüfung nicht verfügbar. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
     </message>
     <message>
         <source>Another school is now where yours was, and you were logged out. Log in again.</source>
@@ -2751,7 +2746,7 @@
         <translation>Das Bewertungsblatt wurde als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The score card could not be written. Choose another folder, or free some disk space.</source>
         <translation>Das Bewertungsblatt konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
     </message>
     <message>
@@ -2759,11 +2754,11 @@
         <translation>Das Bewertungsblatt wurde gedruckt.</translation>
     </message>
     <message>
-        <source>The printer did not take the score card.</source>
-        <translation>Der Drucker hat das Bewertungsblatt nicht angenommen.</translation>
+        <source>The score card could not be printed.</source>
+        <translation>Das Bewertungsblatt konnte nicht gedruckt werden.</translation>
     </message>
     <message>
-        <source>The score card is being made …</source>
+        <source>Creating the score card …</source>
         <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
     <message>
@@ -3090,8 +3085,8 @@
         <translation>Suche: ein Name, eine Klasse, eine Rolle</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Anmeldename</translation>
+        <source>Username</source>
+        <translation>Benutzername</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -3266,8 +3261,8 @@
         <translation>Mit dem Einmalcode von %1 oben käme niemand mehr hinein: einen anderen erstellen?</translation>
     </message>
     <message>
-        <source>The name to log in with is missing.</source>
-        <translation>Der Anmeldename fehlt.</translation>
+        <source>The username is missing.</source>
+        <translation>Der Benutzername fehlt.</translation>
     </message>
     <message numerus="yes">
         <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
@@ -3804,8 +3799,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zeit zwischen zwei Takten der Regelung: 99 von 100 in der letzten Sekunde waren kürzer.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
-        <translation>Zwei Voreinstellungen werden blind verglichen: Bis das vorbei ist, wird nicht verraten, was man fühlt. „Vergleich beenden“ neben dem Zahn beendet es.</translation>
+        <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>Ein Blindvergleich zweier Voreinstellungen läuft, deshalb sind ihre Werte verborgen. „Vergleich beenden“ neben dem Zahn beendet ihn.</translation>
     </message>
 </context>
 <context>
@@ -3843,12 +3838,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Gedreht um</translation>
     </message>
     <message>
-        <source>Depth below the old surface</source>
-        <translation>Tiefe unter alter Oberfläche</translation>
+        <source>Depth below original surface</source>
+        <translation>Tiefe unter Originalfläche</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was, straight up.</source>
-        <translation>Wie weit die Spitze senkrecht unter der ursprünglichen Oberfläche steht.</translation>
+        <source>Vertical depth of the tip below the original surface.</source>
+        <translation>Senkrechte Tiefe der Spitze unter der ursprünglichen Oberfläche.</translation>
     </message>
     <message>
         <source>Dentin left over the pulp</source>
@@ -3947,8 +3942,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Röntgen: %1</translation>
     </message>
     <message>
-        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
-        <translation>Die Krone zwischen ihren beiden Nachbarn. Das sind gesunde Zähne von Cusp, die einander berühren.</translation>
+        <source>The crown between two sound neighbours made by Cusp, with contact points.</source>
+        <translation>Die Krone zwischen zwei gesunden Nachbarzähnen von Cusp, mit Kontaktpunkten.</translation>
     </message>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
@@ -4935,8 +4930,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>Log in, so that your attempts are kept.</source>
-        <translation>Melden Sie sich an, damit Ihre Versuche behalten werden.</translation>
+        <source>Log in to save your attempts.</source>
+        <translation>Melden Sie sich an, damit Ihre Versuche gespeichert werden.</translation>
     </message>
     <message>
         <source>Log in</source>
@@ -4947,8 +4942,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Passwort wählen</translation>
     </message>
     <message>
-        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
-        <translation>Der Einmalcode stimmt. Von nun an melden Sie sich mit einem eigenen Passwort an: acht Zeichen oder mehr.</translation>
+        <source>The one-time code is correct. Choose your own password: at least eight characters.</source>
+        <translation>Der Einmalcode ist richtig. Wählen Sie ein eigenes Passwort: mindestens acht Zeichen.</translation>
     </message>
     <message>
         <source>Set the password</source>
@@ -4959,8 +4954,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Willkommen bei Cusp</translation>
     </message>
     <message>
-        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
-        <translation>Hier ist noch niemand eingetragen. Legen Sie die Schule an: Sie verwalten sie dann und tragen Lehrkräfte und Studierende ein. Oder üben Sie jetzt; dann wird nichts behalten.</translation>
+        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
+        <translation>Noch keine Benutzer. Legen Sie die Schule an: Sie werden ihr Admin und tragen Lehrkräfte und Studierende ein. Oder üben Sie jetzt, ohne zu speichern.</translation>
     </message>
     <message>
         <source>Create the school</source>
@@ -4972,16 +4967,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Gesperrt von %1</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left.</source>
-        <translation>Die Arbeit auf dem Tisch ist, wie sie verlassen wurde.</translation>
+        <source>The work in progress is unchanged.</source>
+        <translation>Die begonnene Arbeit ist unverändert.</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
     </message>
     <message>
-        <source>Somebody else logs in</source>
-        <translation>Jemand anderes meldet sich an</translation>
+        <source>Switch user</source>
+        <translation>Benutzer wechseln</translation>
     </message>
     <message>
         <source>Practise now</source>
@@ -4992,8 +4987,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Ohne Anmeldung üben</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Anmeldename</translation>
+        <source>Username</source>
+        <translation>Benutzername</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -5012,24 +5007,24 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Passwort</translation>
     </message>
     <message>
-        <source>The password again</source>
-        <translation>Das Passwort noch einmal</translation>
+        <source>Confirm password</source>
+        <translation>Passwort bestätigen</translation>
     </message>
     <message>
-        <source>Drill and be graded; nothing is kept</source>
-        <translation>Bohren und bewertet werden; nichts wird behalten</translation>
+        <source>Drill and get a grade; nothing is saved</source>
+        <translation>Präparieren und eine Bewertung erhalten; nichts wird gespeichert</translation>
     </message>
     <message>
-        <source>The two passwords differ. Type the second one again.</source>
-        <translation>Die beiden Passwörter sind verschieden. Geben Sie das zweite noch einmal ein.</translation>
+        <source>The passwords do not match. Type the second one again.</source>
+        <translation>Die Passwörter stimmen nicht überein. Geben Sie das zweite noch einmal ein.</translation>
     </message>
     <message>
         <source>Language: %1</source>
         <translation>Sprache: %1</translation>
     </message>
     <message>
-        <source>Choose the language of all words</source>
-        <translation>Sprache aller Wörter wählen</translation>
+        <source>Choose the language</source>
+        <translation>Sprache wählen</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5041,70 +5036,70 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Sicherung zurückspielen (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>Versuche dieses Computers, die in keiner Sicherung sind, werden wieder eingetragen. Was Lehrkräfte und Admins seither eingetragen haben, fehlt. Die Datei, die jetzt dort liegt, bleibt daneben erhalten.</translation>
+        <source>Attempts on this computer that are in no backup are added again. Changes that teachers and admins made after the backup are lost. The current file is kept next to the restored one.</source>
+        <translation>Versuche auf diesem Computer, die in keiner Sicherung sind, werden wieder hinzugefügt. Änderungen, die Lehrkräfte und Admins nach der Sicherung gemacht haben, gehen verloren. Die jetzige Datei bleibt neben der wiederhergestellten erhalten.</translation>
     </message>
     <message>
         <source>Change your password</source>
         <translation>Ihr Passwort ändern</translation>
     </message>
     <message>
-        <source>The new one: eight characters or more.</source>
-        <translation>Das neue: acht Zeichen oder mehr.</translation>
+        <source>At least eight characters.</source>
+        <translation>Mindestens acht Zeichen.</translation>
     </message>
     <message>
         <source>Change the password</source>
         <translation>Passwort ändern</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
+        <source>Cancel</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation>Dabei belassen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Change my password</source>
         <translation>Mein Passwort ändern</translation>
     </message>
     <message>
-        <source>Present password</source>
-        <translation>Jetziges Passwort</translation>
+        <source>Current password</source>
+        <translation>Aktuelles Passwort</translation>
     </message>
     <message>
         <source>New password</source>
         <translation>Neues Passwort</translation>
     </message>
     <message>
-        <source>The new password again</source>
-        <translation>Das neue Passwort noch einmal</translation>
+        <source>Confirm new password</source>
+        <translation>Neues Passwort bestätigen</translation>
     </message>
     <message>
-        <source>This name has signs that cannot be seen. Type it again.</source>
-        <translation>Dieser Name hat Zeichen, die man nicht sieht. Geben Sie ihn neu ein.</translation>
+        <source>This name contains invisible characters. Type it again.</source>
+        <translation>Dieser Name enthält unsichtbare Zeichen. Geben Sie ihn neu ein.</translation>
     </message>
     <message>
-        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
-        <translation>Die Daten der Schule sind nicht mehr, wo sie waren: In %1 ist niemand eingetragen. Es gibt aber eine Sicherung, die Sie unten wiederherstellen können. Oder legen Sie eine neue Schule an: Sie werden ihr Admin.</translation>
+        <source>The school&apos;s database was not found: %1 has no users. Restore the backup below, or create a new school and become its admin.</source>
+        <translation>Die Datenbank der Schule wurde nicht gefunden: %1 enthält keine Benutzer. Stellen Sie unten die Sicherung wieder her, oder legen Sie eine neue Schule an, deren Admin Sie werden.</translation>
     </message>
     <message>
-        <source>The attempt just graded is mine; keep it</source>
-        <translation>Der eben bewertete Versuch ist meiner: behalten</translation>
+        <source>Save the attempt just graded as mine</source>
+        <translation>Den eben bewerteten Versuch als meinen speichern</translation>
     </message>
     <message>
-        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <source>%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.</source>
         <extracomment>%1: a lesson or a tooth</extracomment>
-        <translation>%1: Er wird zum Versuch der Person, die sich anmeldet. Ohne Haken wird er nicht behalten.</translation>
+        <translation>%1: wird für die Person gespeichert, die sich anmeldet. Ohne Häkchen wird der Versuch nicht gespeichert.</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
-        <translation>Die Arbeit auf dem Tisch ist, wie sie verlassen wurde, aber die Zeit der Prüfung läuft weiter.</translation>
+        <source>The work in progress is unchanged, but the exam time keeps running.</source>
+        <translation>Die begonnene Arbeit ist unverändert, aber die Prüfungszeit läuft weiter.</translation>
     </message>
     <message>
-        <source>Waiting for the school&apos;s data …</source>
-        <translation>Die Daten der Schule werden erwartet …</translation>
+        <source>Waiting for the school&apos;s database …</source>
+        <translation>Warten auf die Datenbank der Schule …</translation>
     </message>
     <message>
-        <source>The school&apos;s data are being opened …</source>
-        <translation>Die Daten der Schule werden geöffnet …</translation>
+        <source>Opening the school&apos;s database …</source>
+        <translation>Die Datenbank der Schule wird geöffnet …</translation>
     </message>
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
@@ -5912,12 +5907,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Go to a moment: click it, or press Enter</source>
-        <translation>Zu einem Zustand gehen: anklicken oder Eingabetaste</translation>
+        <source>Click a state, or press Enter, to return to it</source>
+        <translation>Einen Zustand anklicken oder Eingabetaste drücken, um zu ihm zurückzukehren</translation>
     </message>
     <message>
-        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
-        <translation>Jeder Ihrer Striche erscheint hier als kleines Bild. Ein Klick führt dorthin zurück; was danach kam, bleibt als eigener Zweig erhalten.</translation>
+        <source>Each stroke appears here as a small picture. Click a picture to go back to it. Later strokes stay as a separate branch.</source>
+        <translation>Jeder Strich erscheint hier als kleines Bild. Ein Klick auf ein Bild führt dorthin zurück. Spätere Striche bleiben als eigener Zweig erhalten.</translation>
     </message>
 </context>
 <context>
@@ -5931,12 +5926,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>Stop the recording</source>
-        <translation>Die Aufzeichnung beenden</translation>
+        <source>Stop the replay</source>
+        <translation>Die Wiedergabe beenden</translation>
     </message>
     <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation>Nicht weiter zusehen und zur eigenen Arbeit zurückkehren (Esc)</translation>
+        <source>Stop the replay and return to your own work (Esc)</source>
+        <translation>Die Wiedergabe beenden und zur eigenen Arbeit zurückkehren (Esc)</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5960,7 +5955,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <source>Left and Right move from stroke to stroke, Home and End to the beginning and the end.</source>
         <translation>Links und rechts führen von Strich zu Strich, Pos1 und Ende zum Anfang und zum Ende.</translation>
     </message>
     <message>
@@ -5973,8 +5968,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Strich %1, %2 s, %3</translation>
     </message>
     <message>
-        <source>Elsewhere for %1, which is no time of the attempt</source>
-        <translation>%1 lang anderswo, was keine Zeit des Versuchs ist</translation>
+        <source>Interruption of %1, not counted as working time</source>
+        <translation>Unterbrechung von %1, zählt nicht als Arbeitszeit</translation>
     </message>
 </context>
 <context>
@@ -6044,8 +6039,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
-        <translation>Von einer Lehrkraft gegeben. Ergebnis der Maschine: %1 Punkte.</translation>
+        <source>Given by an instructor. Automatic score: %1 points.</source>
+        <translation>Von einer Lehrkraft gegeben. Automatische Bewertung: %1 Punkte.</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -6053,13 +6048,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>Expected before the score was seen: %1 points</source>
-        <translation>Erwartet, bevor das Ergebnis zu sehen war: %1 Punkte</translation>
+        <source>Self-assessment before the score: %1 points</source>
+        <translation>Selbsteinschätzung vor der Bewertung: %1 Punkte</translation>
     </message>
     <message>
-        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <source>Time %1 min; cutting force: mean %2 N, maximum %3 N</source>
         <extracomment>&quot;12:07&quot;</extracomment>
-        <translation>Zeit %1 min; Kraft beim Schneiden im Mittel %2 N, höchstens %3 N</translation>
+        <translation>Zeit %1 min; Schnittkraft: Mittel %2 N, Maximum %3 N</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
@@ -6069,11 +6064,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         </translation>
     </message>
     <message>
-        <source>not kept</source>
+        <source>not met</source>
         <translation>nicht eingehalten</translation>
     </message>
     <message>
-        <source>kept</source>
+        <source>met</source>
         <translation>eingehalten</translation>
     </message>
     <message>
@@ -6082,20 +6077,20 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Wo die Punkte geblieben sind</translation>
+        <source>Lost points</source>
+        <translation>Verlorene Punkte</translation>
     </message>
     <message>
-        <source>On the tooth, and in a section through the place that is farthest off</source>
-        <translation>Auf dem Zahn und im Schnitt durch die Stelle, die am weitesten abweicht</translation>
+        <source>On the tooth, and in a section through the largest deviation</source>
+        <translation>Auf dem Zahn und im Schnitt durch die größte Abweichung</translation>
     </message>
     <message>
         <source>Comments</source>
         <translation>Kommentare</translation>
     </message>
     <message>
-        <source>How it was marked and made</source>
-        <translation>Wie bewertet und gearbeitet wurde</translation>
+        <source>Details of grading and recording</source>
+        <translation>Angaben zu Bewertung und Aufzeichnung</translation>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
@@ -6123,7 +6118,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>%1 of 100 points, pass mark %2. %3</source>
-        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: critical error&quot;</extracomment>
         <translation>%1 von 100 Punkten, Bestehensgrenze %2. %3</translation>
     </message>
     <message>
@@ -6274,8 +6269,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 <context>
     <name>ui::shell::AccountMenu</name>
     <message>
-        <source>My place</source>
-        <translation>Mein Platz</translation>
+        <source>My account</source>
+        <translation>Mein Konto</translation>
     </message>
     <message>
         <source>Change my password …</source>
@@ -6293,15 +6288,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Handstück an oder aus</translation>
     </message>
     <message>
-        <source>Let the bur turn, or stop it</source>
-        <translation>Den Bohrer laufen lassen oder anhalten</translation>
+        <source>Start or stop the bur</source>
+        <translation>Den Bohrer starten oder anhalten</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Take back the last stroke</source>
+        <source>Undo the last stroke</source>
         <translation>Den letzten Strich rückgängig machen</translation>
     </message>
     <message>
@@ -6309,7 +6304,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Make the stroke again that was taken back</source>
+        <source>Redo the stroke that was undone</source>
         <translation>Den rückgängig gemachten Strich wiederholen</translation>
     </message>
     <message>
@@ -6317,15 +6312,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Make the tooth whole again; undo brings your work back</source>
-        <translation>Mit unversehrtem Zahn neu beginnen; „Rückgängig“ bringt Ihre Arbeit zurück</translation>
+        <source>Reset the tooth; Undo restores your work</source>
+        <translation>Den Zahn zurücksetzen; „Rückgängig“ stellt Ihre Arbeit wieder her</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Bewerten</translation>
     </message>
     <message>
-        <source>Measure what you have cut and explain the grade</source>
+        <source>Measure your preparation and explain the grade</source>
         <translation>Die Präparation messen und die Bewertung erklären</translation>
     </message>
     <message>
@@ -6333,8 +6328,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Handstück</translation>
     </message>
     <message>
-        <source>Take this bur</source>
-        <translation>Diesen Bohrer nehmen</translation>
+        <source>Use this bur</source>
+        <translation>Diesen Bohrer verwenden</translation>
     </message>
     <message>
         <source>Other hand</source>
@@ -6373,27 +6368,27 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Watch a saved attempt again</source>
-        <translation>Einen gespeicherten Versuch noch einmal ansehen</translation>
+        <source>Replay a saved attempt</source>
+        <translation>Einen gespeicherten Versuch abspielen</translation>
     </message>
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>View from the start</source>
-        <translation>Anfangsansicht</translation>
+        <source>Reset view</source>
+        <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
-        <source>Turn the tooth back to where it began</source>
-        <translation>Den Zahn wie am Anfang ansehen</translation>
+        <source>Return to the initial view</source>
+        <translation>Zur Anfangsansicht zurückkehren</translation>
     </message>
     <message>
         <source>Side panel</source>
         <translation>Seitenleiste</translation>
     </message>
     <message>
-        <source>Show the figures, or put them away</source>
+        <source>Show or hide the figures</source>
         <translation>Die Messwerte ein- oder ausblenden</translation>
     </message>
     <message>
@@ -6434,8 +6429,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Wiedergabe anhalten</translation>
     </message>
     <message>
-        <source>Hold the recording where it is, or let it go on</source>
-        <translation>Die Aufzeichnung anhalten oder weiterlaufen lassen</translation>
+        <source>Pause or resume the replay</source>
+        <translation>Die Wiedergabe anhalten oder fortsetzen</translation>
     </message>
     <message>
         <source>Resume the replay</source>
@@ -6446,11 +6441,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Das Handstück von der anderen Seite halten; die Ansicht bleibt</translation>
     </message>
     <message>
-        <source>Lead the handpiece home</source>
-        <translation>Handstück heimführen</translation>
+        <source>Return the handpiece</source>
+        <translation>Handstück zurückführen</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand back over the tooth</source>
+        <source>Let the handpiece guide your hand back over the tooth</source>
         <translation>Die Hand vom Handstück über den Zahn zurückführen lassen</translation>
     </message>
     <message>
@@ -6458,12 +6453,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Turn round</source>
-        <translation>Umdrehen</translation>
+        <source>Rotate 180°</source>
+        <translation>Um 180° drehen</translation>
     </message>
     <message>
-        <source>Look from the other side: half a circle</source>
-        <translation>Von der anderen Seite sehen: ein halber Kreis</translation>
+        <source>Look at the tooth from the opposite side</source>
+        <translation>Den Zahn von der anderen Seite sehen</translation>
     </message>
     <message>
         <source>Dental mirror</source>
@@ -6471,40 +6466,40 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Mundspiegel</translation>
     </message>
     <message>
-        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
-        <translation>Den Spiegel nehmen oder weglegen; am Glas ziehen, mit Umschalt kippen</translation>
+        <source>Show or hide the mirror; drag its glass to move it, with Shift to tilt it</source>
+        <translation>Den Spiegel ein- oder ausblenden; am Glas ziehen bewegt ihn, mit Umschalt kippt es ihn</translation>
     </message>
     <message>
         <source>Light on the handpiece</source>
         <translation>Licht am Handstück</translation>
     </message>
     <message>
-        <source>Let the handpiece light the cavity</source>
+        <source>Light the cavity from the handpiece</source>
         <translation>Das Handstück leuchtet in die Kavität</translation>
     </message>
     <message>
-        <source>Colours of depth</source>
+        <source>Depth colours</source>
         <translation>Tiefenfarben</translation>
     </message>
     <message>
-        <source>Colour the cut by its depth and tell it under the pointer</source>
-        <translation>Den Schnitt nach seiner Tiefe färben und sie unter dem Zeiger nennen</translation>
+        <source>Colour the cut by its depth and show the depth at the pointer</source>
+        <translation>Den Schnitt nach seiner Tiefe färben und die Tiefe am Zeiger anzeigen</translation>
     </message>
     <message>
-        <source>Where the hand is</source>
-        <translation>Wo die Hand ist</translation>
+        <source>Hand position</source>
+        <translation>Position der Hand</translation>
     </message>
     <message>
         <source>Show faintly where the hand holds the bur</source>
         <translation>Blass zeigen, wo die Hand den Bohrer hält</translation>
     </message>
     <message>
-        <source>Colours for every eye</source>
-        <translation>Farben für jedes Auge</translation>
+        <source>Colour-blind palette</source>
+        <translation>Farben für Farbenblinde</translation>
     </message>
     <message>
-        <source>Give each tissue a colour and a pattern that nobody confuses</source>
-        <translation>Jedem Gewebe eine Farbe und ein Muster geben, die niemand verwechselt</translation>
+        <source>Give each tissue a colour and a pattern that are easy to tell apart</source>
+        <translation>Jedem Gewebe eine Farbe und ein Muster geben, die leicht zu unterscheiden sind</translation>
     </message>
     <message>
         <source>Wet tooth</source>
@@ -6512,7 +6507,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Nasser Zahn</translation>
     </message>
     <message>
-        <source>Let the tooth shine as if it were wet</source>
+        <source>Make the tooth shine as if it were wet</source>
         <translation>Den Zahn glänzen lassen, als wäre er nass</translation>
     </message>
     <message>
@@ -6532,19 +6527,19 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Brille oder Bildschirm wählen und an die Augen anpassen</translation>
     </message>
     <message>
-        <source>Turn left and right over</source>
-        <translation>Links und rechts vertauschen</translation>
+        <source>Mirror horizontally</source>
+        <translation>Horizontal spiegeln</translation>
     </message>
     <message>
         <source>For a half-silvered mirror over the hand</source>
         <translation>Für einen halbdurchlässigen Spiegel über der Hand</translation>
     </message>
     <message>
-        <source>Turn up and down over</source>
-        <translation>Oben und unten vertauschen</translation>
+        <source>Mirror vertically</source>
+        <translation>Vertikal spiegeln</translation>
     </message>
     <message>
-        <source>For a screen that lies upside down over the hand</source>
+        <source>For a screen mounted upside down over the hand</source>
         <translation>Für einen Bildschirm, der kopfüber über der Hand liegt</translation>
     </message>
     <message>
@@ -6560,8 +6555,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Weniger Bewegung</translation>
     </message>
     <message>
-        <source>No gliding, no spinning bur</source>
-        <translation>Kein Gleiten, kein drehender Bohrer</translation>
+        <source>No animations and no spinning bur</source>
+        <translation>Keine Animationen, kein drehender Bohrer</translation>
     </message>
     <message>
         <source>Whole mouth</source>
@@ -6580,15 +6575,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Show a live cut through the bur, or put it away</source>
-        <translation>Einen mitlaufenden Schnitt durch den Bohrer zeigen oder wegräumen</translation>
+        <source>Show or hide a live section through the bur</source>
+        <translation>Einen mitlaufenden Schnitt durch den Bohrer ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Turn the section</source>
         <translation>Schnitt drehen</translation>
     </message>
     <message>
-        <source>Turn the cut about the bur by 15 degrees</source>
+        <source>Turn the section around the bur by 15 degrees</source>
         <translation>Den Schnitt um 15 Grad um den Bohrer drehen</translation>
     </message>
     <message>
@@ -6608,16 +6603,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Nachbarzähne</translation>
     </message>
     <message>
-        <source>Show the teeth beside this one, and the gum</source>
-        <translation>Die Zähne daneben und das Zahnfleisch zeigen</translation>
+        <source>Show the adjacent teeth and the gum</source>
+        <translation>Die Nachbarzähne und das Zahnfleisch zeigen</translation>
     </message>
     <message>
-        <source>Colours against the ideal</source>
+        <source>Deviation from the ideal</source>
         <translation>Abweichung vom Ideal</translation>
     </message>
     <message>
-        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
-        <translation>Einfärben, was zu tief ist und was noch fehlt, und am Zeiger angeben</translation>
+        <source>Colour what is too deep and what is still to cut, and show the value at the pointer</source>
+        <translation>Einfärben, was zu tief ist und was noch fehlt, und den Wert am Zeiger anzeigen</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -6632,28 +6627,28 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation>Zeigen, wohin man zurückkann, mit allen Zweigen, oder wieder schließen</translation>
+        <source>Show or hide the undo history with all its branches</source>
+        <translation>Den Verlauf mit allen Zweigen ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Replay</source>
         <translation>Wiedergabe</translation>
     </message>
     <message>
-        <source>A stroke back</source>
-        <translation>Einen Strich zurück</translation>
+        <source>Previous stroke</source>
+        <translation>Vorheriger Strich</translation>
     </message>
     <message>
-        <source>Go back to the end of the stroke before, and hold there</source>
-        <translation>Zum Ende des vorigen Strichs zurückgehen und dort halten</translation>
+        <source>Go to the end of the previous stroke and pause</source>
+        <translation>Zum Ende des vorigen Strichs gehen und anhalten</translation>
     </message>
     <message>
-        <source>A stroke on</source>
-        <translation>Einen Strich weiter</translation>
+        <source>Next stroke</source>
+        <translation>Nächster Strich</translation>
     </message>
     <message>
-        <source>Go on to the end of the next stroke, and hold there</source>
-        <translation>Zum Ende des nächsten Strichs gehen und dort halten</translation>
+        <source>Go to the end of the next stroke and pause</source>
+        <translation>Zum Ende des nächsten Strichs gehen und anhalten</translation>
     </message>
     <message>
         <source>To the beginning</source>
@@ -6688,8 +6683,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation>Dieses Handstück nehmen</translation>
+        <source>Use this handpiece</source>
+        <translation>Dieses Handstück verwenden</translation>
     </message>
     <message>
         <source>Colour the bur</source>
@@ -6697,15 +6692,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Bohrer färben</translation>
     </message>
     <message>
-        <source>Colour the bur by how near it is to what is to be kept</source>
-        <translation>Den Bohrer danach färben, wie nah er dem ist, was bleiben soll</translation>
+        <source>Colour the bur by its distance from tissue that must be kept</source>
+        <translation>Den Bohrer nach seinem Abstand zu Gewebe färben, das erhalten bleiben muss</translation>
     </message>
     <message>
         <source>Guided hand</source>
         <translation>Geführte Hand</translation>
     </message>
     <message>
-        <source>Let a gentle force hold the hand within the outline</source>
+        <source>A gentle force keeps the hand within the outline</source>
         <translation>Eine sanfte Kraft hält die Hand im Umriss</translation>
     </message>
     <message>
@@ -6713,40 +6708,40 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Lektion bearbeiten …</translation>
     </message>
     <message>
-        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
-        <translation>Ideal und Bewertung der Lektion ändern, die in der Liste gewählt ist</translation>
+        <source>Change the ideal and the rubric of the selected lesson</source>
+        <translation>Ideal und Bewertungsschema der ausgewählten Lektion ändern</translation>
     </message>
     <message>
-        <source>Save this attempt as the reference …</source>
+        <source>Save this attempt as a reference …</source>
         <translation>Diesen Versuch als Referenz speichern …</translation>
     </message>
     <message>
-        <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>Behält, was Sie präpariert haben, als Ideal für Lektionen</translation>
+        <source>Save your preparation as an ideal for lessons</source>
+        <translation>Ihre Präparation als Ideal für Lektionen speichern</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
         <translation>Versuch des Experten</translation>
     </message>
     <message>
-        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <source>Watch how an expert does it; during a replay, beside this attempt</source>
         <translation>Ansehen, wie ein Experte es macht; bei einer Wiedergabe neben diesem Versuch</translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation>Noch einer daneben</translation>
+        <source>Compare with …</source>
+        <translation>Vergleichen mit …</translation>
     </message>
     <message>
-        <source>Open another attempt beside this one, or put it away</source>
+        <source>Open another attempt beside this one, or close it</source>
         <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
     </message>
     <message>
-        <source>Be led along</source>
-        <translation>Sich führen lassen</translation>
+        <source>Guide my hand</source>
+        <translation>Hand führen</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
-        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
+        <source>Let the handpiece guide your hand along the attempt; push against it to stop</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; drücken Sie dagegen, um es zu beenden</translation>
     </message>
     <message>
         <source>Hardness presets</source>
@@ -6761,8 +6756,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Konsole</translation>
     </message>
     <message>
-        <source>Look at parameters and turn them while you drill, or put it away</source>
-        <translation>Parameter ansehen und verstellen, während Sie bohren, oder die Konsole weglegen</translation>
+        <source>Show or hide parameters that you can change while you drill</source>
+        <translation>Parameter, die Sie beim Bohren ändern können, ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -6781,24 +6776,24 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Meine Versuche</translation>
     </message>
     <message>
-        <source>See how your attempts went</source>
-        <translation>Sehen, wie Ihre Versuche gelaufen sind</translation>
+        <source>See the results of your attempts</source>
+        <translation>Die Ergebnisse Ihrer Versuche sehen</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Klassen</translation>
     </message>
     <message>
-        <source>See how a class does, and who needs help</source>
-        <translation>Sehen, wie es einer Klasse geht und wer Hilfe braucht</translation>
+        <source>See the results of a class and who needs help</source>
+        <translation>Die Ergebnisse einer Klasse sehen und wer Hilfe braucht</translation>
     </message>
     <message>
         <source>Take the tour</source>
         <translation>Rundgang</translation>
     </message>
     <message>
-        <source>Be shown round, step by step</source>
-        <translation>Sich Schritt für Schritt herumführen lassen</translation>
+        <source>Get to know the window step by step</source>
+        <translation>Das Fenster Schritt für Schritt kennenlernen</translation>
     </message>
     <message>
         <source>School</source>
@@ -6809,20 +6804,20 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Personen, Klassenlisten, Sicherungen und das Protokoll</translation>
     </message>
     <message>
-        <source>Log in; lock this place, change your password or the language</source>
-        <translation>Anmelden; diesen Platz sperren, Passwort oder Sprache ändern</translation>
+        <source>Log in, lock this workstation, or change your password or the language</source>
+        <translation>Anmelden, diesen Arbeitsplatz sperren, Passwort oder Sprache ändern</translation>
     </message>
     <message>
-        <source>Lock, or let another log in</source>
-        <translation>Sperren oder jemand anderen anmelden</translation>
+        <source>Lock or switch user</source>
+        <translation>Sperren oder Benutzer wechseln</translation>
     </message>
     <message>
-        <source>Your work stays; who comes back or logs in says who he is</source>
-        <translation>Ihre Arbeit bleibt; wer zurückkommt oder sich anmeldet, sagt, wer er ist</translation>
+        <source>Your work stays open; a password is needed to continue</source>
+        <translation>Ihre Arbeit bleibt offen; zum Weitermachen ist ein Passwort nötig</translation>
     </message>
     <message>
-        <source>Close what is open here; nothing is lost</source>
-        <translation>Schließt, was hier offen ist; nichts geht verloren</translation>
+        <source>Close this page; nothing is lost</source>
+        <translation>Diese Seite schließen; nichts geht verloren</translation>
     </message>
     <message>
         <source>Back to the attempts</source>
@@ -6844,12 +6839,12 @@ unsaved</source>
 ungesichert</translation>
     </message>
     <message>
-        <source>Show what was done at other computers meanwhile</source>
-        <translation>Zeigen, was inzwischen an anderen Computern getan wurde</translation>
+        <source>Show changes made on other computers</source>
+        <translation>Änderungen von anderen Computern zeigen</translation>
     </message>
     <message>
-        <source>Read again</source>
-        <translation>Neu einlesen</translation>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
     </message>
 </context>
 <context>
@@ -7051,8 +7046,8 @@ ungesichert</translation>
         <translation>Strg + Pfeile</translation>
     </message>
     <message>
-        <source>Come nearer, go back</source>
-        <translation>Näher, weiter weg</translation>
+        <source>Zoom in, zoom out</source>
+        <translation>Vergrößern, verkleinern</translation>
     </message>
     <message>
         <source>wheel</source>
@@ -7071,7 +7066,7 @@ ungesichert</translation>
         <translation>Am Zahn</translation>
     </message>
     <message>
-        <source>Turn it back</source>
+        <source>Reset view</source>
         <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
@@ -7083,7 +7078,7 @@ ungesichert</translation>
         <translation>Pos1</translation>
     </message>
     <message>
-        <source>Move it finely</source>
+        <source>Move it in fine steps</source>
         <translation>In feinen Schritten führen</translation>
     </message>
     <message>
@@ -7139,8 +7134,8 @@ ungesichert</translation>
         <translation>In einer Liste</translation>
     </message>
     <message>
-        <source>Sort it otherwise</source>
-        <translation>Anders sortieren</translation>
+        <source>Change the sorting</source>
+        <translation>Sortierung ändern</translation>
     </message>
 </context>
 <context>
@@ -7154,7 +7149,7 @@ ungesichert</translation>
         <translation>bestanden ab %1</translation>
     </message>
     <message>
-        <source>%1 by another rubric</source>
+        <source>%1 with another rubric</source>
         <translation>%1 nach anderer Regel</translation>
     </message>
     <message>
@@ -7177,16 +7172,16 @@ ungesichert</translation>
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>The tooth is whole again.</source>
-        <translation>Der Zahn ist wieder unversehrt.</translation>
+        <source>The tooth was reset.</source>
+        <translation>Der Zahn wurde zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Bring my work back</source>
-        <translation>Arbeit zurückholen</translation>
+        <source>Restore my work</source>
+        <translation>Arbeit wiederherstellen</translation>
     </message>
     <message>
-        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
-        <translation>Cusp ist noch mit dem Vorigen beschäftigt und hat das nicht getan. Versuchen Sie es noch einmal.</translation>
+        <source>Cusp was still busy and did not do that. Try again.</source>
+        <translation>Cusp war noch beschäftigt und hat das nicht getan. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>%1 – Cusp</source>
@@ -7217,7 +7212,7 @@ ungesichert</translation>
         <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie eine solche Datei herein.</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <source>This is a replay. Stop it to grade your own work.</source>
         <translation>Das ist eine Wiedergabe. Beenden Sie sie, um Ihre eigene Arbeit bewerten zu lassen.</translation>
     </message>
     <message>
@@ -7225,7 +7220,7 @@ ungesichert</translation>
         <translation>Die Aufzeichnung wurde als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The recording has come to its end.</source>
+        <source>The recording has ended.</source>
         <translation>Die Aufzeichnung ist zu Ende.</translation>
     </message>
     <message>
@@ -7233,20 +7228,20 @@ ungesichert</translation>
         <translation>Wiedergabe beenden</translation>
     </message>
     <message>
-        <source>What you have cut would be lost.</source>
-        <translation>Was Sie präpariert haben, ginge verloren.</translation>
+        <source>Your work would be lost.</source>
+        <translation>Ihre Arbeit ginge verloren.</translation>
     </message>
     <message>
-        <source>It has not been saved as a recording since you last cut.</source>
-        <translation>Es wurde seit dem letzten Abtrag nicht als Aufzeichnung gespeichert.</translation>
+        <source>Your latest cuts are not saved as a recording.</source>
+        <translation>Ihre letzten Schnitte sind nicht als Aufzeichnung gespeichert.</translation>
     </message>
     <message>
         <source>&amp;Save the recording …</source>
         <translation>Aufzeichnung &amp;speichern …</translation>
     </message>
     <message>
-        <source>Undo takes the stroke back.</source>
-        <translation>„Rückgängig“ nimmt den letzten Strich zurück.</translation>
+        <source>You can undo the stroke.</source>
+        <translation>Sie können den Strich rückgängig machen.</translation>
     </message>
     <message>
         <source>Tooth perforated</source>
@@ -7273,17 +7268,17 @@ ungesichert</translation>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
-        <translation>So lassen</translation>
+        <source>Keep this unit</source>
+        <translation>Diese Einheit behalten</translation>
     </message>
     <message>
-        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
-        <translation>Von unten wird nicht präpariert: Der Bohrer arbeitet auf der anderen Seite des Zahns. Drehen Sie den Zahn zurück oder drücken Sie V.</translation>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
+        <translation>Von unten können Sie nicht präparieren: Der Bohrer ist auf der anderen Seite des Zahns. Drehen Sie den Zahn zurück oder drücken Sie V.</translation>
     </message>
     <message>
-        <source>The simulated handpiece is at work</source>
+        <source>The simulated handpiece is active</source>
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
-        <translation>Das simulierte Handstück arbeitet</translation>
+        <translation>Das simulierte Handstück ist aktiv</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
@@ -7294,7 +7289,7 @@ ungesichert</translation>
         <translation>Das Bild wurde als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
         <translation>Das Bild konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
     <message>
@@ -7306,8 +7301,8 @@ ungesichert</translation>
         <translation>Nur ein Zahn mit Karies hat eine ideale Präparation.</translation>
     </message>
     <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie mögen, oder drücken Sie G.</translation>
+        <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
+        <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie möchten, oder drücken Sie G für die Bewertung.</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -7318,28 +7313,28 @@ ungesichert</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>Aus dieser Datei wird keine Lektion, also gibt es nichts zu bearbeiten. Beheben Sie erst, was genannt ist.</translation>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>Diese Datei ist keine gültige Lektion, deshalb kann sie nicht bearbeitet werden. Beheben Sie zuerst die genannten Fehler.</translation>
     </message>
     <message>
         <source>Captured ideals (%1)</source>
         <translation>Abgenommene Ideale (%1)</translation>
     </message>
     <message>
-        <source>You held against it, so your hand is free. Press A to be led again.</source>
-        <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
+        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
+        <translation>Sie haben gegen die Führung gedrückt, deshalb wurde sie beendet. Mit A beginnt sie wieder.</translation>
     </message>
     <message>
-        <source>The handpiece is not there any more, so your hand is free.</source>
-        <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+        <source>The handpiece is no longer available, so the guidance stopped.</source>
+        <translation>Das Handstück ist nicht mehr verfügbar, deshalb wurde die Führung beendet.</translation>
     </message>
     <message>
-        <source>The exercise begins anew.</source>
+        <source>The exercise starts again.</source>
         <translation>Die Übung beginnt von vorn.</translation>
     </message>
     <message>
-        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
-        <translation>Sie sind in einer Prüfung, und der Editor zeigt das Ideal einer Lektion. Beenden Sie erst die Prüfung: Drücken Sie G für die Note oder nehmen Sie eine andere Lektion.</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>Der Lektionseditor ist während einer Prüfung nicht verfügbar, denn er zeigt das Ideal. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
     </message>
     <message>
         <source>%1: an attempt of %2 was not finished.</source>
@@ -7355,8 +7350,8 @@ ungesichert</translation>
         <translation>Der Versuch wurde verworfen; er bleibt sieben Tage aufgehoben.</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>Zurückholen</translation>
+        <source>Restore it</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Import a hardness preset</source>
@@ -7379,8 +7374,8 @@ ungesichert</translation>
         <translation>Der Vergleich konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
     <message>
-        <source>The hardness preset was kept: %1.</source>
-        <translation>Die Härte-Voreinstellung wurde behalten: %1.</translation>
+        <source>The hardness preset was saved: %1.</source>
+        <translation>Die Härte-Voreinstellung wurde gespeichert: %1.</translation>
     </message>
     <message>
         <source>It feels like %1 now.</source>
@@ -7388,20 +7383,20 @@ ungesichert</translation>
         <translation>Es fühlt sich jetzt an wie %1.</translation>
     </message>
     <message>
-        <source>In an exam, what is felt stays as it is.</source>
-        <translation>In einer Prüfung bleibt, was man fühlt, wie es ist.</translation>
+        <source>The hardness cannot be changed during an exam.</source>
+        <translation>Während einer Prüfung kann die Härte nicht geändert werden.</translation>
     </message>
     <message>
-        <source>This is a replay: it feels as it was recorded.</source>
-        <translation>Das ist eine Wiedergabe: Sie fühlt sich an, wie sie aufgezeichnet wurde.</translation>
+        <source>A replay uses the recorded hardness.</source>
+        <translation>Eine Wiedergabe verwendet die aufgezeichnete Härte.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: that comes to its end first.</source>
-        <translation>Gerade werden zwei Voreinstellungen blind verglichen: Das geht zuerst zu Ende.</translation>
+        <source>A blind comparison of two presets is running. Finish it first.</source>
+        <translation>Ein Blindvergleich zweier Voreinstellungen läuft. Beenden Sie ihn zuerst.</translation>
     </message>
     <message>
-        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
-        <translation>Diese Lektion bringt ihre eigene Härte mit. Nur die Kräfte lassen sich ändern.</translation>
+        <source>This lesson sets its own hardness. Only the forces can be changed.</source>
+        <translation>Diese Lektion legt ihre eigene Härte fest. Nur die Kräfte lassen sich ändern.</translation>
     </message>
     <message>
         <source>Hardness presets (%1)</source>
@@ -7412,20 +7407,20 @@ ungesichert</translation>
         <translation>Tabellen (%1)</translation>
     </message>
     <message>
-        <source>The exam would be broken off without a score.</source>
-        <translation>Die Prüfung würde ohne Punktzahl abgebrochen.</translation>
+        <source>The exam would end without a score.</source>
+        <translation>Die Prüfung würde ohne Punktzahl enden.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
-        <translation>Sie zählt trotzdem als Versuch. Was Sie präpariert haben, kann später nicht bewertet werden.</translation>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
+        <translation>Sie zählt trotzdem als Versuch. Ihre Arbeit kann später nicht bewertet werden.</translation>
     </message>
     <message>
         <source>&amp;Grade it now</source>
         <translation>Jetzt &amp;bewerten</translation>
     </message>
     <message>
-        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
-        <translation>Lektionen ändern Lehrkräfte: Melden Sie sich als solche an. Um die Lektion zu machen, wählen Sie sie in der Liste.</translation>
+        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
+        <translation>Nur Lehrkräfte können Lektionen bearbeiten: Melden Sie sich als Lehrkraft an. Um die Lektion zu üben, wählen Sie sie in der Liste.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -7448,38 +7443,38 @@ ungesichert</translation>
         <translation>Aus einer Datei …</translation>
     </message>
     <message>
-        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
-        <translation>Sie hatten Ihre Versuche an dieser Lektion schon aufgebraucht, darum wird diese Bewertung nicht behalten.</translation>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
+        <translation>Sie hatten für diese Lektion keine Versuche mehr, darum wird diese Bewertung nicht gespeichert.</translation>
     </message>
     <message>
-        <source>The work itself can be kept as a recording.</source>
-        <translation>Die Arbeit selbst kann als Aufzeichnung behalten werden.</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>Sie können Ihre Arbeit als Aufzeichnung speichern.</translation>
     </message>
     <message>
-        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
-        <translation>Die Daten der Schule antworten noch nicht. Sie können weiter üben; was Sie angefragt haben, kommt, sobald sie antworten.</translation>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>Die Datenbank der Schule antwortet noch nicht. Sie können weiter präparieren; Ihre Anfrage wird erledigt, sobald sie antwortet.</translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
             <numerusform>%n Bewertung ist noch nicht gespeichert und ginge verloren.</numerusform>
             <numerusform>%n Bewertungen sind noch nicht gespeichert und gingen verloren.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
-        <translation>Die Festplatte nimmt gerade nichts an. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte, oder prüfen Sie die Rechte des Ordners.</translation>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
+        <translation>Der Datenträger ist nicht beschreibbar. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei, oder prüfen Sie die Rechte des Ordners.</translation>
     </message>
     <message>
-        <source>The time of this exam is over: nothing more can be cut.</source>
-        <translation>Die Zeit dieser Prüfung ist um: Es wird nichts mehr abgetragen.</translation>
+        <source>The time for this exam is over: cutting is disabled.</source>
+        <translation>Die Zeit für diese Prüfung ist um: Schneiden ist nicht mehr möglich.</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it.</source>
-        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G für die Note.</translation>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
+        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G, um sie zu bewerten.</translation>
     </message>
     <message>
-        <source>&amp;Go on with it</source>
+        <source>&amp;Continue it</source>
         <translation>&amp;Damit weitermachen</translation>
     </message>
     <message>
@@ -7487,15 +7482,15 @@ ungesichert</translation>
         <translation>Ein neuer Versuch beginnt.</translation>
     </message>
     <message>
-        <source>This exam would be put away without a score.</source>
-        <translation>Diese Prüfung würde ohne Punktzahl weggelegt.</translation>
+        <source>This exam would be discarded without a score.</source>
+        <translation>Diese Prüfung würde ohne Punktzahl verworfen.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
-        <translation>Sie zählt trotzdem als Versuch. Gleich danach können Sie sie noch zurückholen.</translation>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
+        <translation>Sie zählt trotzdem als Versuch. Direkt danach können Sie sie noch wiederherstellen.</translation>
     </message>
     <message>
-        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>Der Einmalcode gilt nicht mehr. Bitten Sie die Verwaltung um einen neuen.</translation>
     </message>
 </context>
@@ -7521,27 +7516,27 @@ ungesichert</translation>
         <translation>Ganzer Mund</translation>
     </message>
     <message>
-        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
-        <translation>Die Pfeiltasten gehen am Zahnbogen entlang, die Eingabetaste nimmt den Zahn.</translation>
+        <source>Arrow keys move along the arch, Enter selects the tooth.</source>
+        <translation>Die Pfeiltasten gehen am Zahnbogen entlang, die Eingabetaste wählt den Zahn.</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
-        <translation>Dieser Computer kann den ganzen Mund nicht zeichnen. Die flachen Zahnbögen leisten dasselbe.</translation>
+        <source>This computer cannot draw the whole mouth. Use the flat arches instead.</source>
+        <translation>Dieser Computer kann den ganzen Mund nicht zeichnen. Nehmen Sie stattdessen die flachen Zahnbögen.</translation>
     </message>
     <message>
-        <source>The teeth are being made …</source>
+        <source>Creating the teeth …</source>
         <translation>Die Zähne entstehen …</translation>
     </message>
     <message>
-        <source>Chosen. Enter or a double click takes it.</source>
-        <translation>Gewählt. Die Eingabetaste oder ein Doppelklick nimmt ihn.</translation>
+        <source>Selected. Press Enter or double-click to use it.</source>
+        <translation>Ausgewählt. Eingabetaste oder Doppelklick nimmt ihn.</translation>
     </message>
     <message>
-        <source>Click to choose it.</source>
+        <source>Click to select it.</source>
         <translation>Klicken wählt ihn.</translation>
     </message>
     <message>
@@ -7648,12 +7643,12 @@ ungesichert</translation>
         <translation>&lt; 1</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
-        <translation>Wie tief die Spitze unter der ursprünglichen Oberfläche steht. Am Rand des Zahns wird nichts angezeigt: Senkrecht gemessen sagt das Maß dort wenig.</translation>
+        <source>Depth of the tip below the original surface. No value is shown at the edge of the tooth, where a vertical depth means little.</source>
+        <translation>Tiefe der Spitze unter der ursprünglichen Oberfläche. Am Rand des Zahns wird kein Wert angezeigt, weil die senkrechte Tiefe dort wenig aussagt.</translation>
     </message>
     <message>
-        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
-        <translation>Abgetragenes Volumen der Pulpa. Die Bewertung betrachtet die freiliegende Fläche in mm².</translation>
+        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
+        <translation>Abgetragenes Volumen der Pulpa. Die Bewertung verwendet die freigelegte Fläche in mm².</translation>
     </message>
     <message>
         <source>N, %1 sideways</source>
@@ -7669,16 +7664,16 @@ ungesichert</translation>
         <translation>Handstück</translation>
     </message>
     <message>
-        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
-        <translation>Das Handstück liegt auf der Krone auf: Tiefer kommt der Bohrer nicht.</translation>
+        <source>The handpiece touches the crown, so the bur cannot go deeper.</source>
+        <translation>Das Handstück berührt die Krone, deshalb kommt der Bohrer nicht tiefer.</translation>
     </message>
     <message>
         <source>Dentin over pulp</source>
         <translation>Dentin über Pulpa</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
-        <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
+        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
+        <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Lassen Sie zwei Millimeter stehen; weniger als ein halber Millimeter schadet der Pulpa.</translation>
     </message>
     <message>
         <source>To the limit</source>
@@ -7686,12 +7681,12 @@ ungesichert</translation>
         <translation>Bis zur Grenze</translation>
     </message>
     <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
-        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
+        <source>Distance from the head of the bur to tissue that must be kept, downwards or sideways. No value is shown above one millimetre.</source>
+        <translation>Abstand vom Kopf des Bohrers zu Gewebe, das erhalten bleiben muss, nach unten oder zur Seite. Über einem Millimeter wird kein Wert angezeigt.</translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
-        <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
+        <source>Speed of the bur in revolutions per minute. Load slows it down until it stalls</source>
+        <translation>Drehzahl des Bohrers in Umdrehungen pro Minute. Last bremst ihn, bis er stehen bleibt</translation>
     </message>
     <message>
         <source>rpm</source>
@@ -7766,8 +7761,8 @@ ungesichert</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Leave everything as it was before (Esc)</source>
-        <translation>Alles lassen, wie es vorher war (Esc)</translation>
+        <source>Discard the changes (Esc)</source>
+        <translation>Änderungen verwerfen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -7781,23 +7776,23 @@ ungesichert</translation>
         <translation>Diesen Zahn präparieren</translation>
     </message>
     <message>
-        <source>Put this tooth on the table (Enter)</source>
-        <translation>Diesen Zahn zum Üben nehmen (Eingabe)</translation>
+        <source>Practise on this tooth (Enter)</source>
+        <translation>An diesem Zahn üben (Eingabe)</translation>
     </message>
     <message>
-        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <source>Or drill your own tooth: a scan as an OBJ, STL or PLY file. You can also drop the file anywhere on this window.</source>
         <translation>Oder präparieren Sie einen eigenen Zahn: einen Scan als OBJ, STL oder PLY. Sie können die Datei auch irgendwo auf dieses Fenster ziehen.</translation>
     </message>
     <message>
-        <source>Nothing chosen</source>
+        <source>No tooth selected</source>
         <translation>Kein Zahn gewählt</translation>
     </message>
     <message>
-        <source>On the table now. Taking it again gives you a whole one.</source>
-        <translation>An diesem Zahn arbeiten Sie gerade. Wählen Sie ihn noch einmal, beginnt er unversehrt.</translation>
+        <source>In use. Choosing it again resets it.</source>
+        <translation>In Arbeit. Wenn Sie ihn noch einmal wählen, wird er zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Click a tooth, or walk with the arrow keys.</source>
+        <source>Click a tooth, or use the arrow keys.</source>
         <translation>Klicken Sie einen Zahn an oder wählen Sie mit den Pfeiltasten.</translation>
     </message>
     <message>
@@ -7820,24 +7815,24 @@ ungesichert</translation>
         <translation>Alle Lektionen</translation>
     </message>
     <message>
-        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
-        <translation>Die von Cusp und Ihre eigenen. Die Suche nimmt ein Wort oder die Nummer eines Zahns.</translation>
+        <source>The lessons that come with Cusp, and your own. Search for a word or the number of a tooth.</source>
+        <translation>Die Lektionen von Cusp und Ihre eigenen. Suchen Sie nach einem Wort oder der Nummer eines Zahns.</translation>
     </message>
     <message>
         <source>Change a lesson</source>
         <translation>Eine Lektion ändern</translation>
     </message>
     <message>
-        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
-        <translation>Ändern Sie, was eine Lektion verlangt und wie sie bewertet, und sehen Sie, was das aus früheren Versuchen macht.</translation>
+        <source>Change the goal and the rubric of a lesson, and see the effect on earlier attempts.</source>
+        <translation>Ändern Sie Ziel und Bewertungsschema einer Lektion, und sehen Sie die Wirkung auf frühere Versuche.</translation>
     </message>
     <message>
         <source>Your classes</source>
         <translation>Ihre Klassen</translation>
     </message>
     <message>
-        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
-        <translation>Hier sehen Sie, wer Sie braucht und wie es allen geht. Geben Sie Lektionen auf, öffnen Sie Versuche, spielen Sie sie ab und schreiben Sie Kommentare.</translation>
+        <source>Here you see who needs help and how everybody is doing. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation>Hier sehen Sie, wer Hilfe braucht und wie alle vorankommen. Geben Sie Lektionen auf, öffnen Sie Versuche, spielen Sie sie ab und schreiben Sie Kommentare.</translation>
     </message>
     <message>
         <source>Try it yourself</source>
@@ -7848,23 +7843,23 @@ ungesichert</translation>
         <translation>Die Bewertung</translation>
     </message>
     <message>
-        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
-        <translation>Die Arbeit wird vermessen, und das Bewertungsblatt zeigt jeden verlorenen Punkt, wo und wann er verloren ging.</translation>
+        <source>Your work is measured, and the score card shows where and when each point was lost.</source>
+        <translation>Ihre Arbeit wird vermessen, und das Bewertungsblatt zeigt, wo und wann jeder Punkt verloren ging.</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Klassen</translation>
     </message>
     <message>
-        <source>How every class does at every lesson, as its teachers see it.</source>
-        <translation>Wie es jeder Klasse bei jeder Lektion geht, so wie ihre Lehrenden es sehen.</translation>
+        <source>The results of every class in every lesson, as its teachers see them.</source>
+        <translation>Die Ergebnisse jeder Klasse in jeder Lektion, so wie ihre Lehrkräfte sie sehen.</translation>
     </message>
     <message>
         <source>How it feels</source>
         <translation>Wie es sich anfühlt</translation>
     </message>
     <message>
-        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <source>Burs, force and depth are here. The hardness presets (F7) set how hard teeth are.</source>
         <translation>Bohrer, Kraft und Tiefe stehen hier. Wie hart Zähne sind, bestimmen die Härte-Voreinstellungen (F7).</translation>
     </message>
     <message>
@@ -7876,52 +7871,52 @@ ungesichert</translation>
         <translation>Lektionen</translation>
     </message>
     <message>
-        <source>Choose here what to practise. What your class is to do comes first.</source>
-        <translation>Wählen Sie hier, was Sie üben. Was Ihrer Klasse aufgegeben ist, steht zuerst.</translation>
+        <source>Choose here what to practise. Lessons assigned to your class come first.</source>
+        <translation>Wählen Sie hier, was Sie üben. Die Lektionen, die Ihrer Klasse aufgegeben sind, stehen zuerst.</translation>
     </message>
     <message>
-        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
-        <translation>Wählen Sie hier, was Sie üben. Jede Lektion sagt, was sie verlangt und wie sie bewertet wird.</translation>
+        <source>Choose here what to practise. Each lesson states its goal and how it is graded.</source>
+        <translation>Wählen Sie hier, was Sie üben. Jede Lektion nennt ihr Ziel und ihre Bewertung.</translation>
     </message>
     <message>
         <source>Bur, force and depth</source>
         <translation>Bohrer, Kraft und Tiefe</translation>
     </message>
     <message>
-        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
-        <translation>Nehmen Sie einen anderen Bohrer, stellen Sie ein, wie fest die Maus drückt, und lesen Sie beim Präparieren Kraft und Tiefe ab.</translation>
+        <source>Change the bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation>Wechseln Sie den Bohrer, stellen Sie ein, wie fest die Maus drückt, und lesen Sie beim Präparieren Kraft und Tiefe ab.</translation>
     </message>
     <message>
         <source>Seeing inside</source>
         <translation>Hineinsehen</translation>
     </message>
     <message>
-        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <source>A live section through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
         <translation>Ein mitlaufender Schnitt durch den Bohrer zeigt Schmelz, Dentin und Pulpa, wo die Lektion es erlaubt.</translation>
     </message>
     <message>
-        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
-        <translation>Wie sich Ihre Punkte entwickelt haben, was Ihre Lehrkraft sagt, und jeder Versuch zum Abspielen.</translation>
+        <source>See how your scores develop, read your instructor&apos;s comments, and replay every attempt.</source>
+        <translation>Sehen Sie, wie sich Ihre Punkte entwickeln, lesen Sie die Kommentare Ihrer Lehrkraft, und spielen Sie jeden Versuch ab.</translation>
     </message>
     <message>
-        <source>Your place</source>
-        <translation>Ihr Platz</translation>
+        <source>Your account</source>
+        <translation>Ihr Konto</translation>
     </message>
     <message>
-        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
-        <translation>Wer sich anmeldet, behält seine Bewertungen. Sonst wird nichts aufbewahrt.</translation>
+        <source>Log in to save your grades. Without a login, nothing is saved.</source>
+        <translation>Melden Sie sich an, damit Ihre Bewertungen gespeichert werden. Ohne Anmeldung wird nichts gespeichert.</translation>
     </message>
     <message>
-        <source>Lock your place when you leave it, or let somebody else log in.</source>
-        <translation>Sperren Sie Ihren Platz, wenn Sie ihn verlassen, oder lassen Sie jemand anderen sich anmelden.</translation>
+        <source>Lock the window when you leave, or switch user.</source>
+        <translation>Sperren Sie das Fenster, wenn Sie gehen, oder wechseln Sie den Benutzer.</translation>
     </message>
     <message>
         <source>Every key</source>
         <translation>Alle Tasten</translation>
     </message>
     <message>
-        <source>All keys are listed here. From there you can take this tour again.</source>
-        <translation>Hier stehen alle Tasten. Von dort können Sie diesen Rundgang noch einmal machen.</translation>
+        <source>All keys are listed here. You can also start this tour again from there.</source>
+        <translation>Hier stehen alle Tasten. Von dort können Sie auch diesen Rundgang wieder starten.</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -7953,8 +7948,8 @@ ungesichert</translation>
         <translation>Die Schule</translation>
     </message>
     <message>
-        <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
-        <translation>Tragen Sie Personen ein, einzeln oder aus einer Liste, teilen Sie sie Klassen zu, und kümmern Sie sich um Sicherungen und Prüfprotokoll.</translation>
+        <source>Add people one by one or from a list, assign them to classes, and manage backups and the audit.</source>
+        <translation>Fügen Sie Personen einzeln oder aus einer Liste hinzu, teilen Sie sie Klassen zu, und verwalten Sie Sicherungen und Prüfprotokoll.</translation>
     </message>
     <message>
         <source>My attempts</source>
@@ -7984,8 +7979,8 @@ ungesichert</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>What is shown of the tooth, and how</source>
-        <translation>Was vom Zahn gezeigt wird, und wie</translation>
+        <source>Choose what the view shows</source>
+        <translation>Wählen, was die Ansicht zeigt</translation>
     </message>
 </context>
 <context>
@@ -8121,8 +8116,8 @@ ungesichert</translation>
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Sehen Sie, wie es geschah: den Versuch ab hier abspielen</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Den Versuch ab diesem Moment abspielen</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8137,16 +8132,16 @@ ungesichert</translation>
         <translation>Alle Verstöße zeigen</translation>
     </message>
     <message>
-        <source>%1 in all, %2 of it cutting</source>
+        <source>%1 in total, %2 of it cutting</source>
         <extracomment>Two times in minutes and seconds</extracomment>
         <translation>%1 insgesamt, davon %2 schneidend</translation>
     </message>
     <message>
-        <source>force %1 N on the mean, %2 N at most</source>
-        <translation>Kraft im Mittel %1 N, höchstens %2 N</translation>
+        <source>force: mean %1 N, maximum %2 N</source>
+        <translation>Kraft: Mittel %1 N, Maximum %2 N</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
             <numerusform>%n Schritt zurückgenommen</numerusform>
             <numerusform>%n Schritte zurückgenommen</numerusform>
@@ -8161,13 +8156,13 @@ ungesichert</translation>
         <translation>%1 nicht gemessen</translation>
     </message>
     <message>
-        <source>%1 never removed</source>
-        <translation>%1 nie entfernt</translation>
+        <source>%1 not removed</source>
+        <translation>%1 nicht entfernt</translation>
     </message>
     <message>
-        <source>%1 never earned</source>
+        <source>%1 not achieved</source>
         <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
-        <translation>%1 nie verdient</translation>
+        <translation>%1 nicht erreicht</translation>
     </message>
     <message>
         <source>%1 at %2, stroke %3</source>
@@ -8179,11 +8174,11 @@ ungesichert</translation>
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>Die Fläche, die offen liegt, von oben gesehen. Das abgetragene Volumen steht neben dem Zahn, in mm³.</translation>
+        <source>The exposed area, seen from above. The side panel shows the removed volume, in mm³.</source>
+        <translation>Die freigelegte Fläche, von oben gesehen. Die Seitenleiste zeigt das abgetragene Volumen in mm³.</translation>
     </message>
     <message>
-        <source>Fails the attempt and takes all points that are left</source>
+        <source>The attempt fails and all remaining points are lost</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation>Der Versuch ist nicht bestanden, alle übrigen Punkte sind verloren</translation>
     </message>
@@ -8197,16 +8192,16 @@ ungesichert</translation>
         <translation>%1: %2, %3 Punkte</translation>
     </message>
     <message>
-        <source>Show where this was worst</source>
-        <translation>Zeigen, wo das am schlimmsten war</translation>
+        <source>Show the worst place</source>
+        <translation>Die schlimmste Stelle zeigen</translation>
     </message>
     <message>
-        <source>No stroke caused this: see how the attempt ended</source>
-        <translation>Kein Strich hat das verursacht: sehen, wie der Versuch endete</translation>
+        <source>No stroke caused this. Show the end of the attempt</source>
+        <translation>Kein Strich hat das verursacht. Das Ende des Versuchs zeigen</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Zusehen, wie es geschah: den Versuch von hier an abspielen</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Den Versuch ab diesem Moment abspielen</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8226,9 +8221,9 @@ ungesichert</translation>
         <translation>%1 zu spät</translation>
     </message>
     <message>
-        <source>%1 too little done</source>
+        <source>%1 work incomplete</source>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
-        <translation>%1 zu wenig getan</translation>
+        <translation>%1 Arbeit unvollständig</translation>
     </message>
 </context>
 <context>
@@ -8239,8 +8234,8 @@ ungesichert</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Say that this pad is made of this; you can change it until you are graded</source>
-        <translation>Sagen, dass dieses Feld daraus besteht; bis zur Bewertung lässt es sich ändern</translation>
+        <source>Choose this material for the pad; you can change it until you are graded</source>
+        <translation>Dieses Material für das Feld wählen; bis zur Bewertung können Sie es ändern</translation>
     </message>
     <message>
         <source>✓ right</source>
@@ -8277,36 +8272,36 @@ ungesichert</translation>
         <translation>von %1 s</translation>
     </message>
     <message>
-        <source>This is what they are made of</source>
-        <translation>Daraus bestehen sie</translation>
+        <source>The materials of the pads</source>
+        <translation>Die Materialien der Felder</translation>
     </message>
     <message>
-        <source>Every pad has its name</source>
-        <translation>Jedes Feld hat seinen Namen</translation>
+        <source>Every pad has an answer</source>
+        <translation>Jedes Feld hat eine Antwort</translation>
     </message>
     <message>
         <source>What is each pad made of?</source>
         <translation>Woraus besteht jedes Feld?</translation>
     </message>
     <message>
-        <source>Graded. F2 leads to the next lesson.</source>
-        <translation>Bewertet. F2 führt zur nächsten Lektion.</translation>
+        <source>Graded. Press F2 for the next lesson.</source>
+        <translation>Bewertet. Drücken Sie F2 für die nächste Lektion.</translation>
     </message>
     <message>
-        <source>Well done. See how it is marked.</source>
-        <translation>Gut gemacht. Sehen Sie, wie es bewertet wird.</translation>
+        <source>Well done. Press G for your grade.</source>
+        <translation>Gut gemacht. Drücken Sie G für die Bewertung.</translation>
     </message>
     <message>
-        <source>Sure? Then see how it is marked.</source>
-        <translation>Sicher? Dann sehen Sie, wie es bewertet wird.</translation>
+        <source>Sure? Then press G for your grade.</source>
+        <translation>Sicher? Dann drücken Sie G für die Bewertung.</translation>
     </message>
     <message>
-        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>Der Bohrer läuft: Halten Sie ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
+        <source>The bur is turning. Stop it with the space bar: this exercise needs no cutting.</source>
+        <translation>Der Bohrer läuft. Halten Sie ihn mit der Leertaste an: In dieser Übung wird nichts geschnitten.</translation>
     </message>
     <message>
-        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
-        <translation>Lassen Sie den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
+        <source>Start the bur with the space bar: while it is stopped, all three feel the same.</source>
+        <translation>Starten Sie den Bohrer mit der Leertaste: Solange er steht, fühlen sich alle drei gleich an.</translation>
     </message>
     <message>
         <source>Longest so far: %1 s</source>
@@ -8314,8 +8309,8 @@ ungesichert</translation>
         <translation>Am längsten bisher: %1 s</translation>
     </message>
     <message>
-        <source>Any order. Rings become discs.</source>
-        <translation>In beliebiger Folge. Aus Ringen werden Scheiben.</translation>
+        <source>Any order. A ring becomes a disc when touched.</source>
+        <translation>In beliebiger Reihenfolge. Ein berührter Ring wird zur Scheibe.</translation>
     </message>
     <message>
         <source>Anywhere on the tooth.</source>
@@ -8329,9 +8324,9 @@ ungesichert</translation>
 <context>
     <name>ui::study::FeedbackCard</name>
     <message>
-        <source>%1 has written about your attempt: %2</source>
+        <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
-        <translation>%1 hat zu Ihrem Versuch geschrieben: %2</translation>
+        <translation>%1 hat Ihren Versuch kommentiert: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n of your attempts have new feedback</source>
@@ -8341,7 +8336,7 @@ ungesichert</translation>
         </translation>
     </message>
     <message>
-        <source>Read it</source>
+        <source>Read</source>
         <translation>Lesen</translation>
     </message>
     <message>
@@ -8368,13 +8363,13 @@ ungesichert</translation>
         <translation>Note zeigen</translation>
     </message>
     <message>
-        <source>See how the work was marked (Enter)</source>
-        <translation>Sehen, wie die Arbeit bewertet wurde (Eingabe)</translation>
+        <source>Show how your work was graded (Enter)</source>
+        <translation>Zeigen, wie Ihre Arbeit bewertet wurde (Eingabe)</translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <source>%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
-        <translation>%1. Bestanden ist ab %2 von 100 Punkten. Eine Bewertung lehrt mehr, wenn Sie Ihre Arbeit vorher selbst beurteilt haben.</translation>
+        <translation>%1. Bestanden ist ab %2 von 100 Punkten. Sie lernen mehr aus einer Bewertung, wenn Sie Ihre Arbeit zuerst selbst beurteilen.</translation>
     </message>
     <message>
         <source>Nothing in particular</source>
@@ -8392,11 +8387,11 @@ ungesichert</translation>
 <context>
     <name>ui::study::HeatMap</name>
     <message>
-        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>Der Zahn von oben, gefärbt nach dem, was zu tief ist und was noch fehlt</translation>
     </message>
     <message>
-        <source>as it ought to be</source>
+        <source>as it should be</source>
         <translation>wie es sein soll</translation>
     </message>
     <message>
@@ -8404,11 +8399,11 @@ ungesichert</translation>
         <translation>%1 mm zu tief</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>%1 mm fehlen noch</translation>
     </message>
     <message>
-        <source>still to go</source>
+        <source>still to cut</source>
         <translation>fehlt noch</translation>
     </message>
     <message>
@@ -8416,15 +8411,15 @@ ungesichert</translation>
         <translation>zu tief</translation>
     </message>
     <message>
-        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
-        <translation>Klicken Sie auf den Zahn, oder nehmen Sie die Pfeiltasten, um die Stelle zu markieren, um die es in einem Kommentar geht; Entf nimmt die Marke weg.</translation>
+        <source>To mark the place of a comment, click the tooth or use the arrow keys. Delete removes the mark.</source>
+        <translation>Um die Stelle eines Kommentars zu markieren, klicken Sie auf den Zahn oder nehmen Sie die Pfeiltasten. Entf entfernt die Marke.</translation>
     </message>
 </context>
 <context>
     <name>ui::study::HoldGauge</name>
     <message>
-        <source>Force against the band from %1 to %2 N</source>
-        <translation>Kraft gegen das Feld von %1 bis %2 N</translation>
+        <source>Force in relation to the range from %1 to %2 N</source>
+        <translation>Kraft im Verhältnis zum Bereich von %1 bis %2 N</translation>
     </message>
 </context>
 <context>
@@ -8479,20 +8474,20 @@ ungesichert</translation>
 <context>
     <name>ui::study::InfractionCard</name>
     <message>
-        <source>Take it back</source>
-        <translation>Zurücknehmen</translation>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <source>Restore the tooth as it was before this; you can redo it (Enter)</source>
         <translation>Den Zahn auf den Stand davor zurücksetzen; das lässt sich wiederholen (Eingabe)</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Leave it as it is and work on (Esc)</source>
-        <translation>Alles lassen, wie es ist, und weiterarbeiten (Esc)</translation>
+        <source>Keep the tooth as it is and continue (Esc)</source>
+        <translation>Den Zahn so lassen und weiterarbeiten (Esc)</translation>
     </message>
 </context>
 <context>
@@ -8684,23 +8679,23 @@ ungesichert</translation>
         <translation>Was die Lektion verlangt, als Bild</translation>
     </message>
     <message>
-        <source>This tooth cannot be made.</source>
+        <source>This tooth cannot be created.</source>
         <translation>Dieser Zahn lässt sich nicht erzeugen.</translation>
     </message>
     <message>
-        <source>The tooth is being made …</source>
+        <source>Creating the tooth …</source>
         <translation>Der Zahn wird erzeugt …</translation>
     </message>
 </context>
 <context>
     <name>ui::study::LessonStrip</name>
     <message>
-        <source>The step before</source>
-        <translation>Der Schritt davor</translation>
+        <source>Previous step</source>
+        <translation>Vorheriger Schritt</translation>
     </message>
     <message>
-        <source>The next step</source>
-        <translation>Der nächste Schritt</translation>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
     </message>
     <message>
         <source>Hint</source>
@@ -8716,20 +8711,20 @@ ungesichert</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Time worked</source>
-        <translation>Gearbeitete Zeit</translation>
+        <source>Working time</source>
+        <translation>Arbeitszeit</translation>
     </message>
     <message>
-        <source>Time left of %1</source>
-        <translation>Übrige Zeit von %1</translation>
+        <source>Remaining time of %1</source>
+        <translation>Restzeit von %1</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
-        <translation>Die Prüfung ist zu Ende, es wird nichts mehr abgetragen. G zeigt die Note, R beginnt einen neuen Versuch.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score or R for another attempt.</source>
+        <translation>Die Prüfung ist zu Ende, Schneiden ist nicht mehr möglich. Drücken Sie G für die Note oder R für einen neuen Versuch.</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
-        <translation>Die Prüfung ist zu Ende, es wird nichts mehr abgetragen. G zeigt die Note.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score.</source>
+        <translation>Die Prüfung ist zu Ende, Schneiden ist nicht mehr möglich. Drücken Sie G für die Note.</translation>
     </message>
 </context>
 <context>
@@ -8759,16 +8754,16 @@ ungesichert</translation>
         <translation>Diese Lektion beginnen</translation>
     </message>
     <message>
-        <source>Put the tooth of this lesson on the table (Enter)</source>
-        <translation>Den Zahn dieser Lektion auf den Tisch legen (Eingabe)</translation>
+        <source>Load the tooth of this lesson (Enter)</source>
+        <translation>Den Zahn dieser Lektion laden (Eingabe)</translation>
     </message>
     <message>
         <source>Your own lessons …</source>
         <translation>Eigene Lektionen …</translation>
     </message>
     <message>
-        <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>Den Ordner öffnen, aus dem die Lektionen der Lehrenden gelesen werden</translation>
+        <source>Open the folder for lessons that teachers add</source>
+        <translation>Den Ordner öffnen, in den Lehrkräfte eigene Lektionen legen</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
@@ -8779,12 +8774,12 @@ ungesichert</translation>
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>Cannot be given</source>
-        <translation>Nicht zu gebrauchen</translation>
+        <source>Invalid file</source>
+        <translation>Ungültige Datei</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>Aus dieser Datei wird keine Lektion. Die anderen gehen.</translation>
+        <source>This file is not a valid lesson. The other lessons work.</source>
+        <translation>Diese Datei ist keine gültige Lektion. Die anderen Lektionen funktionieren.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -8795,8 +8790,8 @@ ungesichert</translation>
         <translation>Art</translation>
     </message>
     <message>
-        <source>Practice: you are told what goes wrong</source>
-        <translation>Übung: Sie erfahren, was schiefgeht</translation>
+        <source>Practice: mistakes are reported at once</source>
+        <translation>Übung: Fehler werden sofort gemeldet</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8811,7 +8806,7 @@ ungesichert</translation>
         <translation>Hilfen</translation>
     </message>
     <message>
-        <source>Marked by</source>
+        <source>Rubric</source>
         <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
         <translation>Bewertet nach</translation>
     </message>
@@ -8835,8 +8830,8 @@ ungesichert</translation>
         </translation>
     </message>
     <message>
-        <source>Wrong</source>
-        <translation>Falsch</translation>
+        <source>Error</source>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8857,8 +8852,8 @@ ungesichert</translation>
         <translation>Bestes %1, nicht bestanden</translation>
     </message>
     <message>
-        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
-        <translation>Prüfung: Fehler werden vermerkt, bis zum Ende wird nichts gesagt, und kein Schritt wird zurückgenommen</translation>
+        <source>Exam: mistakes are recorded and reported at the end; undo is disabled</source>
+        <translation>Prüfung: Fehler werden aufgezeichnet und am Ende gemeldet; Rückgängig ist gesperrt</translation>
     </message>
     <message>
         <source>Tooth …</source>
@@ -8869,7 +8864,7 @@ ungesichert</translation>
         <translation>Lektionen an einem Zahn</translation>
     </message>
     <message>
-        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <source>Choose a tooth in the arch to see its lessons</source>
         <translation>Einen Zahn im Bogen wählen, um die Lektionen daran zu sehen</translation>
     </message>
     <message>
@@ -8896,38 +8891,38 @@ ungesichert</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Discard the attempt that was not finished</source>
-        <translation>Den nicht beendeten Versuch verwerfen</translation>
+        <source>Discard the unfinished attempt</source>
+        <translation>Den unvollendeten Versuch verwerfen</translation>
     </message>
     <message>
-        <source>Continue where I stopped: %1, begun %2</source>
+        <source>Continue %1, started %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation>Dort weitermachen, wo ich aufgehört habe: %1, begonnen %2</translation>
+        <translation>Weitermachen: %1, begonnen %2</translation>
     </message>
     <message>
         <source>Continue</source>
         <translation>Weitermachen</translation>
     </message>
     <message>
-        <source>Tried last: %1, best so far %2</source>
+        <source>Last attempt: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
-        <translation>Zuletzt versucht: %1, bisher bestes Ergebnis %2</translation>
+        <translation>Letzter Versuch: %1, bisher bestes Ergebnis %2</translation>
     </message>
     <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
     </message>
     <message>
-        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <source>Assigned to you, but not on this computer: %1. Ask your teacher for the file.</source>
         <translation>Ihnen aufgegeben, aber nicht auf diesem Computer: %1. Bitten Sie Ihre Lehrkraft um die Datei.</translation>
     </message>
     <message>
-        <source>Given to you</source>
+        <source>Assigned to you</source>
         <translation>Ihnen aufgegeben</translation>
     </message>
     <message>
-        <source>No lesson fits</source>
-        <translation>Keine Lektion passt</translation>
+        <source>No matching lessons</source>
+        <translation>Keine passende Lektion</translation>
     </message>
     <message>
         <source>Search for another word, or show all lessons.</source>
@@ -8941,16 +8936,16 @@ ungesichert</translation>
         </translation>
     </message>
     <message>
-        <source>Given to</source>
+        <source>Assigned to</source>
         <translation>Aufgegeben für</translation>
     </message>
     <message>
-        <source>There is none of these now. Show all lessons.</source>
-        <translation>Davon gibt es jetzt keine. Zeigen Sie alle Lektionen an.</translation>
+        <source>There are no such lessons now. Show all lessons.</source>
+        <translation>Solche Lektionen gibt es jetzt nicht. Zeigen Sie alle Lektionen an.</translation>
     </message>
     <message>
-        <source>The lessons are being read …</source>
-        <translation>Die Lektionen werden gelesen …</translation>
+        <source>Loading the lessons …</source>
+        <translation>Die Lektionen werden geladen …</translation>
     </message>
     <message>
         <source>no score yet</source>
@@ -9034,33 +9029,33 @@ ungesichert</translation>
 <context>
     <name>ui::study::ScorePage</name>
     <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation>Erwartet hatten Sie %1 Punkte: genau so ist es.</translation>
+        <source>You expected %1 points, which is exactly right.</source>
+        <translation>Sie haben %1 Punkte erwartet, das ist genau richtig.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>Erwartet hatten Sie %1 Punkte: %2 zu viel.</translation>
+        <source>You expected %1 points. You overestimated by %2 points.</source>
+        <translation>Sie haben %1 Punkte erwartet und sich um %2 Punkte überschätzt.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>Erwartet hatten Sie %1 Punkte: %2 zu wenig.</translation>
+        <source>You expected %1 points. You underestimated by %2 points.</source>
+        <translation>Sie haben %1 Punkte erwartet und sich um %2 Punkte unterschätzt.</translation>
     </message>
     <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <source>Rubric &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured, because the model is a height field.</source>
         <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
+        <translation>Bewertungsschema „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen, denn das Modell ist ein Höhenfeld.</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Bewerten</translation>
     </message>
     <message>
-        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
-        <translation>Der fertige Zahn wird noch einmal mit halb und mit doppelt so vielen Säulen je Seite gemessen. Das sagt, wie sehr die Zahl am Raster hängt. Über die Hand, oder darüber, was an einem anderen Tag herauskäme, sagt es nichts.</translation>
+        <source>The tooth is measured again with half and with double the number of grid columns. The result is clear of the pass mark if all scores lie on the same side of it. This says nothing about another attempt.</source>
+        <translation>Der Zahn wird noch einmal mit halb und mit doppelt so vielen Rasterspalten gemessen. Das Ergebnis ist klar, wenn alle Punktzahlen auf derselben Seite der Bestehensgrenze liegen. Über einen weiteren Versuch sagt das nichts.</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Wo die Punkte geblieben sind</translation>
+        <source>Lost points</source>
+        <translation>Verlorene Punkte</translation>
     </message>
     <message>
         <source>Finding the moment of each lost point …</source>
@@ -9084,48 +9079,48 @@ ungesichert</translation>
         <translation>Bestanden</translation>
     </message>
     <message>
-        <source>Not passed: harm done</source>
-        <translation>Nicht bestanden: Zahn geschädigt</translation>
+        <source>Not passed: critical error</source>
+        <translation>Nicht bestanden: kritischer Fehler</translation>
     </message>
     <message>
         <source>Not passed yet</source>
         <translation>Noch nicht bestanden</translation>
     </message>
     <message>
-        <source>At half the grid %1, at double %2.</source>
-        <translation>Bei halbem Raster %1, bei doppeltem %2.</translation>
+        <source>Score at half the grid: %1, at double the grid: %2.</source>
+        <translation>Punkte bei halbem Raster: %1, bei doppeltem Raster: %2.</translation>
     </message>
     <message>
-        <source>At half the grid %1.</source>
-        <translation>Bei halbem Raster %1.</translation>
+        <source>Score at half the grid: %1.</source>
+        <translation>Punkte bei halbem Raster: %1.</translation>
     </message>
     <message>
-        <source>The pass mark lies between: this result is within the noise.</source>
-        <translation>Die Bestehensgrenze liegt dazwischen: Das Ergebnis liegt im Rauschen.</translation>
+        <source>Result is close to the pass mark.</source>
+        <translation>Das Ergebnis liegt nahe an der Bestehensgrenze.</translation>
     </message>
     <message>
-        <source>Not within the noise of the pass mark.</source>
-        <translation>Klar neben der Bestehensgrenze.</translation>
+        <source>Result is clear of the pass mark.</source>
+        <translation>Das Ergebnis liegt klar neben der Bestehensgrenze.</translation>
     </message>
     <message>
-        <source>The work is everywhere as it ought to be</source>
-        <translation>Die Arbeit ist überall, wie sie sein soll</translation>
+        <source>No deviation from the ideal</source>
+        <translation>Keine Abweichung vom Ideal</translation>
     </message>
     <message>
         <source>%1 mm too deep</source>
         <translation>%1 mm zu tief</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>%1 mm fehlen noch</translation>
     </message>
     <message>
-        <source>%1: the worst place, %2</source>
-        <translation>%1: die schlimmste Stelle, %2</translation>
+        <source>%1: worst place, %2</source>
+        <translation>%1: schlimmste Stelle, %2</translation>
     </message>
     <message>
-        <source>%1 has no place; farthest off the ideal: %2</source>
-        <translation>%1 hat keine Stelle; am weitesten neben dem Ideal: %2</translation>
+        <source>%1 has no place on the tooth; largest deviation: %2</source>
+        <translation>%1 hat keinen Ort am Zahn; größte Abweichung: %2</translation>
     </message>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
@@ -9136,11 +9131,11 @@ ungesichert</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
-            <numerusform>Kein Vergleich mit einer Klasse: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Person.</numerusform>
-            <numerusform>Kein Vergleich mit einer Klasse: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Personen.</numerusform>
+            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Person.</numerusform>
+            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Personen.</numerusform>
         </translation>
     </message>
     <message>
@@ -9149,62 +9144,62 @@ ungesichert</translation>
         <translation>andere Regel</translation>
     </message>
     <message>
-        <source>This is the first grade here.</source>
-        <translation>Das ist hier die erste Note.</translation>
+        <source>No earlier grades.</source>
+        <translation>Keine früheren Bewertungen.</translation>
     </message>
     <message>
-        <source>Nothing cost you a point.</source>
-        <translation>Nichts hat Sie einen Punkt gekostet.</translation>
+        <source>You lost no points.</source>
+        <translation>Sie haben keine Punkte verloren.</translation>
     </message>
     <message>
-        <source>Most points went to: %1.</source>
-        <translation>Die meisten Punkte kostete: %1.</translation>
+        <source>Your biggest loss: %1.</source>
+        <translation>Ihr größter Punktverlust: %1.</translation>
     </message>
     <message>
-        <source>What cost most you knew: %1.</source>
-        <translation>Was am meisten kostete, wussten Sie: %1.</translation>
+        <source>You named your biggest loss correctly: %1.</source>
+        <translation>Sie haben Ihren größten Punktverlust richtig genannt: %1.</translation>
     </message>
     <message>
-        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
-        <translation>Sie dachten, die meisten Punkte koste „%1“; es war „%2“.</translation>
+        <source>You expected &quot;%1&quot; to be your biggest loss; it was &quot;%2&quot;.</source>
+        <translation>Sie hielten „%1“ für Ihren größten Punktverlust; es war „%2“.</translation>
     </message>
     <message>
-        <source>%1: %2, not named</source>
+        <source>%1: %2, no answer</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
-        <translation>%1: %2, nicht benannt</translation>
+        <translation>%1: %2, keine Antwort</translation>
     </message>
     <message>
-        <source>%1: %2, as you said</source>
-        <translation>%1: %2, wie Sie sagten</translation>
+        <source>%1: %2, correct</source>
+        <translation>%1: %2, richtig</translation>
     </message>
     <message>
-        <source>%1: %2, you said %3</source>
-        <translation>%1: %2, Sie sagten %3</translation>
+        <source>%1: %2, your answer: %3</source>
+        <translation>%1: %2, Ihre Antwort: %3</translation>
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1 hat keinen Ort am Zahn</translation>
     </message>
     <message>
-        <source>%1: the worst place</source>
+        <source>%1: worst place</source>
         <extracomment>%1 a criterion of a score</extracomment>
-        <translation>%1: die schlimmste Stelle</translation>
+        <translation>%1: schlimmste Stelle</translation>
     </message>
     <message>
-        <source>Held for %1 of %2 s, %3 N off on the average</source>
-        <translation>%1 von %2 s gehalten, im Mittel %3 N daneben</translation>
+        <source>Held for %1 of %2 s, mean deviation %3 N</source>
+        <translation>%1 von %2 s gehalten, mittlere Abweichung %3 N</translation>
     </message>
     <message>
         <source>All points were touched</source>
         <translation>Alle Punkte wurden berührt</translation>
     </message>
     <message>
-        <source>%1 of %2 points touched; the ring marks one that was not</source>
-        <translation>%1 von %2 Punkten berührt; der Ring zeigt einen, der fehlt</translation>
+        <source>%1 of %2 points touched; the ring marks a missed point</source>
+        <translation>%1 von %2 Punkten berührt; der Ring markiert einen ausgelassenen</translation>
     </message>
     <message>
-        <source>Log in and keep it</source>
-        <translation>Anmelden und behalten</translation>
+        <source>Log in and save</source>
+        <translation>Anmelden und speichern</translation>
     </message>
     <message>
         <source>Drilled with the hardness preset %1.</source>
@@ -9212,17 +9207,17 @@ ungesichert</translation>
         <translation>Gebohrt mit der Härte-Voreinstellung %1.</translation>
     </message>
     <message>
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
         <extracomment>%1 is a number of people</extracomment>
-        <translation>Kein Vergleich mit einer Klasse: Dazu braucht es %1 Personen, damit niemand erkennbar ist, und hier ist nur Ihr Ergebnis.</translation>
+        <translation>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig, und hier ist nur Ihr Ergebnis.</translation>
     </message>
     <message>
-        <source>You are not logged in, so this grade is not kept.</source>
-        <translation>Sie sind nicht angemeldet, darum wird diese Bewertung nicht behalten.</translation>
+        <source>You are not logged in, so this grade is not saved.</source>
+        <translation>Sie sind nicht angemeldet, darum wird diese Bewertung nicht gespeichert.</translation>
     </message>
     <message>
-        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
-        <translation>Diese Bewertung ist auf diesem Computer aufgehoben. Die Datenbank der Schule bekommt sie, sobald sie zu erreichen ist.</translation>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>Diese Bewertung ist auf diesem Computer gespeichert. Sie wird an die Datenbank der Schule gesendet, sobald die Verbindung wieder besteht.</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9237,8 +9232,8 @@ ungesichert</translation>
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>Score card on paper</source>
-        <translation>Bewertungsblatt auf Papier</translation>
+        <source>Save or print the score card</source>
+        <translation>Bewertungsblatt speichern oder drucken</translation>
     </message>
     <message>
         <source>Save as PDF …</source>
@@ -9257,33 +9252,33 @@ ungesichert</translation>
         <translation>Bewertung von %1: %2</translation>
     </message>
     <message>
-        <source>Expected by the student: %1 points.</source>
+        <source>The student expected %1 points.</source>
         <translation>Vom Studierenden erwartet: %1 Punkte.</translation>
     </message>
     <message>
-        <source>Passed, as the teacher decided</source>
-        <translation>Bestanden, wie die Lehrkraft entschied</translation>
+        <source>Passed (teacher&apos;s decision)</source>
+        <translation>Bestanden (Entscheidung der Lehrkraft)</translation>
     </message>
     <message>
-        <source>Not passed, as the teacher decided</source>
-        <translation>Nicht bestanden, wie die Lehrkraft entschied</translation>
+        <source>Not passed (teacher&apos;s decision)</source>
+        <translation>Nicht bestanden (Entscheidung der Lehrkraft)</translation>
     </message>
     <message>
-        <source>The machine&apos;s score: %1</source>
+        <source>Automatic score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
-        <translation>Ergebnis der Maschine: %1</translation>
+        <translation>Automatische Bewertung: %1</translation>
     </message>
     <message>
-        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
-        <translation>Von diesem Versuch gibt es keine lesbare Aufzeichnung: Er kann nicht abgespielt werden, und es gibt kein Bild des Zahns. Die Punktzahl und was Punkte gekostet hat stehen hier so, wie sie aufbewahrt wurden.</translation>
+        <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
+        <translation>Von diesem Versuch gibt es keine lesbare Aufzeichnung. Er kann nicht abgespielt werden, und der Zahn wird nicht gezeigt. Punktzahl und Punktverluste werden so gezeigt, wie sie gespeichert wurden.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
-        <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte.</translation>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
+        <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei.</translation>
     </message>
     <message>
-        <source>This grade is not kept: it will not be here next time.</source>
-        <translation>Diese Bewertung wird nicht aufbewahrt: Beim nächsten Mal ist sie nicht mehr da.</translation>
+        <source>This grade is not saved and will not be here next time.</source>
+        <translation>Diese Bewertung wird nicht gespeichert und ist beim nächsten Mal nicht mehr da.</translation>
     </message>
     <message>
         <source>Next time</source>

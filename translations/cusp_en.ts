@@ -101,10 +101,10 @@
 <context>
     <name>app::Application</name>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>%n attempt on this computer cannot be given to this school: it does not know whose it is, or it was signed with another station.key. It waits.</numerusform>
-            <numerusform>%n attempts on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</numerusform>
+            <numerusform>%n attempt on this computer cannot be sent to this school: the student is unknown, or another station.key signed it. It stays on this computer.</numerusform>
+            <numerusform>%n attempts on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -433,10 +433,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
-            <numerusform>%n grade is not kept yet, and would be lost.</numerusform>
-            <numerusform>%n grades are not kept yet, and would be lost.</numerusform>
+            <numerusform>%n grade is not saved yet and would be lost.</numerusform>
+            <numerusform>%n grades are not saved yet and would be lost.</numerusform>
         </translation>
     </message>
 </context>
@@ -458,10 +458,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
-            <numerusform>%n step taken back</numerusform>
-            <numerusform>%n steps taken back</numerusform>
+            <numerusform>%n step undone</numerusform>
+            <numerusform>%n steps undone</numerusform>
         </translation>
     </message>
 </context>
@@ -541,11 +541,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
-            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person.</numerusform>
-            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n people.</numerusform>
+            <numerusform>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person.</numerusform>
+            <numerusform>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n people.</numerusform>
         </translation>
     </message>
 </context>

@@ -351,12 +351,12 @@
 <context>
     <name>Breach</name>
     <message>
-        <source>The pulp is open</source>
-        <translation>La pulpa está abierta</translation>
+        <source>The pulp is exposed</source>
+        <translation>La pulpa está expuesta</translation>
     </message>
     <message>
-        <source>There is a hole through the tooth</source>
-        <translation>Hay un orificio que atraviesa el diente</translation>
+        <source>The tooth is perforated</source>
+        <translation>El diente está perforado</translation>
     </message>
     <message>
         <source>Deeper than %1 mm</source>
@@ -367,39 +367,39 @@
         <translation>La cresta marginal mide menos de %1 mm</translation>
     </message>
     <message>
-        <source>Cut where nothing was to be cut</source>
-        <translation>Se talló donde no había nada que tallar</translation>
+        <source>Cut outside the target area</source>
+        <translation>Se talló fuera de la zona prevista</translation>
     </message>
     <message>
-        <source>Pressed with %1 N, allowed are %2 N</source>
-        <translation>Se presionó con %1 N; se permiten %2 N</translation>
+        <source>Pressed with %1 N; the limit is %2 N</source>
+        <translation>Se presionó con %1 N; el límite es %2 N</translation>
     </message>
     <message>
-        <source>The bur has run in the air for %1 s</source>
-        <translation>La fresa giró en el aire durante %1 s</translation>
+        <source>The bur ran without contact for %1 s</source>
+        <translation>La fresa giró sin contacto durante %1 s</translation>
     </message>
     <message>
         <source>Cut with a bur that this lesson does not allow</source>
         <translation>Se talló con una fresa que esta lección no permite</translation>
     </message>
     <message>
-        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
-        <translation>Una pulpa abierta suele morir: los odontoblastos cortados no se recuperan. Mire el corte y conserve medio milímetro de dentina.</translation>
+        <source>An exposed pulp usually dies, because cut odontoblasts do not recover. Watch the section and leave half a millimetre of dentin.</source>
+        <translation>Una pulpa expuesta suele morir, porque los odontoblastos cortados no se recuperan. Observe el corte y deje medio milímetro de dentina.</translation>
     </message>
     <message>
-        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <source>A perforated tooth is usually lost. Watch the depth in the section.</source>
         <translation>Un diente perforado suele perderse. Vigile la profundidad en el corte.</translation>
     </message>
     <message>
-        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
-        <translation>Lo que es más profundo de lo necesario debilita el diente y se acerca a la pulpa. El corte muestra a qué profundidad está.</translation>
+        <source>Cutting deeper than necessary weakens the tooth and comes close to the pulp. The section shows how deep you are.</source>
+        <translation>Tallar más de lo necesario debilita el diente y se acerca a la pulpa. El corte muestra a qué profundidad está.</translation>
     </message>
     <message>
         <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
         <translation>Una cresta marginal delgada se rompe bajo carga. Detenga antes el borde exterior de la fresa.</translation>
     </message>
     <message>
-        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <source>Sound tissue does not grow back. The dashed line in the section shows what to cut.</source>
         <translation>El tejido sano no vuelve a crecer. La línea discontinua del corte muestra lo que hay que tallar.</translation>
     </message>
     <message>
@@ -407,19 +407,19 @@
         <translation>Alrededor de 1 N es lo que mejor corta; más calienta la pulpa, frena la turbina y resbala. Deje trabajar a la fresa.</translation>
     </message>
     <message>
-        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>Una fresa que gira sin vigilancia hiere labios y mejillas. Deténgala cuando no esté tallando.</translation>
+        <source>A running bur can injure lips and cheeks. Stop it when you are not cutting.</source>
+        <translation>Una fresa en marcha puede herir labios y mejillas. Deténgala cuando no esté tallando.</translation>
     </message>
     <message>
-        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
-        <translation>Otra forma deja otra cavidad. Elija una fresa que la lección nombre.</translation>
+        <source>The shape of the bur determines the shape of the cavity. Choose a bur that the lesson lists.</source>
+        <translation>La forma de la fresa determina la forma de la cavidad. Elija una fresa que indique la lección.</translation>
     </message>
     <message>
-        <source>The tooth beside was touched by the turning bur</source>
+        <source>The running bur touched the adjacent tooth</source>
         <translation>La fresa en marcha tocó el diente adyacente</translation>
     </message>
     <message>
-        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <source>A nick in the adjacent tooth collects plaque and decays. Stay inside the outline; N shows the adjacent teeth.</source>
         <translation>Una muesca en el diente adyacente retiene placa y se caria. No salga del contorno; N muestra los dientes adyacentes.</translation>
     </message>
 </context>
@@ -466,8 +466,8 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
-        <translation>Esmalte y dentina al lado de la caries y debajo de ella. Lo que queda justo encima de la caries debe quitarse y no se cuenta.</translation>
+        <source>Enamel and dentin beside and below the decay. Tissue directly above the decay must be removed and is not counted.</source>
+        <translation>Esmalte y dentina al lado y debajo de la caries. El tejido situado justo encima de la caries debe quitarse y no se cuenta.</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -487,8 +487,8 @@
         <translation>hasta %1 %2</translation>
     </message>
     <message>
-        <source>Not measured, so the attempt fails: %1 points that were left</source>
-        <translation>No se midió, así que el intento no se aprueba: %1 puntos que quedaban</translation>
+        <source>Not measured, so the attempt fails and the remaining %1 points are lost</source>
+        <translation>No se midió, así que el intento no se aprueba y se pierden los %1 puntos restantes</translation>
     </message>
     <message>
         <source>Not measured, so it earns none of its %1 points</source>
@@ -499,13 +499,13 @@
         <translation>%1: nada perdido</translation>
     </message>
     <message>
-        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <source>Allowed: %1. The attempt fails and the remaining %2 points are lost</source>
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
-        <translation>Se permite %1; no se aprueba el intento y se pierden los %2 puntos que quedaban</translation>
+        <translation>Se permite: %1. El intento no se aprueba y se pierden los %2 puntos restantes</translation>
     </message>
     <message>
-        <source>%1 %2 too far off; a worse error decides</source>
-        <translation>%1 %2 de desviación de más; decide un error mayor</translation>
+        <source>%1 %2 outside the limit; a more serious error decides</source>
+        <translation>%1 %2 fuera del límite; decide un error más grave</translation>
     </message>
     <message>
         <source>%1; beyond it all of its %2 points are lost</source>
@@ -516,8 +516,8 @@
         <translation>(%1) / %2 %3 × %4 puntos</translation>
     </message>
     <message>
-        <source>%1, no more than all of them</source>
-        <translation>%1, no más que todos</translation>
+        <source>%1, at most all of them</source>
+        <translation>%1, como máximo todos</translation>
     </message>
     <message>
         <source>%1 has reached %2</source>
@@ -526,11 +526,11 @@
     </message>
     <message>
         <source>None of its %1 points are earned before %2</source>
-        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>No se gana ninguno de sus %1 puntos hasta que %2</translation>
     </message>
     <message>
-        <source>%1 of the decay is out</source>
+        <source>%1 of the decay is removed</source>
         <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
         <translation>se haya quitado el %1 de la caries</translation>
     </message>
@@ -543,8 +543,8 @@
         <translation>se haya tallado el %1 de la forma</translation>
     </message>
     <message>
-        <source>The value that was measured here is not stored</source>
-        <translation>El valor que se midió aquí no está guardado</translation>
+        <source>The measured value was not saved</source>
+        <translation>El valor medido no se guardó</translation>
     </message>
 </context>
 <context>
@@ -726,7 +726,7 @@
         <translation>No se puede abrir el escaneo. %1</translation>
     </message>
     <message>
-        <source>The tooth cannot be made. %1</source>
+        <source>The tooth cannot be created. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>No se puede crear el diente. %1</translation>
     </message>
@@ -741,9 +741,9 @@
         <translation>La grabación no se guardó. %1</translation>
     </message>
     <message>
-        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <source>Grades will not be saved; drilling and grading still work. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Las calificaciones no se conservarán; aun así puede tallar y recibir calificación. %1</translation>
+        <translation>Las calificaciones no se guardarán; aun así puede tallar y recibir calificación. %1</translation>
     </message>
     <message>
         <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
@@ -758,14 +758,14 @@
         <translation>El archivo no lo escribió este Cusp, o lo escribió uno más antiguo.</translation>
     </message>
     <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <source>The lesson cannot be started; your work is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>No se puede dar la lección; lo que había en la mesa sigue ahí. %1</translation>
+        <translation>No se puede empezar la lección; su trabajo no ha cambiado. %1</translation>
     </message>
     <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
+        <source>The work cannot be graded; it is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>No se puede calificar el trabajo; está como estaba. %1</translation>
+        <translation>No se puede calificar el trabajo; no ha cambiado. %1</translation>
     </message>
     <message>
         <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
@@ -777,9 +777,9 @@
         <translation>Este intento no se conserva en el disco mientras trabaja. %1</translation>
     </message>
     <message>
-        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <source>An unfinished attempt cannot be resumed. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Un intento que no se terminó no se puede reanudar. %1</translation>
+        <translation>Un intento sin terminar no se puede reanudar. %1</translation>
     </message>
     <message>
         <source>Nothing has been cut yet that could be a reference.</source>
@@ -791,8 +791,8 @@
         <translation>La referencia no se guardó. %1</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
-        <translation>Otro programa está escribiendo en los datos de la escuela. Inténtelo de nuevo en un momento.</translation>
+        <source>Another program is writing to the school&apos;s database. Try again in a moment.</source>
+        <translation>Otro programa está escribiendo en la base de datos de la escuela. Inténtelo de nuevo en un momento.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
@@ -803,8 +803,8 @@
         <translation>Su función no lo permite.</translation>
     </message>
     <message>
-        <source>Name or password is wrong.</source>
-        <translation>El nombre o la contraseña no son correctos.</translation>
+        <source>Wrong username or password.</source>
+        <translation>El nombre de usuario o la contraseña no son correctos.</translation>
     </message>
     <message>
         <source>Too many logins have failed. Wait a moment and try again.</source>
@@ -815,9 +815,9 @@
         <translation>Elija primero una contraseña.</translation>
     </message>
     <message>
-        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <source>The school&apos;s data cannot be shown now; your work is saved. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Lo que guarda la escuela no se puede mostrar ahora; lo que usted hace se conserva. %1</translation>
+        <translation>Los datos de la escuela no se pueden mostrar ahora; su trabajo se guarda. %1</translation>
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
@@ -833,8 +833,8 @@
         <translation>No se hizo, y nada ha cambiado. %1</translation>
     </message>
     <message>
-        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
-        <translation>Un intento en camino a la escuela está dañado y se apartó, en la carpeta «outbox/damaged». Todo lo demás se guarda como siempre.</translation>
+        <source>An attempt that was to be sent to the school is damaged. It was moved to the folder “outbox/damaged”. Everything else is saved as usual.</source>
+        <translation>Un intento que se iba a enviar a la escuela está dañado. Se movió a la carpeta «outbox/damaged». Todo lo demás se guarda como siempre.</translation>
     </message>
     <message>
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
@@ -853,9 +853,9 @@
         <translation>El servidor de la escuela no responde. Inténtelo de nuevo cuando responda.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <source>This grade is not saved yet; Cusp tries again while it runs. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Esta calificación aún no está guardada; se vuelve a intentar mientras Cusp esté abierto. %1</translation>
+        <translation>Esta calificación aún no está guardada; Cusp lo vuelve a intentar mientras esté abierto. %1</translation>
     </message>
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
@@ -1819,8 +1819,8 @@
 <context>
     <name>Health</name>
     <message>
-        <source>The handpiece is gone: no force. Plug it in again.</source>
-        <translation>La pieza de mano ya no está: no hay fuerza. Conéctela de nuevo.</translation>
+        <source>The handpiece is disconnected: no force. Plug it in again.</source>
+        <translation>La pieza de mano está desconectada: sin fuerza. Vuelva a conectarla.</translation>
     </message>
     <message>
         <source>The computer was too slow: the recording has a gap.</source>
@@ -1835,31 +1835,31 @@
         <translation>Fuerza en su límite</translation>
     </message>
     <message>
-        <source>The bur is inside the tooth: lift it out, then it works.</source>
-        <translation>La fresa está dentro del diente: sáquela y volverá a funcionar.</translation>
+        <source>The bur is inside the tooth. Lift it out to continue.</source>
+        <translation>La fresa está dentro del diente. Sáquela para continuar.</translation>
     </message>
     <message>
-        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
-        <translation>La pieza de mano responde tarde: el diente se nota más blando.</translation>
+        <source>The handpiece responds late: the tooth feels softer.</source>
+        <translation>La pieza de mano responde tarde: el diente se siente más blando.</translation>
     </message>
     <message>
-        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
-        <translation>La pieza de mano devuelve su mano sobre el diente. Oponga resistencia y la soltará.</translation>
+        <source>The handpiece guides your hand back over the tooth. Push against it to stop.</source>
+        <translation>La pieza de mano guía su mano de vuelta sobre el diente. Empuje en contra para detenerla.</translation>
     </message>
     <message>
-        <source>The outline holds your hand: Q lets it go.</source>
-        <translation>El contorno retiene su mano: Q la suelta.</translation>
+        <source>The outline holds your hand. Press Q to release it.</source>
+        <translation>El contorno retiene su mano. Pulse Q para soltarla.</translation>
     </message>
 </context>
 <context>
     <name>HistoryPanel</name>
     <message>
-        <source>Whole tooth</source>
+        <source>Intact tooth</source>
         <translation>Diente intacto</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Intacto de nuevo</translation>
+        <source>Tooth reset</source>
+        <translation>Diente restablecido</translation>
     </message>
     <message>
         <source>%1 mm³ %2</source>
@@ -1902,7 +1902,7 @@
         <translation>radiografía</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>colores de profundidad</translation>
     </message>
     <message>
@@ -1950,13 +1950,13 @@
         <translation>tope de profundidad</translation>
     </message>
     <message>
-        <source>%1, give or take %2, costs nothing</source>
+        <source>%1 ± %2 costs nothing</source>
         <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
-        <translation>%1, más o menos %2, no cuesta nada</translation>
+        <translation>%1 ± %2 no cuesta nada</translation>
     </message>
     <message>
-        <source>From %1 up costs nothing</source>
-        <translation>Desde %1 no cuesta nada</translation>
+        <source>%1 or more costs nothing</source>
+        <translation>%1 o más no cuesta nada</translation>
     </message>
     <message>
         <source>Up to %1 costs nothing</source>
@@ -2008,7 +2008,7 @@
     </message>
     <message>
         <source> as soon as %1</source>
-        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation> en cuanto %1</translation>
     </message>
     <message>
@@ -2017,9 +2017,9 @@
         <translation>examen</translation>
     </message>
     <message>
-        <source>on the table</source>
+        <source>in progress</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
-        <translation>sobre la mesa</translation>
+        <translation>en curso</translation>
     </message>
     <message>
         <source>due since %1</source>
@@ -2039,8 +2039,8 @@
         <translation>vence: %1</translation>
     </message>
     <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
-        <translation>Ha agotado sus intentos en esta lección. Su docente puede darle más.</translation>
+        <source>You have no attempts left at this lesson. Your teacher can give you more.</source>
+        <translation>No le quedan intentos en esta lección. Su docente puede darle más.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n day(s) late</source>
@@ -2056,15 +2056,15 @@
         <translation>sin más intentos</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Su último intento en este examen se empezó en otra ventana. Lo que se cortó aquí no cuenta.</translation>
+        <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
+        <translation>Su último intento en este examen se empezó en otra ventana. El trabajo de esta ventana no cuenta.</translation>
     </message>
 </context>
 <context>
     <name>Login</name>
     <message>
-        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
-        <translation>El nombre o la contraseña no son correctos. Inténtelo de nuevo o pida un código de un solo uso a un administrador.</translation>
+        <source>Wrong username or password. Try again, or ask an admin for a one-time code.</source>
+        <translation>El nombre de usuario o la contraseña no son correctos. Inténtelo de nuevo o pida un código de un solo uso a un administrador.</translation>
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
@@ -2074,20 +2074,20 @@
         </translation>
     </message>
     <message>
-        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
-        <translation>Entretanto se ha registrado a alguien aquí. Inicie sesión como administrador.</translation>
+        <source>A user was added here in the meantime. Log in as an admin.</source>
+        <translation>Entretanto se ha añadido un usuario. Inicie sesión como administrador.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>El servidor de la escuela no responde. Inténtelo de nuevo o practique sin iniciar sesión.</translation>
     </message>
     <message>
-        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>Una contraseña tiene ocho caracteres o más, no contiene el nombre y no es una de las que todos prueban primero, como «password1».</translation>
+        <source>A password has at least eight characters, does not contain the username and is not a common one such as &quot;password1&quot;.</source>
+        <translation>Una contraseña tiene al menos ocho caracteres, no contiene el nombre de usuario y no es una habitual como «password1».</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
-        <translation>Otro programa está escribiendo en los datos de la escuela y entretanto nadie puede entrar. Inténtelo de nuevo en un momento.</translation>
+        <source>Another program is writing to the school&apos;s database, so nobody can log in. Try again in a moment.</source>
+        <translation>Otro programa está escribiendo en la base de datos de la escuela, así que nadie puede iniciar sesión. Inténtelo de nuevo en un momento.</translation>
     </message>
 </context>
 <context>
@@ -2221,18 +2221,13 @@
 <context>
     <name>Section</name>
     <message>
-        <source>surface before anything was cut</source>
-        <extracomment>In the key of a picture, beside a line</extracomment>
-        <translation>superficie antes de tallar</translation>
-    </message>
-    <message>
         <source>The plane does not meet the tooth here.</source>
         <translation>El plano no toca aquí el diente.</translation>
     </message>
     <message>
-        <source>surface before</source>
-        <extracomment>The same, where a second line stands beside it</extracomment>
-        <translation>superficie anterior</translation>
+        <source>original surface</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
+        <translation>superficie original</translation>
     </message>
     <message>
         <source>ideal preparation</source>
@@ -2304,7 +2299,7 @@
         <translation>radiografía</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>colores de profundidad</translation>
     </message>
     <message>
@@ -2316,7 +2311,7 @@
         <translation>ideal</translation>
     </message>
     <message>
-        <source>No aid in use</source>
+        <source>No aids in use</source>
         <translation>Ninguna ayuda en uso</translation>
     </message>
     <message>
@@ -2332,8 +2327,8 @@
         <translation>Rehecho</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>Intacto de nuevo</translation>
+        <source>Tooth reset</source>
+        <translation>Diente restablecido</translation>
     </message>
     <message>
         <source>Bur %1: %2</source>
@@ -2344,11 +2339,11 @@
         <translation>Nota %1</translation>
     </message>
     <message>
-        <source>The hand was led home</source>
+        <source>The hand was guided back</source>
         <translation>Se llevó la mano de vuelta</translation>
     </message>
     <message>
-        <source>Taken up again</source>
+        <source>Resumed</source>
         <translation>Reanudado</translation>
     </message>
     <message>
@@ -2356,13 +2351,13 @@
         <translation>color de la fresa</translation>
     </message>
     <message>
-        <source>held within the outline</source>
-        <translation>retenida dentro del contorno</translation>
+        <source>guided hand</source>
+        <translation>mano guiada</translation>
     </message>
     <message>
-        <source>%1 pad: said to be %2</source>
+        <source>%1 pad: answer %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
-        <translation>%1: se dijo %2</translation>
+        <translation>%1: respuesta %2</translation>
     </message>
     <message>
         <source>Handpiece: %1</source>
@@ -2462,14 +2457,14 @@
         <translation>%1 de más</translation>
     </message>
     <message>
-        <source>%1 to go</source>
+        <source>%1 to cut</source>
         <extracomment>%1 is a length: so much is still to be taken away</extracomment>
         <translation>faltan %1</translation>
     </message>
     <message>
-        <source>off the ideal, mm</source>
+        <source>deviation, mm</source>
         <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
-        <translation>desviación del ideal, mm</translation>
+        <translation>desviación, mm</translation>
     </message>
 </context>
 <context>
@@ -2588,12 +2583,12 @@
         <translation>Leyendo %1 …</translation>
     </message>
     <message>
-        <source>The tooth is whole, and yours to drill.</source>
-        <translation>El diente está intacto y es suyo para tallar.</translation>
+        <source>The tooth is intact. You can start drilling.</source>
+        <translation>El diente está intacto. Puede empezar a tallar.</translation>
     </message>
     <message>
-        <source>This is your own work again, as you left it.</source>
-        <translation>Aquí está de nuevo su propio trabajo, tal como lo dejó.</translation>
+        <source>You are back in your own work.</source>
+        <translation>Ha vuelto a su propio trabajo.</translation>
     </message>
     <message>
         <source>The tooth is not ready yet. Try again in a moment.</source>
@@ -2612,15 +2607,15 @@
         <translation>Preparando la lección …</translation>
     </message>
     <message>
-        <source>Taking up the attempt …</source>
+        <source>Resuming the attempt …</source>
         <translation>Reanudando el intento …</translation>
     </message>
     <message>
-        <source>Your attempt goes on where it was left.</source>
+        <source>Your attempt continues where you stopped.</source>
         <translation>Su intento continúa donde lo dejó.</translation>
     </message>
     <message>
-        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
         <translation>Este intento se hizo con otro dispositivo, así que no se puede continuar. Se conserva.</translation>
     </message>
     <message>
@@ -2628,7 +2623,7 @@
         <translation>La referencia se guardó como %1. Una lección la nombra, o elíjala en el editor de una lección sobre este diente.</translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>Este ejercicio aún no ha empezado, así que no hay nada que calificar.</translation>
     </message>
     <message>
@@ -2652,24 +2647,24 @@
         <translation>Ningún docente ha grabado esta lección, así que la muestra una mano simulada.</translation>
     </message>
     <message>
-        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
-        <translation>Ningún docente ha grabado esta lección, y una mano simulada no la consigue.</translation>
+        <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
+        <translation>Ningún docente ha grabado esta lección, y la mano simulada no puede hacerla.</translation>
     </message>
     <message>
-        <source>No pad has been named yet: say beneath the view what each is made of.</source>
-        <translation>Aún no se ha nombrado ningún campo: diga debajo de la vista de qué está hecho cada uno.</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>Ningún campo tiene respuesta todavía. Elija debajo de la vista de qué está hecho cada campo.</translation>
     </message>
     <message>
         <source>The attempt is no longer there.</source>
         <translation>El intento ya no está.</translation>
     </message>
     <message>
-        <source>Working out the score card …</source>
+        <source>Preparing the score card …</source>
         <translation>Preparando la hoja de puntuación …</translation>
     </message>
     <message>
-        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation>Los datos de la escuela están en una unidad de red: solo un ordenador a la vez puede usarlos. Para varios, guárdelos en un servidor PostgreSQL.</translation>
+        <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
+        <translation>La base de datos de la escuela está en una unidad de red, donde solo puede usarla un ordenador a la vez. Para varios ordenadores, use un servidor PostgreSQL.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -2684,27 +2679,27 @@
         <translation>La copia de seguridad no se restauró; no se ha cambiado nada. %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>%n intento de este ordenador no se puede entregar a esta escuela: no sabe de quién es, o se firmó con otro station.key. Queda en espera.</numerusform>
-            <numerusform>%n intentos de este ordenador no se pueden entregar a esta escuela: no sabe de quién son, o se firmaron con otro station.key. Quedan en espera.</numerusform>
+            <numerusform>%n intento de este ordenador no se puede enviar a esta escuela: el estudiante es desconocido, o se firmó con otro station.key. Se queda en este ordenador.</numerusform>
+            <numerusform>%n intentos de este ordenador no se pueden enviar a esta escuela: el estudiante es desconocido, o se firmaron con otro station.key. Se quedan en este ordenador.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The backup of %1 is in place.</source>
+        <source>The backup of %1 was restored.</source>
         <extracomment>%2: a file&apos;s name</extracomment>
-        <translation>La copia del %1 está en su sitio.</translation>
+        <translation>Se restauró la copia del %1.</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <translation>La copia del %1 está en su sitio. El archivo que había se conserva a su lado como %2.</translation>
+        <source>The backup of %1 was restored. The previous file is kept next to it as %2.</source>
+        <translation>Se restauró la copia del %1. El archivo anterior se conserva a su lado como %2.</translation>
     </message>
     <message>
         <source>This account was disabled, and you were logged out. Ask an admin.</source>
         <translation>Esta cuenta se ha desactivado y se ha cerrado su sesión. Pregunte a la administración.</translation>
     </message>
     <message>
-        <source>The grade that could not be kept is kept now.</source>
+        <source>The grade that could not be saved is now saved.</source>
         <translation>La calificación que no se pudo guardar ya está guardada.</translation>
     </message>
     <message>
@@ -2728,8 +2723,8 @@
         <translation>Se ha cambiado su papel y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
     </message>
     <message>
-        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
-        <translation>Está en un examen: los intentos anteriores se abren cuando termine. Pulse G para la calificación o tome otra lección.</translation>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>Los intentos anteriores no están disponibles durante un examen. Pulse G para terminar el examen o empiece otra lección.</translation>
     </message>
     <message>
         <source>Another school is now where yours was, and you were logged out. Log in again.</source>
@@ -2751,7 +2746,7 @@
         <translation>La hoja de puntuación se guardó como %1.</translation>
     </message>
     <message>
-        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The score card could not be written. Choose another folder, or free some disk space.</source>
         <translation>La hoja de puntuación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
     <message>
@@ -2759,11 +2754,11 @@
         <translation>La hoja de puntuación se imprimió.</translation>
     </message>
     <message>
-        <source>The printer did not take the score card.</source>
-        <translation>La impresora no aceptó la hoja de puntuación.</translation>
+        <source>The score card could not be printed.</source>
+        <translation>No se pudo imprimir la hoja de puntuación.</translation>
     </message>
     <message>
-        <source>The score card is being made …</source>
+        <source>Creating the score card …</source>
         <translation>Preparando la hoja de puntuación …</translation>
     </message>
     <message>
@@ -3090,8 +3085,8 @@
         <translation>Buscar: un nombre, un grupo, un papel</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Nombre para iniciar sesión</translation>
+        <source>Username</source>
+        <translation>Nombre de usuario</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -3266,8 +3261,8 @@
         <translation>El código de un solo uso de %1, arriba, ya no dejaría entrar a nadie: ¿crear otro?</translation>
     </message>
     <message>
-        <source>The name to log in with is missing.</source>
-        <translation>Falta el nombre para iniciar sesión.</translation>
+        <source>The username is missing.</source>
+        <translation>Falta el nombre de usuario.</translation>
     </message>
     <message numerus="yes">
         <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
@@ -3804,8 +3799,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Tiempo entre dos ciclos del servo: 99 de cada 100 del último segundo fueron más cortos.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
-        <translation>Se comparan dos ajustes a ciegas: hasta que termine no se dice qué se siente. «Terminar la comparación», junto al diente, le pone fin.</translation>
+        <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>Hay en curso una comparación a ciegas de dos ajustes, así que sus valores están ocultos. «Terminar la comparación», junto al diente, le pone fin.</translation>
     </message>
 </context>
 <context>
@@ -3843,12 +3838,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Giro</translation>
     </message>
     <message>
-        <source>Depth below the old surface</source>
-        <translation>Bajo la superficie anterior</translation>
+        <source>Depth below original surface</source>
+        <translation>Bajo la superficie original</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was, straight up.</source>
-        <translation>A qué distancia está la punta por debajo de la superficie original, en vertical.</translation>
+        <source>Vertical depth of the tip below the original surface.</source>
+        <translation>Profundidad vertical de la punta bajo la superficie original.</translation>
     </message>
     <message>
         <source>Dentin left over the pulp</source>
@@ -3947,8 +3942,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Radiografía: %1</translation>
     </message>
     <message>
-        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
-        <translation>La corona entre sus dos vecinos. Son dientes sanos hechos por Cusp, y se tocan.</translation>
+        <source>The crown between two sound neighbours made by Cusp, with contact points.</source>
+        <translation>La corona entre dos vecinos sanos hechos por Cusp, con puntos de contacto.</translation>
     </message>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
@@ -4935,8 +4930,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>Log in, so that your attempts are kept.</source>
-        <translation>Inicie sesión para que sus intentos se conserven.</translation>
+        <source>Log in to save your attempts.</source>
+        <translation>Inicie sesión para guardar sus intentos.</translation>
     </message>
     <message>
         <source>Log in</source>
@@ -4947,8 +4942,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Elegir una contraseña</translation>
     </message>
     <message>
-        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
-        <translation>El código de un solo uso es correcto. A partir de ahora iniciará sesión con una contraseña propia: ocho caracteres o más.</translation>
+        <source>The one-time code is correct. Choose your own password: at least eight characters.</source>
+        <translation>El código de un solo uso es correcto. Elija su propia contraseña: al menos ocho caracteres.</translation>
     </message>
     <message>
         <source>Set the password</source>
@@ -4959,8 +4954,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Le damos la bienvenida a Cusp</translation>
     </message>
     <message>
-        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
-        <translation>Todavía no hay nadie registrado aquí. Cree la escuela: usted será su administrador, quien registra a docentes y estudiantes. O practique ahora; entonces no se conserva nada.</translation>
+        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
+        <translation>Todavía no hay usuarios. Cree la escuela: usted será su administrador y añadirá docentes y estudiantes. O practique ahora sin guardar nada.</translation>
     </message>
     <message>
         <source>Create the school</source>
@@ -4972,16 +4967,16 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Bloqueado por %1</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left.</source>
-        <translation>El trabajo en la mesa está como se dejó.</translation>
+        <source>The work in progress is unchanged.</source>
+        <translation>El trabajo en curso no ha cambiado.</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Seguir</translation>
+        <source>Unlock</source>
+        <translation>Desbloquear</translation>
     </message>
     <message>
-        <source>Somebody else logs in</source>
-        <translation>Otra persona inicia sesión</translation>
+        <source>Switch user</source>
+        <translation>Cambiar de usuario</translation>
     </message>
     <message>
         <source>Practise now</source>
@@ -4992,8 +4987,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Practicar sin iniciar sesión</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>Nombre para iniciar sesión</translation>
+        <source>Username</source>
+        <translation>Nombre de usuario</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -5012,24 +5007,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Contraseña</translation>
     </message>
     <message>
-        <source>The password again</source>
-        <translation>La contraseña otra vez</translation>
+        <source>Confirm password</source>
+        <translation>Confirmar contraseña</translation>
     </message>
     <message>
-        <source>Drill and be graded; nothing is kept</source>
-        <translation>Tallar y recibir calificación; no se conserva nada</translation>
+        <source>Drill and get a grade; nothing is saved</source>
+        <translation>Tallar y recibir calificación; no se guarda nada</translation>
     </message>
     <message>
-        <source>The two passwords differ. Type the second one again.</source>
-        <translation>Las dos contraseñas difieren. Escriba la segunda otra vez.</translation>
+        <source>The passwords do not match. Type the second one again.</source>
+        <translation>Las contraseñas no coinciden. Escriba la segunda otra vez.</translation>
     </message>
     <message>
         <source>Language: %1</source>
         <translation>Idioma: %1</translation>
     </message>
     <message>
-        <source>Choose the language of all words</source>
-        <translation>Elegir el idioma de todos los textos</translation>
+        <source>Choose the language</source>
+        <translation>Elegir el idioma</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5041,32 +5036,32 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Restaurar copia (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>Los intentos de este ordenador que no están en ninguna copia se vuelven a registrar. Falta lo que docentes y administradores hayan registrado desde entonces. El archivo actual se conserva a su lado.</translation>
+        <source>Attempts on this computer that are in no backup are added again. Changes that teachers and admins made after the backup are lost. The current file is kept next to the restored one.</source>
+        <translation>Los intentos de este ordenador que no están en ninguna copia se añaden de nuevo. Los cambios que docentes y administradores hicieron después de la copia se pierden. El archivo actual se conserva junto al restaurado.</translation>
     </message>
     <message>
         <source>Change your password</source>
         <translation>Cambiar su contraseña</translation>
     </message>
     <message>
-        <source>The new one: eight characters or more.</source>
-        <translation>La nueva: ocho caracteres o más.</translation>
+        <source>At least eight characters.</source>
+        <translation>Al menos ocho caracteres.</translation>
     </message>
     <message>
         <source>Change the password</source>
         <translation>Cambiar la contraseña</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
+        <source>Cancel</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation>Dejarla como está</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Change my password</source>
         <translation>Cambiar mi contraseña</translation>
     </message>
     <message>
-        <source>Present password</source>
+        <source>Current password</source>
         <translation>Contraseña actual</translation>
     </message>
     <message>
@@ -5074,37 +5069,37 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Contraseña nueva</translation>
     </message>
     <message>
-        <source>The new password again</source>
-        <translation>La contraseña nueva otra vez</translation>
+        <source>Confirm new password</source>
+        <translation>Confirmar contraseña nueva</translation>
     </message>
     <message>
-        <source>This name has signs that cannot be seen. Type it again.</source>
-        <translation>Este nombre tiene signos que no se ven. Escríbalo de nuevo.</translation>
+        <source>This name contains invisible characters. Type it again.</source>
+        <translation>Este nombre contiene caracteres invisibles. Escríbalo de nuevo.</translation>
     </message>
     <message>
-        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
-        <translation>Los datos de la escuela ya no están donde estaban: no hay nadie en %1. Pero hay una copia de seguridad, que puede restaurar abajo. O cree una escuela nueva: usted será su administrador.</translation>
+        <source>The school&apos;s database was not found: %1 has no users. Restore the backup below, or create a new school and become its admin.</source>
+        <translation>No se encontró la base de datos de la escuela: %1 no contiene usuarios. Restaure la copia de seguridad abajo o cree una escuela nueva, de la que será administrador.</translation>
     </message>
     <message>
-        <source>The attempt just graded is mine; keep it</source>
-        <translation>El intento recién calificado es mío: guardarlo</translation>
+        <source>Save the attempt just graded as mine</source>
+        <translation>Guardar como mío el intento recién calificado</translation>
     </message>
     <message>
-        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <source>%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.</source>
         <extracomment>%1: a lesson or a tooth</extracomment>
-        <translation>%1: pasa a ser el intento de quien inicia sesión. Sin la marca no se guarda.</translation>
+        <translation>%1: se guarda para quien inicia sesión. Si la casilla no está marcada, el intento no se guarda.</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
-        <translation>El trabajo en la mesa está como se dejó, pero el tiempo del examen sigue corriendo.</translation>
+        <source>The work in progress is unchanged, but the exam time keeps running.</source>
+        <translation>El trabajo en curso no ha cambiado, pero el tiempo del examen sigue corriendo.</translation>
     </message>
     <message>
-        <source>Waiting for the school&apos;s data …</source>
-        <translation>Esperando los datos de la escuela …</translation>
+        <source>Waiting for the school&apos;s database …</source>
+        <translation>Esperando la base de datos de la escuela …</translation>
     </message>
     <message>
-        <source>The school&apos;s data are being opened …</source>
-        <translation>Se están abriendo los datos de la escuela …</translation>
+        <source>Opening the school&apos;s database …</source>
+        <translation>Abriendo la base de datos de la escuela …</translation>
     </message>
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
@@ -5912,12 +5907,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Historial de cambios</translation>
     </message>
     <message>
-        <source>Go to a moment: click it, or press Enter</source>
-        <translation>Ir a un momento: haga clic en él o pulse Intro</translation>
+        <source>Click a state, or press Enter, to return to it</source>
+        <translation>Haga clic en un estado, o pulse Intro, para volver a él</translation>
     </message>
     <message>
-        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
-        <translation>Cada pasada suya aparece aquí como una imagen pequeña. Haga clic en una para volver a ella; lo que vino después se conserva como una rama propia.</translation>
+        <source>Each stroke appears here as a small picture. Click a picture to go back to it. Later strokes stay as a separate branch.</source>
+        <translation>Cada pasada aparece aquí como una imagen pequeña. Haga clic en una imagen para volver a ella. Las pasadas posteriores se conservan como una rama aparte.</translation>
     </message>
 </context>
 <context>
@@ -5931,12 +5926,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Detener</translation>
     </message>
     <message>
-        <source>Stop the recording</source>
-        <translation>Detener la grabación</translation>
+        <source>Stop the replay</source>
+        <translation>Detener la reproducción</translation>
     </message>
     <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation>Dejar de mirar y volver a su propio trabajo (Esc)</translation>
+        <source>Stop the replay and return to your own work (Esc)</source>
+        <translation>Detener la reproducción y volver a su propio trabajo (Esc)</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5960,7 +5955,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Línea de tiempo</translation>
     </message>
     <message>
-        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <source>Left and Right move from stroke to stroke, Home and End to the beginning and the end.</source>
         <translation>Izquierda y derecha van de pasada en pasada; Inicio y Fin, al principio y al final.</translation>
     </message>
     <message>
@@ -5973,8 +5968,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Pasada %1, %2 s, %3</translation>
     </message>
     <message>
-        <source>Elsewhere for %1, which is no time of the attempt</source>
-        <translation>En otra parte durante %1, que no cuenta como tiempo del intento</translation>
+        <source>Interruption of %1, not counted as working time</source>
+        <translation>Interrupción de %1, no cuenta como tiempo de trabajo</translation>
     </message>
 </context>
 <context>
@@ -6044,8 +6039,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
-        <translation>Dada por un docente. La puntuación de la máquina: %1 puntos.</translation>
+        <source>Given by an instructor. Automatic score: %1 points.</source>
+        <translation>Dada por un docente. Puntuación automática: %1 puntos.</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -6053,11 +6048,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>Expected before the score was seen: %1 points</source>
-        <translation>Se esperaban antes de ver la puntuación: %1 puntos</translation>
+        <source>Self-assessment before the score: %1 points</source>
+        <translation>Autoevaluación antes de la puntuación: %1 puntos</translation>
     </message>
     <message>
-        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <source>Time %1 min; cutting force: mean %2 N, maximum %3 N</source>
         <extracomment>&quot;12:07&quot;</extracomment>
         <translation>Tiempo %1 min; fuerza al tallar: media %2 N, máxima %3 N</translation>
     </message>
@@ -6069,11 +6064,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         </translation>
     </message>
     <message>
-        <source>not kept</source>
+        <source>not met</source>
         <translation>no respetado</translation>
     </message>
     <message>
-        <source>kept</source>
+        <source>met</source>
         <translation>respetado</translation>
     </message>
     <message>
@@ -6082,20 +6077,20 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Adónde fueron los puntos</translation>
+        <source>Lost points</source>
+        <translation>Puntos perdidos</translation>
     </message>
     <message>
-        <source>On the tooth, and in a section through the place that is farthest off</source>
-        <translation>En el diente, y en un corte por el lugar más desviado</translation>
+        <source>On the tooth, and in a section through the largest deviation</source>
+        <translation>En el diente, y en un corte por la mayor desviación</translation>
     </message>
     <message>
         <source>Comments</source>
         <translation>Comentarios</translation>
     </message>
     <message>
-        <source>How it was marked and made</source>
-        <translation>Cómo se calificó y se hizo</translation>
+        <source>Details of grading and recording</source>
+        <translation>Datos de la calificación y la grabación</translation>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
@@ -6123,7 +6118,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>%1 of 100 points, pass mark %2. %3</source>
-        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: critical error&quot;</extracomment>
         <translation>%1 de 100 puntos, aprobado desde %2. %3</translation>
     </message>
     <message>
@@ -6274,8 +6269,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 <context>
     <name>ui::shell::AccountMenu</name>
     <message>
-        <source>My place</source>
-        <translation>Mi puesto</translation>
+        <source>My account</source>
+        <translation>Mi cuenta</translation>
     </message>
     <message>
         <source>Change my password …</source>
@@ -6293,15 +6288,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Fresa en marcha o parada</translation>
     </message>
     <message>
-        <source>Let the bur turn, or stop it</source>
-        <translation>Hacer girar la fresa o detenerla</translation>
+        <source>Start or stop the bur</source>
+        <translation>Poner en marcha o parar la fresa</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>
     <message>
-        <source>Take back the last stroke</source>
+        <source>Undo the last stroke</source>
         <translation>Deshacer la última pasada</translation>
     </message>
     <message>
@@ -6309,7 +6304,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Rehacer</translation>
     </message>
     <message>
-        <source>Make the stroke again that was taken back</source>
+        <source>Redo the stroke that was undone</source>
         <translation>Rehacer la pasada que se deshizo</translation>
     </message>
     <message>
@@ -6317,24 +6312,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Empezar de nuevo</translation>
     </message>
     <message>
-        <source>Make the tooth whole again; undo brings your work back</source>
-        <translation>Dejar el diente intacto de nuevo; deshacer recupera su trabajo</translation>
+        <source>Reset the tooth; Undo restores your work</source>
+        <translation>Restablecer el diente; Deshacer recupera su trabajo</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Calificar</translation>
     </message>
     <message>
-        <source>Measure what you have cut and explain the grade</source>
-        <translation>Medir lo que ha tallado y explicar la calificación</translation>
+        <source>Measure your preparation and explain the grade</source>
+        <translation>Medir su preparación y explicar la calificación</translation>
     </message>
     <message>
         <source>Handpiece</source>
         <translation>Pieza de mano</translation>
     </message>
     <message>
-        <source>Take this bur</source>
-        <translation>Tomar esta fresa</translation>
+        <source>Use this bur</source>
+        <translation>Usar esta fresa</translation>
     </message>
     <message>
         <source>Other hand</source>
@@ -6373,28 +6368,28 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Abrir una grabación</translation>
     </message>
     <message>
-        <source>Watch a saved attempt again</source>
-        <translation>Volver a ver un intento guardado</translation>
+        <source>Replay a saved attempt</source>
+        <translation>Reproducir un intento guardado</translation>
     </message>
     <message>
         <source>Window</source>
         <translation>Ventana</translation>
     </message>
     <message>
-        <source>View from the start</source>
-        <translation>Vista inicial</translation>
+        <source>Reset view</source>
+        <translation>Restablecer la vista</translation>
     </message>
     <message>
-        <source>Turn the tooth back to where it began</source>
-        <translation>Volver el diente a como estaba al principio</translation>
+        <source>Return to the initial view</source>
+        <translation>Volver a la vista inicial</translation>
     </message>
     <message>
         <source>Side panel</source>
         <translation>Panel lateral</translation>
     </message>
     <message>
-        <source>Show the figures, or put them away</source>
-        <translation>Mostrar las medidas u ocultarlas</translation>
+        <source>Show or hide the figures</source>
+        <translation>Mostrar u ocultar las medidas</translation>
     </message>
     <message>
         <source>Full screen</source>
@@ -6434,8 +6429,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Pausar la reproducción</translation>
     </message>
     <message>
-        <source>Hold the recording where it is, or let it go on</source>
-        <translation>Detener la grabación donde está o dejar que siga</translation>
+        <source>Pause or resume the replay</source>
+        <translation>Pausar o reanudar la reproducción</translation>
     </message>
     <message>
         <source>Resume the replay</source>
@@ -6446,24 +6441,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Sostener la pieza de mano desde el otro lado; la vista no cambia</translation>
     </message>
     <message>
-        <source>Lead the handpiece home</source>
+        <source>Return the handpiece</source>
         <translation>Devolver la pieza de mano</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand back over the tooth</source>
-        <translation>Dejar que la pieza de mano lleve su mano de vuelta sobre el diente</translation>
+        <source>Let the handpiece guide your hand back over the tooth</source>
+        <translation>Dejar que la pieza de mano guíe su mano de vuelta sobre el diente</translation>
     </message>
     <message>
         <source>View</source>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>Turn round</source>
-        <translation>Dar la vuelta</translation>
+        <source>Rotate 180°</source>
+        <translation>Girar 180°</translation>
     </message>
     <message>
-        <source>Look from the other side: half a circle</source>
-        <translation>Mirar desde el otro lado: media vuelta</translation>
+        <source>Look at the tooth from the opposite side</source>
+        <translation>Ver el diente desde el lado opuesto</translation>
     </message>
     <message>
         <source>Dental mirror</source>
@@ -6471,40 +6466,40 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Espejo dental</translation>
     </message>
     <message>
-        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
-        <translation>Tomar el espejo o dejarlo; arrastre el cristal, con Mayúsculas para inclinarlo</translation>
+        <source>Show or hide the mirror; drag its glass to move it, with Shift to tilt it</source>
+        <translation>Mostrar u ocultar el espejo; arrastre el cristal para moverlo, con Mayúsculas para inclinarlo</translation>
     </message>
     <message>
         <source>Light on the handpiece</source>
         <translation>Luz en la pieza de mano</translation>
     </message>
     <message>
-        <source>Let the handpiece light the cavity</source>
-        <translation>Dejar que la pieza de mano ilumine la cavidad</translation>
+        <source>Light the cavity from the handpiece</source>
+        <translation>Iluminar la cavidad desde la pieza de mano</translation>
     </message>
     <message>
-        <source>Colours of depth</source>
+        <source>Depth colours</source>
         <translation>Colores de profundidad</translation>
     </message>
     <message>
-        <source>Colour the cut by its depth and tell it under the pointer</source>
-        <translation>Colorear el tallado por su profundidad e indicarla bajo el puntero</translation>
+        <source>Colour the cut by its depth and show the depth at the pointer</source>
+        <translation>Colorear el tallado por su profundidad y mostrarla en el puntero</translation>
     </message>
     <message>
-        <source>Where the hand is</source>
-        <translation>Dónde está la mano</translation>
+        <source>Hand position</source>
+        <translation>Posición de la mano</translation>
     </message>
     <message>
         <source>Show faintly where the hand holds the bur</source>
         <translation>Mostrar tenuemente dónde sostiene la mano la fresa</translation>
     </message>
     <message>
-        <source>Colours for every eye</source>
-        <translation>Colores para todos los ojos</translation>
+        <source>Colour-blind palette</source>
+        <translation>Paleta para daltónicos</translation>
     </message>
     <message>
-        <source>Give each tissue a colour and a pattern that nobody confuses</source>
-        <translation>Dar a cada tejido un color y una trama que nadie confunde</translation>
+        <source>Give each tissue a colour and a pattern that are easy to tell apart</source>
+        <translation>Dar a cada tejido un color y una trama fáciles de distinguir</translation>
     </message>
     <message>
         <source>Wet tooth</source>
@@ -6512,8 +6507,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Diente húmedo</translation>
     </message>
     <message>
-        <source>Let the tooth shine as if it were wet</source>
-        <translation>Dejar que el diente brille como si estuviera húmedo</translation>
+        <source>Make the tooth shine as if it were wet</source>
+        <translation>Hacer que el diente brille como si estuviera húmedo</translation>
     </message>
     <message>
         <source>Stereo picture</source>
@@ -6532,19 +6527,19 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Elegir gafas o pantalla y ajustarla a sus ojos</translation>
     </message>
     <message>
-        <source>Turn left and right over</source>
-        <translation>Invertir izquierda y derecha</translation>
+        <source>Mirror horizontally</source>
+        <translation>Reflejar horizontalmente</translation>
     </message>
     <message>
         <source>For a half-silvered mirror over the hand</source>
         <translation>Para un espejo semirreflectante sobre la mano</translation>
     </message>
     <message>
-        <source>Turn up and down over</source>
-        <translation>Invertir arriba y abajo</translation>
+        <source>Mirror vertically</source>
+        <translation>Reflejar verticalmente</translation>
     </message>
     <message>
-        <source>For a screen that lies upside down over the hand</source>
+        <source>For a screen mounted upside down over the hand</source>
         <translation>Para una pantalla colocada boca abajo sobre la mano</translation>
     </message>
     <message>
@@ -6560,8 +6555,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Menos movimiento</translation>
     </message>
     <message>
-        <source>No gliding, no spinning bur</source>
-        <translation>Sin deslizamientos ni fresa girando</translation>
+        <source>No animations and no spinning bur</source>
+        <translation>Sin animaciones ni fresa girando</translation>
     </message>
     <message>
         <source>Whole mouth</source>
@@ -6580,15 +6575,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Corte</translation>
     </message>
     <message>
-        <source>Show a live cut through the bur, or put it away</source>
-        <translation>Mostrar un corte en vivo a través de la fresa u ocultarlo</translation>
+        <source>Show or hide a live section through the bur</source>
+        <translation>Mostrar u ocultar un corte en vivo a través de la fresa</translation>
     </message>
     <message>
         <source>Turn the section</source>
         <translation>Girar el corte</translation>
     </message>
     <message>
-        <source>Turn the cut about the bur by 15 degrees</source>
+        <source>Turn the section around the bur by 15 degrees</source>
         <translation>Girar el corte 15 grados alrededor de la fresa</translation>
     </message>
     <message>
@@ -6608,16 +6603,16 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Dientes adyacentes</translation>
     </message>
     <message>
-        <source>Show the teeth beside this one, and the gum</source>
-        <translation>Mostrar los dientes junto a este, y la encía</translation>
+        <source>Show the adjacent teeth and the gum</source>
+        <translation>Mostrar los dientes adyacentes y la encía</translation>
     </message>
     <message>
-        <source>Colours against the ideal</source>
-        <translation>Colores frente al ideal</translation>
+        <source>Deviation from the ideal</source>
+        <translation>Desviación del ideal</translation>
     </message>
     <message>
-        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
-        <translation>Colorear lo que es demasiado profundo y lo que falta, e indicarlo bajo el puntero</translation>
+        <source>Colour what is too deep and what is still to cut, and show the value at the pointer</source>
+        <translation>Colorear lo que es demasiado profundo y lo que falta, y mostrar el valor en el puntero</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -6632,28 +6627,28 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Historial</translation>
     </message>
     <message>
-        <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation>Mostrar a qué se puede volver, con todas las ramas, u ocultarlo</translation>
+        <source>Show or hide the undo history with all its branches</source>
+        <translation>Mostrar u ocultar el historial con todas sus ramas</translation>
     </message>
     <message>
         <source>Replay</source>
         <translation>Reproducción</translation>
     </message>
     <message>
-        <source>A stroke back</source>
-        <translation>Una pasada atrás</translation>
+        <source>Previous stroke</source>
+        <translation>Pasada anterior</translation>
     </message>
     <message>
-        <source>Go back to the end of the stroke before, and hold there</source>
-        <translation>Volver al final de la pasada anterior y detenerse allí</translation>
+        <source>Go to the end of the previous stroke and pause</source>
+        <translation>Ir al final de la pasada anterior y pausar</translation>
     </message>
     <message>
-        <source>A stroke on</source>
-        <translation>Una pasada adelante</translation>
+        <source>Next stroke</source>
+        <translation>Pasada siguiente</translation>
     </message>
     <message>
-        <source>Go on to the end of the next stroke, and hold there</source>
-        <translation>Ir al final de la pasada siguiente y detenerse allí</translation>
+        <source>Go to the end of the next stroke and pause</source>
+        <translation>Ir al final de la pasada siguiente y pausar</translation>
     </message>
     <message>
         <source>To the beginning</source>
@@ -6688,8 +6683,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Reproducir la grabación más deprisa, hasta 16 veces</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation>Tomar esta pieza de mano</translation>
+        <source>Use this handpiece</source>
+        <translation>Usar esta pieza de mano</translation>
     </message>
     <message>
         <source>Colour the bur</source>
@@ -6697,56 +6692,56 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Colorear la fresa</translation>
     </message>
     <message>
-        <source>Colour the bur by how near it is to what is to be kept</source>
-        <translation>Colorear la fresa según lo cerca que esté de lo que debe conservarse</translation>
+        <source>Colour the bur by its distance from tissue that must be kept</source>
+        <translation>Colorear la fresa según su distancia al tejido que debe conservarse</translation>
     </message>
     <message>
         <source>Guided hand</source>
         <translation>Mano guiada</translation>
     </message>
     <message>
-        <source>Let a gentle force hold the hand within the outline</source>
-        <translation>Dejar que una fuerza suave retenga la mano dentro del contorno</translation>
+        <source>A gentle force keeps the hand within the outline</source>
+        <translation>Una fuerza suave mantiene la mano dentro del contorno</translation>
     </message>
     <message>
         <source>Edit the lesson …</source>
         <translation>Editar la lección …</translation>
     </message>
     <message>
-        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
-        <translation>Cambiar el ideal y la calificación de la lección elegida en la lista</translation>
+        <source>Change the ideal and the rubric of the selected lesson</source>
+        <translation>Cambiar el ideal y la rúbrica de la lección elegida</translation>
     </message>
     <message>
-        <source>Save this attempt as the reference …</source>
+        <source>Save this attempt as a reference …</source>
         <translation>Guardar este intento como referencia …</translation>
     </message>
     <message>
-        <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>Conservar lo que ha tallado como el ideal que piden las lecciones</translation>
+        <source>Save your preparation as an ideal for lessons</source>
+        <translation>Guardar su preparación como ideal para lecciones</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
         <translation>El intento del experto</translation>
     </message>
     <message>
-        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <source>Watch how an expert does it; during a replay, beside this attempt</source>
         <translation>Ver cómo lo hace un experto; en una reproducción, junto a este intento</translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation>Otro al lado</translation>
+        <source>Compare with …</source>
+        <translation>Comparar con …</translation>
     </message>
     <message>
-        <source>Open another attempt beside this one, or put it away</source>
+        <source>Open another attempt beside this one, or close it</source>
         <translation>Abrir otro intento junto a este, o cerrarlo</translation>
     </message>
     <message>
-        <source>Be led along</source>
-        <translation>Dejarse guiar</translation>
+        <source>Guide my hand</source>
+        <translation>Guiar mi mano</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
-        <translation>Dejar que la pieza de mano guíe su mano a lo largo del intento; un empujón la suelta</translation>
+        <source>Let the handpiece guide your hand along the attempt; push against it to stop</source>
+        <translation>La pieza de mano guía su mano a lo largo del intento; empuje en contra para soltarla</translation>
     </message>
     <message>
         <source>Hardness presets</source>
@@ -6765,8 +6760,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Consola</translation>
     </message>
     <message>
-        <source>Look at parameters and turn them while you drill, or put it away</source>
-        <translation>Ver parámetros y cambiarlos mientras fresa, u ocultarla</translation>
+        <source>Show or hide parameters that you can change while you drill</source>
+        <translation>Mostrar u ocultar parámetros que puede cambiar mientras fresa</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -6781,24 +6776,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Mis intentos</translation>
     </message>
     <message>
-        <source>See how your attempts went</source>
-        <translation>Ver cómo fueron sus intentos</translation>
+        <source>See the results of your attempts</source>
+        <translation>Ver los resultados de sus intentos</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Grupos</translation>
     </message>
     <message>
-        <source>See how a class does, and who needs help</source>
-        <translation>Ver cómo va un grupo y quién necesita ayuda</translation>
+        <source>See the results of a class and who needs help</source>
+        <translation>Ver los resultados de un grupo y quién necesita ayuda</translation>
     </message>
     <message>
         <source>Take the tour</source>
         <translation>Visita guiada</translation>
     </message>
     <message>
-        <source>Be shown round, step by step</source>
-        <translation>Recorrer el programa paso a paso</translation>
+        <source>Get to know the window step by step</source>
+        <translation>Conocer la ventana paso a paso</translation>
     </message>
     <message>
         <source>School</source>
@@ -6809,20 +6804,20 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Personas, listas, copias de seguridad y el registro</translation>
     </message>
     <message>
-        <source>Log in; lock this place, change your password or the language</source>
-        <translation>Iniciar sesión; bloquear este puesto, cambiar la contraseña o el idioma</translation>
+        <source>Log in, lock this workstation, or change your password or the language</source>
+        <translation>Iniciar sesión, bloquear este puesto, cambiar la contraseña o el idioma</translation>
     </message>
     <message>
-        <source>Lock, or let another log in</source>
-        <translation>Bloquear, o que entre otra persona</translation>
+        <source>Lock or switch user</source>
+        <translation>Bloquear o cambiar de usuario</translation>
     </message>
     <message>
-        <source>Your work stays; who comes back or logs in says who he is</source>
-        <translation>Su trabajo se conserva; quien vuelva o entre dirá quién es</translation>
+        <source>Your work stays open; a password is needed to continue</source>
+        <translation>Su trabajo sigue abierto; para continuar se necesita una contraseña</translation>
     </message>
     <message>
-        <source>Close what is open here; nothing is lost</source>
-        <translation>Cierra lo que está abierto aquí; no se pierde nada</translation>
+        <source>Close this page; nothing is lost</source>
+        <translation>Cerrar esta página; no se pierde nada</translation>
     </message>
     <message>
         <source>Back to the attempts</source>
@@ -6844,12 +6839,12 @@ unsaved</source>
 sin guardar</translation>
     </message>
     <message>
-        <source>Show what was done at other computers meanwhile</source>
-        <translation>Mostrar lo que se hizo entretanto en otros ordenadores</translation>
+        <source>Show changes made on other computers</source>
+        <translation>Mostrar los cambios hechos en otros ordenadores</translation>
     </message>
     <message>
-        <source>Read again</source>
-        <translation>Leer de nuevo</translation>
+        <source>Reload</source>
+        <translation>Recargar</translation>
     </message>
 </context>
 <context>
@@ -7051,7 +7046,7 @@ sin guardar</translation>
         <translation>Control + flechas</translation>
     </message>
     <message>
-        <source>Come nearer, go back</source>
+        <source>Zoom in, zoom out</source>
         <translation>Acercarse, alejarse</translation>
     </message>
     <message>
@@ -7071,8 +7066,8 @@ sin guardar</translation>
         <translation>Sobre el diente</translation>
     </message>
     <message>
-        <source>Turn it back</source>
-        <translation>Volver la vista</translation>
+        <source>Reset view</source>
+        <translation>Restablecer la vista</translation>
     </message>
     <message>
         <source>right double-click</source>
@@ -7083,7 +7078,7 @@ sin guardar</translation>
         <translation>Inicio</translation>
     </message>
     <message>
-        <source>Move it finely</source>
+        <source>Move it in fine steps</source>
         <translation>Moverla con precisión</translation>
     </message>
     <message>
@@ -7139,8 +7134,8 @@ sin guardar</translation>
         <translation>En una lista</translation>
     </message>
     <message>
-        <source>Sort it otherwise</source>
-        <translation>Ordenar de otro modo</translation>
+        <source>Change the sorting</source>
+        <translation>Cambiar el orden</translation>
     </message>
 </context>
 <context>
@@ -7154,7 +7149,7 @@ sin guardar</translation>
         <translation>aprobado desde %1</translation>
     </message>
     <message>
-        <source>%1 by another rubric</source>
+        <source>%1 with another rubric</source>
         <translation>%1 según otra rúbrica</translation>
     </message>
     <message>
@@ -7177,16 +7172,16 @@ sin guardar</translation>
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>The tooth is whole again.</source>
-        <translation>El diente está intacto de nuevo.</translation>
+        <source>The tooth was reset.</source>
+        <translation>El diente se ha restablecido.</translation>
     </message>
     <message>
-        <source>Bring my work back</source>
+        <source>Restore my work</source>
         <translation>Recuperar mi trabajo</translation>
     </message>
     <message>
-        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
-        <translation>Cusp aún está ocupado con lo anterior y no lo hizo. Inténtelo de nuevo.</translation>
+        <source>Cusp was still busy and did not do that. Try again.</source>
+        <translation>Cusp aún estaba ocupado y no lo hizo. Inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>%1 – Cusp</source>
@@ -7217,7 +7212,7 @@ sin guardar</translation>
         <translation>Esto no es ni un escaneo (OBJ, STL, PLY) ni una grabación. Suelte uno de ellos.</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <source>This is a replay. Stop it to grade your own work.</source>
         <translation>Esto es una reproducción. Deténgala para que se califique su propio trabajo.</translation>
     </message>
     <message>
@@ -7225,28 +7220,28 @@ sin guardar</translation>
         <translation>La grabación se guardó como %1.</translation>
     </message>
     <message>
-        <source>The recording has come to its end.</source>
-        <translation>La grabación ha llegado a su fin.</translation>
+        <source>The recording has ended.</source>
+        <translation>La grabación ha terminado.</translation>
     </message>
     <message>
         <source>Stop the replay</source>
         <translation>Detener la reproducción</translation>
     </message>
     <message>
-        <source>What you have cut would be lost.</source>
-        <translation>Lo que ha tallado se perdería.</translation>
+        <source>Your work would be lost.</source>
+        <translation>Su trabajo se perdería.</translation>
     </message>
     <message>
-        <source>It has not been saved as a recording since you last cut.</source>
-        <translation>No se ha guardado como grabación desde la última vez que talló.</translation>
+        <source>Your latest cuts are not saved as a recording.</source>
+        <translation>Sus últimos cortes no están guardados como grabación.</translation>
     </message>
     <message>
         <source>&amp;Save the recording …</source>
         <translation>&amp;Guardar la grabación …</translation>
     </message>
     <message>
-        <source>Undo takes the stroke back.</source>
-        <translation>Deshacer anula la pasada.</translation>
+        <source>You can undo the stroke.</source>
+        <translation>Puede deshacer la pasada.</translation>
     </message>
     <message>
         <source>Tooth perforated</source>
@@ -7273,17 +7268,17 @@ sin guardar</translation>
         <translation>Metros</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
-        <translation>Dejarlo como está</translation>
+        <source>Keep this unit</source>
+        <translation>Mantener esta unidad</translation>
     </message>
     <message>
-        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
-        <translation>Desde abajo no se talla nada: la fresa trabaja al otro lado del diente. Vuelva a girarlo o pulse V.</translation>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
+        <translation>No se puede tallar desde abajo: la fresa está al otro lado del diente. Vuelva a girarlo o pulse V.</translation>
     </message>
     <message>
-        <source>The simulated handpiece is at work</source>
+        <source>The simulated handpiece is active</source>
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
-        <translation>La pieza de mano simulada está trabajando</translation>
+        <translation>La pieza de mano simulada está activa</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
@@ -7294,7 +7289,7 @@ sin guardar</translation>
         <translation>La imagen se guardó como %1.</translation>
     </message>
     <message>
-        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
         <translation>La imagen no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
     <message>
@@ -7306,8 +7301,8 @@ sin guardar</translation>
         <translation>Solo un diente con caries tiene una preparación ideal.</translation>
     </message>
     <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>El tiempo de esta lección ha terminado. Siga cuanto quiera o pulse G.</translation>
+        <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
+        <translation>El tiempo de esta lección ha terminado. Continúe cuanto quiera o pulse G para la calificación.</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -7318,28 +7313,28 @@ sin guardar</translation>
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>Este archivo no puede darse como lección, así que no hay nada que editar. Corrija primero lo que se indica.</translation>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>Este archivo no es una lección válida, así que no se puede editar. Corrija primero los errores indicados.</translation>
     </message>
     <message>
         <source>Captured ideals (%1)</source>
         <translation>Ideales capturados (%1)</translation>
     </message>
     <message>
-        <source>You held against it, so your hand is free. Press A to be led again.</source>
-        <translation>Opuso resistencia, así que su mano está libre. Pulse A para que se le guíe de nuevo.</translation>
+        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
+        <translation>Empujó en contra de la guía, así que se detuvo. Pulse A para iniciarla de nuevo.</translation>
     </message>
     <message>
-        <source>The handpiece is not there any more, so your hand is free.</source>
-        <translation>La pieza de mano ya no está, así que su mano está libre.</translation>
+        <source>The handpiece is no longer available, so the guidance stopped.</source>
+        <translation>La pieza de mano ya no está disponible, así que la guía se detuvo.</translation>
     </message>
     <message>
-        <source>The exercise begins anew.</source>
+        <source>The exercise starts again.</source>
         <translation>El ejercicio empieza de nuevo.</translation>
     </message>
     <message>
-        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
-        <translation>Está en un examen, y el editor muestra el ideal de una lección. Termine primero el examen: pulse G para la calificación o tome otra lección.</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>El editor de lecciones no está disponible durante un examen, porque muestra el ideal. Pulse G para terminar el examen o empiece otra lección.</translation>
     </message>
     <message>
         <source>%1: an attempt of %2 was not finished.</source>
@@ -7355,7 +7350,7 @@ sin guardar</translation>
         <translation>El intento se descartó; se conserva siete días.</translation>
     </message>
     <message>
-        <source>Bring it back</source>
+        <source>Restore it</source>
         <translation>Recuperarlo</translation>
     </message>
     <message>
@@ -7379,8 +7374,8 @@ sin guardar</translation>
         <translation>La comparación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
     <message>
-        <source>The hardness preset was kept: %1.</source>
-        <translation>El ajuste de dureza se conservó: %1.</translation>
+        <source>The hardness preset was saved: %1.</source>
+        <translation>El ajuste de dureza se guardó: %1.</translation>
     </message>
     <message>
         <source>Hardness presets (%1)</source>
@@ -7396,36 +7391,36 @@ sin guardar</translation>
         <translation>Ahora se siente como %1.</translation>
     </message>
     <message>
-        <source>In an exam, what is felt stays as it is.</source>
-        <translation>En un examen, lo que se siente no cambia.</translation>
+        <source>The hardness cannot be changed during an exam.</source>
+        <translation>La dureza no se puede cambiar durante un examen.</translation>
     </message>
     <message>
-        <source>This is a replay: it feels as it was recorded.</source>
-        <translation>Esto es una reproducción: se siente como se grabó.</translation>
+        <source>A replay uses the recorded hardness.</source>
+        <translation>Una reproducción usa la dureza grabada.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: that comes to its end first.</source>
-        <translation>Se están comparando dos ajustes a ciegas: primero debe terminar esa comparación.</translation>
+        <source>A blind comparison of two presets is running. Finish it first.</source>
+        <translation>Hay en curso una comparación a ciegas de dos ajustes. Termínela primero.</translation>
     </message>
     <message>
-        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
-        <translation>Esta lección trae su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
+        <source>This lesson sets its own hardness. Only the forces can be changed.</source>
+        <translation>Esta lección fija su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
     </message>
     <message>
-        <source>The exam would be broken off without a score.</source>
-        <translation>El examen se interrumpiría sin puntuación.</translation>
+        <source>The exam would end without a score.</source>
+        <translation>El examen terminaría sin puntuación.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
-        <translation>Cuenta igualmente como intento. Lo que ha tallado no podrá calificarse más tarde.</translation>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
+        <translation>Cuenta igualmente como intento. Su trabajo no podrá calificarse más tarde.</translation>
     </message>
     <message>
         <source>&amp;Grade it now</source>
         <translation>&amp;Calificar ahora</translation>
     </message>
     <message>
-        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
-        <translation>Las lecciones las cambian los docentes: inicie sesión como tal. Para hacer la lección, elíjala en la lista.</translation>
+        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
+        <translation>Solo los docentes pueden editar lecciones: inicie sesión como docente. Para practicar la lección, elíjala en la lista.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -7448,54 +7443,54 @@ sin guardar</translation>
         <translation>De un archivo …</translation>
     </message>
     <message>
-        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
-        <translation>Ya había agotado sus intentos en esta lección, así que esta calificación no se conserva.</translation>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
+        <translation>Ya no le quedaban intentos en esta lección, así que esta calificación no se guarda.</translation>
     </message>
     <message>
-        <source>The work itself can be kept as a recording.</source>
-        <translation>El trabajo en sí puede conservarse como grabación.</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>Puede guardar su trabajo como grabación.</translation>
     </message>
     <message>
-        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
-        <translation>Los datos de la escuela aún no responden. Usted puede seguir practicando; lo que pidió llegará cuando respondan.</translation>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>La base de datos de la escuela aún no responde. Puede seguir tallando; su petición se completará cuando responda.</translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
             <numerusform>%n calificación aún no está guardada y se perdería.</numerusform>
             <numerusform>%n calificaciones aún no están guardadas y se perderían.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
-        <translation>El disco no admite nada ahora. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco o revise los permisos de la carpeta.</translation>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
+        <translation>No se puede escribir en el disco. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco o revise los permisos de la carpeta.</translation>
     </message>
     <message>
-        <source>The time of this exam is over: nothing more can be cut.</source>
-        <translation>El tiempo de este examen ha terminado: no se puede tallar más.</translation>
+        <source>The time for this exam is over: cutting is disabled.</source>
+        <translation>El tiempo de este examen ha terminado: ya no se puede tallar.</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it.</source>
-        <translation>Este examen ha terminado, pero aún no tiene calificación. Pulse G para obtenerla.</translation>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
+        <translation>Este examen ha terminado, pero aún no está calificado. Pulse G para calificarlo.</translation>
     </message>
     <message>
-        <source>&amp;Go on with it</source>
-        <translation>&amp;Seguir con él</translation>
+        <source>&amp;Continue it</source>
+        <translation>&amp;Continuarlo</translation>
     </message>
     <message>
         <source>Another attempt begins.</source>
         <translation>Empieza otro intento.</translation>
     </message>
     <message>
-        <source>This exam would be put away without a score.</source>
+        <source>This exam would be discarded without a score.</source>
         <translation>Este examen se descartaría sin puntuación.</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
-        <translation>Cuenta como intento de todos modos. Justo después aún puede recuperarlo.</translation>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
+        <translation>Cuenta igualmente como intento. Justo después podrá recuperarlo.</translation>
     </message>
     <message>
-        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>El código de un solo uso ya no es válido. Pida otro a un administrador.</translation>
     </message>
 </context>
@@ -7521,27 +7516,27 @@ sin guardar</translation>
         <translation>Boca completa</translation>
     </message>
     <message>
-        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
-        <translation>Las flechas recorren la arcada; Intro toma el diente.</translation>
+        <source>Arrow keys move along the arch, Enter selects the tooth.</source>
+        <translation>Las flechas recorren la arcada; Intro elige el diente.</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
-        <translation>Este ordenador no puede dibujar la boca completa. Las arcadas planas sirven igual.</translation>
+        <source>This computer cannot draw the whole mouth. Use the flat arches instead.</source>
+        <translation>Este ordenador no puede dibujar la boca completa. Use en su lugar las arcadas planas.</translation>
     </message>
     <message>
-        <source>The teeth are being made …</source>
+        <source>Creating the teeth …</source>
         <translation>Se están creando los dientes …</translation>
     </message>
     <message>
-        <source>Chosen. Enter or a double click takes it.</source>
-        <translation>Elegido. Intro o un doble clic lo toma.</translation>
+        <source>Selected. Press Enter or double-click to use it.</source>
+        <translation>Elegido. Pulse Intro o haga doble clic para usarlo.</translation>
     </message>
     <message>
-        <source>Click to choose it.</source>
+        <source>Click to select it.</source>
         <translation>Haga clic para elegirlo.</translation>
     </message>
     <message>
@@ -7648,12 +7643,12 @@ sin guardar</translation>
         <translation>&lt; 1</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
-        <translation>A qué distancia está la punta por debajo de la superficie original. En el borde del diente no se muestra nada, porque allí la vertical dice poco.</translation>
+        <source>Depth of the tip below the original surface. No value is shown at the edge of the tooth, where a vertical depth means little.</source>
+        <translation>Profundidad de la punta bajo la superficie original. En el borde del diente no se muestra ningún valor, porque allí la profundidad vertical dice poco.</translation>
     </message>
     <message>
-        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
-        <translation>Volumen de pulpa tallado. La calificación mira el área abierta, en mm².</translation>
+        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
+        <translation>Volumen de pulpa eliminado. La calificación usa el área expuesta, en mm².</translation>
     </message>
     <message>
         <source>N, %1 sideways</source>
@@ -7669,16 +7664,16 @@ sin guardar</translation>
         <translation>Pieza de mano</translation>
     </message>
     <message>
-        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
-        <translation>La pieza de mano se apoya en la corona: la fresa no llega más abajo.</translation>
+        <source>The handpiece touches the crown, so the bur cannot go deeper.</source>
+        <translation>La pieza de mano toca la corona, así que la fresa no puede bajar más.</translation>
     </message>
     <message>
         <source>Dentin over pulp</source>
         <translation>Dentina sobre pulpa</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
-        <translation>Dentina sana entre el tallado y la pulpa, justo debajo de la punta. Se desean dos milímetros; menos de medio milímetro daña la pulpa.</translation>
+        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
+        <translation>Dentina sana entre el tallado y la pulpa, en vertical bajo la punta. Deje dos milímetros; menos de medio milímetro daña la pulpa.</translation>
     </message>
     <message>
         <source>To the limit</source>
@@ -7686,12 +7681,12 @@ sin guardar</translation>
         <translation>Hasta el límite</translation>
     </message>
     <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
-        <translation>A qué distancia está la cabeza de la fresa de lo que debe conservarse, hacia abajo o hacia los lados. A más de un milímetro no se muestra nada.</translation>
+        <source>Distance from the head of the bur to tissue that must be kept, downwards or sideways. No value is shown above one millimetre.</source>
+        <translation>Distancia de la cabeza de la fresa al tejido que debe conservarse, hacia abajo o hacia los lados. Por encima de un milímetro no se muestra ningún valor.</translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
-        <translation>Vueltas de la fresa por minuto: una carga la frena hasta que se para</translation>
+        <source>Speed of the bur in revolutions per minute. Load slows it down until it stalls</source>
+        <translation>Velocidad de la fresa en revoluciones por minuto. La carga la frena hasta que se para</translation>
     </message>
     <message>
         <source>rpm</source>
@@ -7766,8 +7761,8 @@ sin guardar</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Leave everything as it was before (Esc)</source>
-        <translation>Dejar todo como estaba antes (Esc)</translation>
+        <source>Discard the changes (Esc)</source>
+        <translation>Descartar los cambios (Esc)</translation>
     </message>
 </context>
 <context>
@@ -7781,24 +7776,24 @@ sin guardar</translation>
         <translation>Tallar este diente</translation>
     </message>
     <message>
-        <source>Put this tooth on the table (Enter)</source>
-        <translation>Poner este diente en la mesa (Intro)</translation>
+        <source>Practise on this tooth (Enter)</source>
+        <translation>Practicar en este diente (Intro)</translation>
     </message>
     <message>
-        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <source>Or drill your own tooth: a scan as an OBJ, STL or PLY file. You can also drop the file anywhere on this window.</source>
         <translation>O talle un diente propio: un escaneo OBJ, STL o PLY. También puede soltar el archivo en cualquier lugar de esta ventana.</translation>
     </message>
     <message>
-        <source>Nothing chosen</source>
-        <translation>Nada elegido</translation>
+        <source>No tooth selected</source>
+        <translation>Ningún diente elegido</translation>
     </message>
     <message>
-        <source>On the table now. Taking it again gives you a whole one.</source>
-        <translation>Ahora en la mesa. Si lo toma de nuevo, obtiene uno intacto.</translation>
+        <source>In use. Choosing it again resets it.</source>
+        <translation>En uso. Si lo elige de nuevo, se restablece.</translation>
     </message>
     <message>
-        <source>Click a tooth, or walk with the arrow keys.</source>
-        <translation>Haga clic en un diente o recórralos con las flechas.</translation>
+        <source>Click a tooth, or use the arrow keys.</source>
+        <translation>Haga clic en un diente o use las flechas.</translation>
     </message>
     <message>
         <source>Flat arches</source>
@@ -7820,24 +7815,24 @@ sin guardar</translation>
         <translation>Todas las lecciones</translation>
     </message>
     <message>
-        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
-        <translation>Las que trae Cusp y las suyas. La búsqueda acepta una palabra o el número de un diente.</translation>
+        <source>The lessons that come with Cusp, and your own. Search for a word or the number of a tooth.</source>
+        <translation>Las lecciones que trae Cusp y las suyas. Busque una palabra o el número de un diente.</translation>
     </message>
     <message>
         <source>Change a lesson</source>
         <translation>Cambiar una lección</translation>
     </message>
     <message>
-        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
-        <translation>Cambie lo que pide una lección y cómo califica, y vea qué resultaría de los intentos anteriores.</translation>
+        <source>Change the goal and the rubric of a lesson, and see the effect on earlier attempts.</source>
+        <translation>Cambie el objetivo y la rúbrica de una lección, y vea el efecto en los intentos anteriores.</translation>
     </message>
     <message>
         <source>Your classes</source>
         <translation>Sus grupos</translation>
     </message>
     <message>
-        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
-        <translation>Aquí ve quién le necesita y cómo va cada uno. Asigne lecciones, abra intentos, reprodúzcalos y escriba comentarios.</translation>
+        <source>Here you see who needs help and how everybody is doing. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation>Aquí ve quién necesita ayuda y cómo va cada uno. Asigne lecciones, abra intentos, reprodúzcalos y escriba comentarios.</translation>
     </message>
     <message>
         <source>Try it yourself</source>
@@ -7848,24 +7843,24 @@ sin guardar</translation>
         <translation>La calificación</translation>
     </message>
     <message>
-        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
-        <translation>El trabajo se mide, y la hoja de puntuación muestra cada punto perdido, dónde y cuándo.</translation>
+        <source>Your work is measured, and the score card shows where and when each point was lost.</source>
+        <translation>Su trabajo se mide, y la hoja de puntuación muestra dónde y cuándo se perdió cada punto.</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>Grupos</translation>
     </message>
     <message>
-        <source>How every class does at every lesson, as its teachers see it.</source>
-        <translation>Cómo va cada grupo en cada lección, tal como lo ven sus docentes.</translation>
+        <source>The results of every class in every lesson, as its teachers see them.</source>
+        <translation>Los resultados de cada grupo en cada lección, tal como los ven sus docentes.</translation>
     </message>
     <message>
         <source>How it feels</source>
         <translation>Cómo se siente</translation>
     </message>
     <message>
-        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
-        <translation>Aquí están las fresas, la fuerza y la profundidad. La dureza de los dientes se fija en los ajustes de dureza (F7).</translation>
+        <source>Burs, force and depth are here. The hardness presets (F7) set how hard teeth are.</source>
+        <translation>Aquí están las fresas, la fuerza y la profundidad. Los ajustes de dureza (F7) fijan la dureza de los dientes.</translation>
     </message>
     <message>
         <source>The tooth</source>
@@ -7876,52 +7871,52 @@ sin guardar</translation>
         <translation>Lecciones</translation>
     </message>
     <message>
-        <source>Choose here what to practise. What your class is to do comes first.</source>
-        <translation>Elija aquí qué practicar. Lo asignado a su grupo aparece primero.</translation>
+        <source>Choose here what to practise. Lessons assigned to your class come first.</source>
+        <translation>Elija aquí qué practicar. Las lecciones asignadas a su grupo aparecen primero.</translation>
     </message>
     <message>
-        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
-        <translation>Elija aquí qué practicar. Cada lección dice qué pide y cómo se califica.</translation>
+        <source>Choose here what to practise. Each lesson states its goal and how it is graded.</source>
+        <translation>Elija aquí qué practicar. Cada lección indica su objetivo y cómo se califica.</translation>
     </message>
     <message>
         <source>Bur, force and depth</source>
         <translation>Fresa, fuerza y profundidad</translation>
     </message>
     <message>
-        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
-        <translation>Tome otra fresa, ajuste cuánto presiona el ratón y lea la fuerza y la profundidad mientras talla.</translation>
+        <source>Change the bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation>Cambie de fresa, ajuste cuánto presiona el ratón y lea la fuerza y la profundidad mientras talla.</translation>
     </message>
     <message>
         <source>Seeing inside</source>
         <translation>Ver por dentro</translation>
     </message>
     <message>
-        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <source>A live section through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
         <translation>Un corte en vivo a través de la fresa muestra esmalte, dentina y pulpa, si la lección lo permite.</translation>
     </message>
     <message>
-        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
-        <translation>Cómo han ido sus puntuaciones, qué dice su docente, y cada intento para reproducirlo.</translation>
+        <source>See how your scores develop, read your instructor&apos;s comments, and replay every attempt.</source>
+        <translation>Vea cómo evolucionan sus puntuaciones, lea los comentarios de su docente y reproduzca cada intento.</translation>
     </message>
     <message>
-        <source>Your place</source>
-        <translation>Su puesto</translation>
+        <source>Your account</source>
+        <translation>Su cuenta</translation>
     </message>
     <message>
-        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
-        <translation>Quien inicia sesión conserva sus calificaciones. Si no, no se conserva nada.</translation>
+        <source>Log in to save your grades. Without a login, nothing is saved.</source>
+        <translation>Inicie sesión para guardar sus calificaciones. Sin iniciar sesión no se guarda nada.</translation>
     </message>
     <message>
-        <source>Lock your place when you leave it, or let somebody else log in.</source>
-        <translation>Bloquee su puesto al dejarlo, o deje que otra persona inicie sesión.</translation>
+        <source>Lock the window when you leave, or switch user.</source>
+        <translation>Bloquee la ventana al irse, o cambie de usuario.</translation>
     </message>
     <message>
         <source>Every key</source>
         <translation>Todas las teclas</translation>
     </message>
     <message>
-        <source>All keys are listed here. From there you can take this tour again.</source>
-        <translation>Aquí están todas las teclas. Desde ahí puede repetir esta visita.</translation>
+        <source>All keys are listed here. You can also start this tour again from there.</source>
+        <translation>Aquí están todas las teclas. Desde ahí también puede repetir esta visita.</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -7953,8 +7948,8 @@ sin guardar</translation>
         <translation>La escuela</translation>
     </message>
     <message>
-        <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
-        <translation>Registre a las personas, una a una o desde una lista, asígnelas a grupos y cuide de las copias de seguridad y la auditoría.</translation>
+        <source>Add people one by one or from a list, assign them to classes, and manage backups and the audit.</source>
+        <translation>Añada personas una a una o desde una lista, asígnelas a grupos y gestione las copias de seguridad y la auditoría.</translation>
     </message>
     <message>
         <source>My attempts</source>
@@ -7984,8 +7979,8 @@ sin guardar</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>What is shown of the tooth, and how</source>
-        <translation>Qué se muestra del diente y cómo</translation>
+        <source>Choose what the view shows</source>
+        <translation>Elegir qué muestra la vista</translation>
     </message>
 </context>
 <context>
@@ -8121,8 +8116,8 @@ sin guardar</translation>
         <translation>%1 en %2</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Verlo suceder: reproducir el intento desde aquí</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Reproducir el intento desde este momento</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8137,16 +8132,16 @@ sin guardar</translation>
         <translation>Mostrar todas las infracciones</translation>
     </message>
     <message>
-        <source>%1 in all, %2 of it cutting</source>
+        <source>%1 in total, %2 of it cutting</source>
         <extracomment>Two times in minutes and seconds</extracomment>
         <translation>%1 en total, %2 tallando</translation>
     </message>
     <message>
-        <source>force %1 N on the mean, %2 N at most</source>
+        <source>force: mean %1 N, maximum %2 N</source>
         <translation>fuerza media %1 N, máxima %2 N</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
             <numerusform>%n paso deshecho</numerusform>
             <numerusform>%n pasos deshechos</numerusform>
@@ -8161,13 +8156,13 @@ sin guardar</translation>
         <translation>%1 sin medir</translation>
     </message>
     <message>
-        <source>%1 never removed</source>
-        <translation>%1 nunca eliminados</translation>
+        <source>%1 not removed</source>
+        <translation>%1 no eliminados</translation>
     </message>
     <message>
-        <source>%1 never earned</source>
+        <source>%1 not achieved</source>
         <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
-        <translation>%1 nunca ganados</translation>
+        <translation>%1 no alcanzados</translation>
     </message>
     <message>
         <source>%1 at %2, stroke %3</source>
@@ -8179,13 +8174,13 @@ sin guardar</translation>
         <translation>%1 en %2</translation>
     </message>
     <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>El área abierta, vista desde arriba. El volumen tallado figura junto al diente, en mm³.</translation>
+        <source>The exposed area, seen from above. The side panel shows the removed volume, in mm³.</source>
+        <translation>El área expuesta, vista desde arriba. El panel lateral muestra el volumen eliminado, en mm³.</translation>
     </message>
     <message>
-        <source>Fails the attempt and takes all points that are left</source>
+        <source>The attempt fails and all remaining points are lost</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation>No se aprueba el intento y se pierden todos los puntos que quedan</translation>
+        <translation>No se aprueba el intento y se pierden todos los puntos restantes</translation>
     </message>
     <message>
         <source>At most %1 points can be lost here</source>
@@ -8197,16 +8192,16 @@ sin guardar</translation>
         <translation>%1: %2, %3 puntos</translation>
     </message>
     <message>
-        <source>Show where this was worst</source>
-        <translation>Mostrar dónde fue peor</translation>
+        <source>Show the worst place</source>
+        <translation>Mostrar el peor lugar</translation>
     </message>
     <message>
-        <source>No stroke caused this: see how the attempt ended</source>
-        <translation>Ninguna pasada lo causó: ver cómo terminó el intento</translation>
+        <source>No stroke caused this. Show the end of the attempt</source>
+        <translation>Ninguna pasada lo causó. Mostrar el final del intento</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>Verlo suceder: reproducir el intento desde aquí</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>Reproducir el intento desde este momento</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8226,9 +8221,9 @@ sin guardar</translation>
         <translation>%1 por tardar</translation>
     </message>
     <message>
-        <source>%1 too little done</source>
+        <source>%1 work incomplete</source>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
-        <translation>%1 por trabajo insuficiente</translation>
+        <translation>%1 trabajo incompleto</translation>
     </message>
 </context>
 <context>
@@ -8239,8 +8234,8 @@ sin guardar</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Say that this pad is made of this; you can change it until you are graded</source>
-        <translation>Decir que este campo está hecho de esto; puede cambiarlo hasta que se califique</translation>
+        <source>Choose this material for the pad; you can change it until you are graded</source>
+        <translation>Elegir este material para el campo; puede cambiarlo hasta la calificación</translation>
     </message>
     <message>
         <source>✓ right</source>
@@ -8277,36 +8272,36 @@ sin guardar</translation>
         <translation>de %1 s</translation>
     </message>
     <message>
-        <source>This is what they are made of</source>
-        <translation>De esto están hechos</translation>
+        <source>The materials of the pads</source>
+        <translation>Los materiales de los campos</translation>
     </message>
     <message>
-        <source>Every pad has its name</source>
-        <translation>Cada campo tiene su nombre</translation>
+        <source>Every pad has an answer</source>
+        <translation>Cada campo tiene una respuesta</translation>
     </message>
     <message>
         <source>What is each pad made of?</source>
         <translation>¿De qué está hecho cada campo?</translation>
     </message>
     <message>
-        <source>Graded. F2 leads to the next lesson.</source>
-        <translation>Calificado. F2 lleva a la lección siguiente.</translation>
+        <source>Graded. Press F2 for the next lesson.</source>
+        <translation>Calificado. Pulse F2 para la lección siguiente.</translation>
     </message>
     <message>
-        <source>Well done. See how it is marked.</source>
-        <translation>Bien hecho. Vea cómo se califica.</translation>
+        <source>Well done. Press G for your grade.</source>
+        <translation>Bien hecho. Pulse G para la calificación.</translation>
     </message>
     <message>
-        <source>Sure? Then see how it is marked.</source>
-        <translation>¿Seguro? Entonces vea cómo se califica.</translation>
+        <source>Sure? Then press G for your grade.</source>
+        <translation>¿Seguro? Entonces pulse G para la calificación.</translation>
     </message>
     <message>
-        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>La fresa está girando: deténgala con la barra espaciadora. Aquí no hay que tallar nada.</translation>
+        <source>The bur is turning. Stop it with the space bar: this exercise needs no cutting.</source>
+        <translation>La fresa está girando. Deténgala con la barra espaciadora: en este ejercicio no se talla nada.</translation>
     </message>
     <message>
-        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
-        <translation>Haga girar la fresa con la barra espaciadora: parada, los tres se notan igual.</translation>
+        <source>Start the bur with the space bar: while it is stopped, all three feel the same.</source>
+        <translation>Ponga en marcha la fresa con la barra espaciadora: mientras está parada, los tres se notan igual.</translation>
     </message>
     <message>
         <source>Longest so far: %1 s</source>
@@ -8314,8 +8309,8 @@ sin guardar</translation>
         <translation>La más larga hasta ahora: %1 s</translation>
     </message>
     <message>
-        <source>Any order. Rings become discs.</source>
-        <translation>En cualquier orden. Los anillos se vuelven discos.</translation>
+        <source>Any order. A ring becomes a disc when touched.</source>
+        <translation>En cualquier orden. Un anillo tocado se convierte en disco.</translation>
     </message>
     <message>
         <source>Anywhere on the tooth.</source>
@@ -8329,9 +8324,9 @@ sin guardar</translation>
 <context>
     <name>ui::study::FeedbackCard</name>
     <message>
-        <source>%1 has written about your attempt: %2</source>
+        <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
-        <translation>%1 ha escrito sobre su intento: %2</translation>
+        <translation>%1 ha comentado su intento: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n of your attempts have new feedback</source>
@@ -8341,7 +8336,7 @@ sin guardar</translation>
         </translation>
     </message>
     <message>
-        <source>Read it</source>
+        <source>Read</source>
         <translation>Leer</translation>
     </message>
     <message>
@@ -8368,13 +8363,13 @@ sin guardar</translation>
         <translation>Mostrar la puntuación</translation>
     </message>
     <message>
-        <source>See how the work was marked (Enter)</source>
-        <translation>Ver cómo se calificó el trabajo (Intro)</translation>
+        <source>Show how your work was graded (Enter)</source>
+        <translation>Mostrar cómo se calificó su trabajo (Intro)</translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <source>%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
-        <translation>%1. Se aprueba desde %2 de 100 puntos. Una puntuación enseña más cuando antes ha juzgado usted mismo su trabajo.</translation>
+        <translation>%1. Se aprueba con %2 de 100 puntos. Se aprende más de una puntuación si antes se autoevalúa el trabajo.</translation>
     </message>
     <message>
         <source>Nothing in particular</source>
@@ -8392,11 +8387,11 @@ sin guardar</translation>
 <context>
     <name>ui::study::HeatMap</name>
     <message>
-        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>El diente desde arriba, coloreado según lo que es demasiado profundo y lo que falta</translation>
     </message>
     <message>
-        <source>as it ought to be</source>
+        <source>as it should be</source>
         <translation>como debe ser</translation>
     </message>
     <message>
@@ -8404,11 +8399,11 @@ sin guardar</translation>
         <translation>%1 mm demasiado profundo</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>faltan %1 mm</translation>
     </message>
     <message>
-        <source>still to go</source>
+        <source>still to cut</source>
         <translation>por tallar</translation>
     </message>
     <message>
@@ -8416,15 +8411,15 @@ sin guardar</translation>
         <translation>demasiado profundo</translation>
     </message>
     <message>
-        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
-        <translation>Haga clic en el diente, o use las flechas, para marcar el lugar del que trata un comentario; Supr quita la marca.</translation>
+        <source>To mark the place of a comment, click the tooth or use the arrow keys. Delete removes the mark.</source>
+        <translation>Para marcar el lugar de un comentario, haga clic en el diente o use las flechas. Supr quita la marca.</translation>
     </message>
 </context>
 <context>
     <name>ui::study::HoldGauge</name>
     <message>
-        <source>Force against the band from %1 to %2 N</source>
-        <translation>Fuerza respecto a la banda de %1 a %2 N</translation>
+        <source>Force in relation to the range from %1 to %2 N</source>
+        <translation>Fuerza respecto al intervalo de %1 a %2 N</translation>
     </message>
 </context>
 <context>
@@ -8479,20 +8474,20 @@ sin guardar</translation>
 <context>
     <name>ui::study::InfractionCard</name>
     <message>
-        <source>Take it back</source>
-        <translation>Deshacerlo</translation>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
     <message>
-        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <source>Restore the tooth as it was before this; you can redo it (Enter)</source>
         <translation>Devolver el diente a como estaba antes; se puede rehacer (Intro)</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Seguir</translation>
+        <source>Continue</source>
+        <translation>Continuar</translation>
     </message>
     <message>
-        <source>Leave it as it is and work on (Esc)</source>
-        <translation>Dejarlo como está y seguir trabajando (Esc)</translation>
+        <source>Keep the tooth as it is and continue (Esc)</source>
+        <translation>Dejar el diente como está y continuar (Esc)</translation>
     </message>
 </context>
 <context>
@@ -8684,23 +8679,23 @@ sin guardar</translation>
         <translation>Lo que pide la lección, en imagen</translation>
     </message>
     <message>
-        <source>This tooth cannot be made.</source>
+        <source>This tooth cannot be created.</source>
         <translation>No se puede crear este diente.</translation>
     </message>
     <message>
-        <source>The tooth is being made …</source>
+        <source>Creating the tooth …</source>
         <translation>Se está creando el diente …</translation>
     </message>
 </context>
 <context>
     <name>ui::study::LessonStrip</name>
     <message>
-        <source>The step before</source>
-        <translation>El paso anterior</translation>
+        <source>Previous step</source>
+        <translation>Paso anterior</translation>
     </message>
     <message>
-        <source>The next step</source>
-        <translation>El paso siguiente</translation>
+        <source>Next step</source>
+        <translation>Paso siguiente</translation>
     </message>
     <message>
         <source>Hint</source>
@@ -8716,20 +8711,20 @@ sin guardar</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>Time worked</source>
-        <translation>Tiempo trabajado</translation>
+        <source>Working time</source>
+        <translation>Tiempo de trabajo</translation>
     </message>
     <message>
-        <source>Time left of %1</source>
+        <source>Remaining time of %1</source>
         <translation>Tiempo restante de %1</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
-        <translation>El examen ha terminado y no se puede tallar más. G muestra la puntuación; R empieza otro intento.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score or R for another attempt.</source>
+        <translation>El examen ha terminado y ya no se puede tallar. Pulse G para la puntuación o R para otro intento.</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
-        <translation>El examen ha terminado y no se puede tallar más. G muestra la puntuación.</translation>
+        <source>The exam is over and cutting is disabled. Press G for the score.</source>
+        <translation>El examen ha terminado y ya no se puede tallar. Pulse G para la puntuación.</translation>
     </message>
 </context>
 <context>
@@ -8759,16 +8754,16 @@ sin guardar</translation>
         <translation>Empezar esta lección</translation>
     </message>
     <message>
-        <source>Put the tooth of this lesson on the table (Enter)</source>
-        <translation>Poner el diente de esta lección en la mesa (Intro)</translation>
+        <source>Load the tooth of this lesson (Enter)</source>
+        <translation>Cargar el diente de esta lección (Intro)</translation>
     </message>
     <message>
         <source>Your own lessons …</source>
         <translation>Sus propias lecciones …</translation>
     </message>
     <message>
-        <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>Abrir la carpeta de la que se leen las lecciones de un docente</translation>
+        <source>Open the folder for lessons that teachers add</source>
+        <translation>Abrir la carpeta en la que los docentes añaden lecciones</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
@@ -8779,12 +8774,12 @@ sin guardar</translation>
         <translation>examen</translation>
     </message>
     <message>
-        <source>Cannot be given</source>
-        <translation>No se puede dar</translation>
+        <source>Invalid file</source>
+        <translation>Archivo no válido</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>Este archivo no puede darse como lección. Los demás funcionan.</translation>
+        <source>This file is not a valid lesson. The other lessons work.</source>
+        <translation>Este archivo no es una lección válida. Las demás lecciones funcionan.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -8795,8 +8790,8 @@ sin guardar</translation>
         <translation>Tipo</translation>
     </message>
     <message>
-        <source>Practice: you are told what goes wrong</source>
-        <translation>Práctica: se le dice qué va mal</translation>
+        <source>Practice: mistakes are reported at once</source>
+        <translation>Práctica: los errores se indican al momento</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8811,9 +8806,9 @@ sin guardar</translation>
         <translation>Ayudas</translation>
     </message>
     <message>
-        <source>Marked by</source>
+        <source>Rubric</source>
         <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
-        <translation>Calificada por</translation>
+        <translation>Rúbrica</translation>
     </message>
     <message>
         <source>%1, passed from %2</source>
@@ -8835,7 +8830,7 @@ sin guardar</translation>
         </translation>
     </message>
     <message>
-        <source>Wrong</source>
+        <source>Error</source>
         <translation>Error</translation>
     </message>
     <message>
@@ -8857,8 +8852,8 @@ sin guardar</translation>
         <translation>mejor %1, no aprobado</translation>
     </message>
     <message>
-        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
-        <translation>Examen: los fallos se anotan, no se dice nada hasta el final y no se deshace ningún paso</translation>
+        <source>Exam: mistakes are recorded and reported at the end; undo is disabled</source>
+        <translation>Examen: los errores se registran y se indican al final; no se puede deshacer</translation>
     </message>
     <message>
         <source>Tooth …</source>
@@ -8869,7 +8864,7 @@ sin guardar</translation>
         <translation>Lecciones de un diente</translation>
     </message>
     <message>
-        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <source>Choose a tooth in the arch to see its lessons</source>
         <translation>Elegir un diente de la arcada para ver sus lecciones</translation>
     </message>
     <message>
@@ -8896,20 +8891,20 @@ sin guardar</translation>
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>Discard the attempt that was not finished</source>
+        <source>Discard the unfinished attempt</source>
         <translation>Descartar el intento sin terminar</translation>
     </message>
     <message>
-        <source>Continue where I stopped: %1, begun %2</source>
+        <source>Continue %1, started %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation>Continuar donde lo dejé: %1, empezado %2</translation>
+        <translation>Continuar: %1, empezado %2</translation>
     </message>
     <message>
         <source>Continue</source>
         <translation>Continuar</translation>
     </message>
     <message>
-        <source>Tried last: %1, best so far %2</source>
+        <source>Last attempt: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
         <translation>Último intento: %1, mejor hasta ahora %2</translation>
     </message>
@@ -8918,15 +8913,15 @@ sin guardar</translation>
         <translation>Intentar de nuevo</translation>
     </message>
     <message>
-        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <source>Assigned to you, but not on this computer: %1. Ask your teacher for the file.</source>
         <translation>Asignado a usted, pero no está en este ordenador: %1. Pida el archivo a su docente.</translation>
     </message>
     <message>
-        <source>Given to you</source>
+        <source>Assigned to you</source>
         <translation>Asignadas a usted</translation>
     </message>
     <message>
-        <source>No lesson fits</source>
+        <source>No matching lessons</source>
         <translation>Ninguna lección coincide</translation>
     </message>
     <message>
@@ -8941,16 +8936,16 @@ sin guardar</translation>
         </translation>
     </message>
     <message>
-        <source>Given to</source>
+        <source>Assigned to</source>
         <translation>Asignada a</translation>
     </message>
     <message>
-        <source>There is none of these now. Show all lessons.</source>
-        <translation>Ahora no hay ninguna de estas. Muestre todas las lecciones.</translation>
+        <source>There are no such lessons now. Show all lessons.</source>
+        <translation>Ahora no hay lecciones así. Muestre todas las lecciones.</translation>
     </message>
     <message>
-        <source>The lessons are being read …</source>
-        <translation>Se están leyendo las lecciones …</translation>
+        <source>Loading the lessons …</source>
+        <translation>Cargando las lecciones …</translation>
     </message>
     <message>
         <source>no score yet</source>
@@ -9034,33 +9029,33 @@ sin guardar</translation>
 <context>
     <name>ui::study::ScorePage</name>
     <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation>Esperaba %1 puntos: exactamente.</translation>
+        <source>You expected %1 points, which is exactly right.</source>
+        <translation>Esperaba %1 puntos: acertó exactamente.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>Esperaba %1 puntos: %2 de más.</translation>
+        <source>You expected %1 points. You overestimated by %2 points.</source>
+        <translation>Esperaba %1 puntos. Sobrestimó su resultado en %2 puntos.</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>Esperaba %1 puntos: %2 de menos.</translation>
+        <source>You expected %1 points. You underestimated by %2 points.</source>
+        <translation>Esperaba %1 puntos. Subestimó su resultado en %2 puntos.</translation>
     </message>
     <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <source>Rubric &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured, because the model is a height field.</source>
         <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>Calificado según «%1», versión %2, contenido %3. No se miden socavados ni paredes de más de 90°: el modelo es un campo de alturas.</translation>
+        <translation>Rúbrica «%1», versión %2, contenido %3. No se miden socavados ni paredes de más de 90°, porque el modelo es un campo de alturas.</translation>
     </message>
     <message>
         <source>Grade</source>
         <translation>Calificar</translation>
     </message>
     <message>
-        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
-        <translation>El diente terminado se mide de nuevo con la mitad y con el doble de columnas por lado. Eso indica cuánto depende el número de la cuadrícula. No dice nada de la mano, ni de lo que haría otro día.</translation>
+        <source>The tooth is measured again with half and with double the number of grid columns. The result is clear of the pass mark if all scores lie on the same side of it. This says nothing about another attempt.</source>
+        <translation>El diente se mide de nuevo con la mitad y con el doble de columnas de la cuadrícula. El resultado es claro si todas las puntuaciones quedan del mismo lado de la nota de aprobado. Esto no dice nada de otro intento.</translation>
     </message>
     <message>
-        <source>Where the points went</source>
-        <translation>Adónde fueron los puntos</translation>
+        <source>Lost points</source>
+        <translation>Puntos perdidos</translation>
     </message>
     <message>
         <source>Finding the moment of each lost point …</source>
@@ -9084,48 +9079,48 @@ sin guardar</translation>
         <translation>Aprobado</translation>
     </message>
     <message>
-        <source>Not passed: harm done</source>
-        <translation>No aprobado: daño causado</translation>
+        <source>Not passed: critical error</source>
+        <translation>No aprobado: error crítico</translation>
     </message>
     <message>
         <source>Not passed yet</source>
         <translation>Aún no aprobado</translation>
     </message>
     <message>
-        <source>At half the grid %1, at double %2.</source>
-        <translation>Con la mitad de la cuadrícula %1, con el doble %2.</translation>
+        <source>Score at half the grid: %1, at double the grid: %2.</source>
+        <translation>Puntuación con la mitad de la cuadrícula: %1; con el doble: %2.</translation>
     </message>
     <message>
-        <source>At half the grid %1.</source>
-        <translation>Con la mitad de la cuadrícula %1.</translation>
+        <source>Score at half the grid: %1.</source>
+        <translation>Puntuación con la mitad de la cuadrícula: %1.</translation>
     </message>
     <message>
-        <source>The pass mark lies between: this result is within the noise.</source>
-        <translation>La nota de aprobado queda en medio: este resultado está dentro del ruido.</translation>
+        <source>Result is close to the pass mark.</source>
+        <translation>El resultado está cerca de la nota de aprobado.</translation>
     </message>
     <message>
-        <source>Not within the noise of the pass mark.</source>
-        <translation>Fuera del ruido de la nota de aprobado.</translation>
+        <source>Result is clear of the pass mark.</source>
+        <translation>El resultado está claramente alejado de la nota de aprobado.</translation>
     </message>
     <message>
-        <source>The work is everywhere as it ought to be</source>
-        <translation>El trabajo está en todas partes como debe ser</translation>
+        <source>No deviation from the ideal</source>
+        <translation>Sin desviación del ideal</translation>
     </message>
     <message>
         <source>%1 mm too deep</source>
         <translation>%1 mm demasiado profundo</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>faltan %1 mm</translation>
     </message>
     <message>
-        <source>%1: the worst place, %2</source>
-        <translation>%1: el peor lugar, %2</translation>
+        <source>%1: worst place, %2</source>
+        <translation>%1: peor lugar, %2</translation>
     </message>
     <message>
-        <source>%1 has no place; farthest off the ideal: %2</source>
-        <translation>%1 no tiene lugar; lo más alejado del ideal: %2</translation>
+        <source>%1 has no place on the tooth; largest deviation: %2</source>
+        <translation>%1 no tiene lugar en el diente; mayor desviación: %2</translation>
     </message>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
@@ -9136,11 +9131,11 @@ sin guardar</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
-            <numerusform>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y aquí están los resultados de %n persona.</numerusform>
-            <numerusform>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y aquí están los resultados de %n personas.</numerusform>
+            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n persona.</numerusform>
+            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n personas.</numerusform>
         </translation>
     </message>
     <message>
@@ -9149,49 +9144,49 @@ sin guardar</translation>
         <translation>otra rúbrica</translation>
     </message>
     <message>
-        <source>This is the first grade here.</source>
-        <translation>Esta es la primera calificación aquí.</translation>
+        <source>No earlier grades.</source>
+        <translation>No hay calificaciones anteriores.</translation>
     </message>
     <message>
-        <source>Nothing cost you a point.</source>
-        <translation>Nada le costó un punto.</translation>
+        <source>You lost no points.</source>
+        <translation>No perdió ningún punto.</translation>
     </message>
     <message>
-        <source>Most points went to: %1.</source>
-        <translation>Lo que más puntos costó: %1.</translation>
+        <source>Your biggest loss: %1.</source>
+        <translation>Su mayor pérdida de puntos: %1.</translation>
     </message>
     <message>
-        <source>What cost most you knew: %1.</source>
-        <translation>Usted sabía qué costó más: %1.</translation>
+        <source>You named your biggest loss correctly: %1.</source>
+        <translation>Acertó qué le costó más puntos: %1.</translation>
     </message>
     <message>
-        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
-        <translation>Usted creía que la mayoría de los puntos se fue en «%1»; se fue en «%2».</translation>
+        <source>You expected &quot;%1&quot; to be your biggest loss; it was &quot;%2&quot;.</source>
+        <translation>Creía que su mayor pérdida de puntos era «%1»; fue «%2».</translation>
     </message>
     <message>
-        <source>%1: %2, not named</source>
+        <source>%1: %2, no answer</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
-        <translation>%1: %2, sin nombrar</translation>
+        <translation>%1: %2, sin respuesta</translation>
     </message>
     <message>
-        <source>%1: %2, as you said</source>
-        <translation>%1: %2, como usted dijo</translation>
+        <source>%1: %2, correct</source>
+        <translation>%1: %2, correcto</translation>
     </message>
     <message>
-        <source>%1: %2, you said %3</source>
-        <translation>%1: %2, usted dijo %3</translation>
+        <source>%1: %2, your answer: %3</source>
+        <translation>%1: %2, su respuesta: %3</translation>
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1 no tiene lugar en el diente</translation>
     </message>
     <message>
-        <source>%1: the worst place</source>
+        <source>%1: worst place</source>
         <extracomment>%1 a criterion of a score</extracomment>
-        <translation>%1: el peor lugar</translation>
+        <translation>%1: peor lugar</translation>
     </message>
     <message>
-        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <source>Held for %1 of %2 s, mean deviation %3 N</source>
         <translation>Mantenida %1 de %2 s, con %3 N de desviación media</translation>
     </message>
     <message>
@@ -9199,12 +9194,12 @@ sin guardar</translation>
         <translation>Se tocaron todos los puntos</translation>
     </message>
     <message>
-        <source>%1 of %2 points touched; the ring marks one that was not</source>
-        <translation>%1 de %2 puntos tocados; el anillo marca uno que no lo fue</translation>
+        <source>%1 of %2 points touched; the ring marks a missed point</source>
+        <translation>%1 de %2 puntos tocados; el anillo marca uno sin tocar</translation>
     </message>
     <message>
-        <source>Log in and keep it</source>
-        <translation>Iniciar sesión y conservarla</translation>
+        <source>Log in and save</source>
+        <translation>Iniciar sesión y guardar</translation>
     </message>
     <message>
         <source>Drilled with the hardness preset %1.</source>
@@ -9212,17 +9207,17 @@ sin guardar</translation>
         <translation>Tallado con el ajuste de dureza %1.</translation>
     </message>
     <message>
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
         <extracomment>%1 is a number of people</extracomment>
-        <translation>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y la suya es la única aquí.</translation>
+        <translation>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y el suyo es el único resultado.</translation>
     </message>
     <message>
-        <source>You are not logged in, so this grade is not kept.</source>
-        <translation>No ha iniciado sesión, así que esta calificación no se conserva.</translation>
+        <source>You are not logged in, so this grade is not saved.</source>
+        <translation>No ha iniciado sesión, así que esta calificación no se guarda.</translation>
     </message>
     <message>
-        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
-        <translation>Esta calificación se conserva en este ordenador. La base de datos de la escuela la recibe cuando se pueda acceder a ella.</translation>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>Esta calificación está guardada en este ordenador. Se enviará a la base de datos de la escuela cuando vuelva la conexión.</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9237,8 +9232,8 @@ sin guardar</translation>
         <translation>Informe</translation>
     </message>
     <message>
-        <source>Score card on paper</source>
-        <translation>Hoja de puntuación en papel</translation>
+        <source>Save or print the score card</source>
+        <translation>Guardar o imprimir la hoja de puntuación</translation>
     </message>
     <message>
         <source>Save as PDF …</source>
@@ -9257,33 +9252,33 @@ sin guardar</translation>
         <translation>Calificación de %1: %2</translation>
     </message>
     <message>
-        <source>Expected by the student: %1 points.</source>
-        <translation>Esperado por el estudiante: %1 puntos.</translation>
+        <source>The student expected %1 points.</source>
+        <translation>El estudiante esperaba %1 puntos.</translation>
     </message>
     <message>
-        <source>Passed, as the teacher decided</source>
-        <translation>Aprobado por decisión del docente</translation>
+        <source>Passed (teacher&apos;s decision)</source>
+        <translation>Aprobado (decisión del docente)</translation>
     </message>
     <message>
-        <source>Not passed, as the teacher decided</source>
-        <translation>No aprobado por decisión del docente</translation>
+        <source>Not passed (teacher&apos;s decision)</source>
+        <translation>No aprobado (decisión del docente)</translation>
     </message>
     <message>
-        <source>The machine&apos;s score: %1</source>
+        <source>Automatic score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
-        <translation>La puntuación de la máquina: %1</translation>
+        <translation>Puntuación automática: %1</translation>
     </message>
     <message>
-        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
-        <translation>Este intento no tiene una grabación que se pueda leer: no se puede reproducir y no se muestra ninguna imagen del diente. La puntuación y lo que costó puntos están tal como se guardaron.</translation>
+        <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
+        <translation>Este intento no tiene una grabación legible. No se puede reproducir y no se muestra el diente. La puntuación y los puntos perdidos se muestran tal como se guardaron.</translation>
     </message>
     <message>
-        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
-        <translation>Esta calificación aún no está guardada. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco.</translation>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
+        <translation>Esta calificación aún no está guardada. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco.</translation>
     </message>
     <message>
-        <source>This grade is not kept: it will not be here next time.</source>
-        <translation>Esta calificación no se conserva: no estará aquí la próxima vez.</translation>
+        <source>This grade is not saved and will not be here next time.</source>
+        <translation>Esta calificación no se guarda y no estará aquí la próxima vez.</translation>
     </message>
     <message>
         <source>Next time</source>

@@ -350,11 +350,11 @@
 <context>
     <name>Breach</name>
     <message>
-        <source>The pulp is open</source>
+        <source>The pulp is exposed</source>
         <translation>歯髄が露出しています</translation>
     </message>
     <message>
-        <source>There is a hole through the tooth</source>
+        <source>The tooth is perforated</source>
         <translation>歯に穿孔があります</translation>
     </message>
     <message>
@@ -366,19 +366,19 @@
         <translation>辺縁隆線が%1 mmより薄くなっています</translation>
     </message>
     <message>
-        <source>Cut where nothing was to be cut</source>
-        <translation>切削すべきでない場所を切削しました</translation>
+        <source>Cut outside the target area</source>
+        <translation>目標の範囲外を切削しました</translation>
     </message>
     <message>
-        <source>Pressed with %1 N, allowed are %2 N</source>
+        <source>Pressed with %1 N; the limit is %2 N</source>
         <translation>%1 Nで押しました。許容は%2 Nです</translation>
     </message>
     <message>
-        <source>The bur has run in the air for %1 s</source>
+        <source>The bur ran without contact for %1 s</source>
         <translation>バーが%1秒空転しました</translation>
     </message>
     <message>
-        <source>The tooth beside was touched by the turning bur</source>
+        <source>The running bur touched the adjacent tooth</source>
         <translation>回転中のバーが隣在歯に触れました</translation>
     </message>
     <message>
@@ -386,15 +386,15 @@
         <translation>この課題で使えないバーで切削しました</translation>
     </message>
     <message>
-        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
+        <source>An exposed pulp usually dies, because cut odontoblasts do not recover. Watch the section and leave half a millimetre of dentin.</source>
         <translation>露髄した歯髄の多くは失活します。切断された象牙芽細胞は回復しません。断面を見て、象牙質を0.5 mm残してください。</translation>
     </message>
     <message>
-        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <source>A perforated tooth is usually lost. Watch the depth in the section.</source>
         <translation>穿孔した歯の多くは保存できません。断面で深さに注意してください。</translation>
     </message>
     <message>
-        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
+        <source>Cutting deeper than necessary weakens the tooth and comes close to the pulp. The section shows how deep you are.</source>
         <translation>必要以上に深い切削は歯を弱め、歯髄に近づきます。断面で深さを確認できます。</translation>
     </message>
     <message>
@@ -402,7 +402,7 @@
         <translation>薄い辺縁隆線は荷重で破折します。バーの外側の縁をもっと手前で止めてください。</translation>
     </message>
     <message>
-        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <source>Sound tissue does not grow back. The dashed line in the section shows what to cut.</source>
         <translation>健全な歯質は再生しません。断面の破線が切削すべき範囲を示します。</translation>
     </message>
     <message>
@@ -410,15 +410,15 @@
         <translation>およそ1 Nが最もよく切れます。それ以上では歯髄が発熱し、タービンが止まり、滑ります。切削はバーに任せてください。</translation>
     </message>
     <message>
-        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>目を離したまま回転するバーは唇や頬を傷つけます。切削しないときは止めてください。</translation>
+        <source>A running bur can injure lips and cheeks. Stop it when you are not cutting.</source>
+        <translation>回転中のバーは唇や頬を傷つけることがあります。切削しないときは止めてください。</translation>
     </message>
     <message>
-        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <source>A nick in the adjacent tooth collects plaque and decays. Stay inside the outline; N shows the adjacent teeth.</source>
         <translation>隣在歯の傷にはプラークがたまり、う蝕になります。外形線の内側で作業してください。Nで隣在歯が表示されます。</translation>
     </message>
     <message>
-        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
+        <source>The shape of the bur determines the shape of the cavity. Choose a bur that the lesson lists.</source>
         <translation>形の違うバーでは窩洞の形も変わります。課題で指定されたバーを選んでください。</translation>
     </message>
 </context>
@@ -464,7 +464,7 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>%1 of the decay is out</source>
+        <source>%1 of the decay is removed</source>
         <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
         <translation>う蝕の%1の除去</translation>
     </message>
@@ -482,7 +482,7 @@
         <translation>%1の%2への到達</translation>
     </message>
     <message>
-        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
+        <source>Enamel and dentin beside and below the decay. Tissue directly above the decay must be removed and is not counted.</source>
         <translation>う蝕の横と下にあるエナメル質と象牙質です。う蝕の真上は除去が必要なので数えません。</translation>
     </message>
     <message>
@@ -504,12 +504,12 @@
     </message>
     <message>
         <source>None of its %1 points are earned before %2</source>
-        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>%2までは%1点のうち何も得られません</translation>
     </message>
     <message>
-        <source>Not measured, so the attempt fails: %1 points that were left</source>
-        <translation>測定されなかったため不合格です：残りの%1点</translation>
+        <source>Not measured, so the attempt fails and the remaining %1 points are lost</source>
+        <translation>測定されなかったため不合格となり、残りの%1点を失います</translation>
     </message>
     <message>
         <source>Not measured, so it earns none of its %1 points</source>
@@ -520,12 +520,12 @@
         <translation>%1：減点なし</translation>
     </message>
     <message>
-        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <source>Allowed: %1. The attempt fails and the remaining %2 points are lost</source>
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
         <translation>許容は%1です。超えると不合格となり、残りの%2点を失います</translation>
     </message>
     <message>
-        <source>%1 %2 too far off; a worse error decides</source>
+        <source>%1 %2 outside the limit; a more serious error decides</source>
         <translation>%1 %2の超過。より重い誤りで決まります</translation>
     </message>
     <message>
@@ -537,12 +537,12 @@
         <translation>(%1) / %2 %3 × %4点</translation>
     </message>
     <message>
-        <source>%1, no more than all of them</source>
+        <source>%1, at most all of them</source>
         <translation>%1、ただし全点まで</translation>
     </message>
     <message>
-        <source>The value that was measured here is not stored</source>
-        <translation>ここで測った値は保存されていません</translation>
+        <source>The measured value was not saved</source>
+        <translation>測定した値は保存されていません</translation>
     </message>
 </context>
 <context>
@@ -731,8 +731,8 @@
         <translation>この課題とは別の歯、または別のう蝕で作られています。課題の作成者に問い合わせてください。</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
-        <translation>別のプログラムが学校のデータに書き込み中です。少し待ってからもう一度お試しください。</translation>
+        <source>Another program is writing to the school&apos;s database. Try again in a moment.</source>
+        <translation>別のプログラムが学校のデータベースに書き込み中です。少し待ってからもう一度お試しください。</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
@@ -743,8 +743,8 @@
         <translation>あなたの権限では許可されていません。</translation>
     </message>
     <message>
-        <source>Name or password is wrong.</source>
-        <translation>名前またはパスワードが違います。</translation>
+        <source>Wrong username or password.</source>
+        <translation>ユーザー名またはパスワードが違います。</translation>
     </message>
     <message>
         <source>Too many logins have failed. Wait a moment and try again.</source>
@@ -760,17 +760,17 @@
         <translation>スキャンを開けません。%1</translation>
     </message>
     <message>
-        <source>The tooth cannot be made. %1</source>
+        <source>The tooth cannot be created. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>歯を作れません。%1</translation>
     </message>
     <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <source>The lesson cannot be started; your work is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>この課題は開始できません。これまでの歯はそのまま残っています。%1</translation>
     </message>
     <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
+        <source>The work cannot be graded; it is unchanged. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>採点できません。作業内容はそのままです。%1</translation>
     </message>
@@ -794,7 +794,7 @@
         <translation>基準は保存されませんでした。%1</translation>
     </message>
     <message>
-        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <source>Grades will not be saved; drilling and grading still work. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>成績は保存されませんが、切削と採点はこれまでどおり使えます。%1</translation>
     </message>
@@ -808,12 +808,12 @@
         <translation>作業中、この試行はディスクに保存されません。%1</translation>
     </message>
     <message>
-        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <source>An unfinished attempt cannot be resumed. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>未完了の試行を再開できません。%1</translation>
     </message>
     <message>
-        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <source>The school&apos;s data cannot be shown now; your work is saved. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>学校の保管データは今表示できませんが、あなたの作業は保存されます。%1</translation>
     </message>
@@ -831,8 +831,8 @@
         <translation>実行されませんでした。何も変更されていません。%1</translation>
     </message>
     <message>
-        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
-        <translation>学校へ送る途中の試行が壊れているため、フォルダ「outbox/damaged」に取り分けました。ほかはこれまでどおり保存されます。</translation>
+        <source>An attempt that was to be sent to the school is damaged. It was moved to the folder “outbox/damaged”. Everything else is saved as usual.</source>
+        <translation>学校へ送る試行が壊れているため、フォルダー「outbox/damaged」に移しました。ほかはこれまでどおり保存されます。</translation>
     </message>
     <message>
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
@@ -851,7 +851,7 @@
         <translation>学校のサーバーが応答しません。サーバーが応答するようになったら、もう一度お試しください。</translation>
     </message>
     <message>
-        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <source>This grade is not saved yet; Cusp tries again while it runs. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>この評価はまだ保存されていません。Cuspの起動中はもう一度試み続けます。%1</translation>
     </message>
@@ -1817,7 +1817,7 @@
 <context>
     <name>Health</name>
     <message>
-        <source>The handpiece is gone: no force. Plug it in again.</source>
+        <source>The handpiece is disconnected: no force. Plug it in again.</source>
         <translation>ハンドピースがありません：力は出ません。接続し直してください。</translation>
     </message>
     <message>
@@ -1829,19 +1829,19 @@
         <translation>コンピューターが遅く、画像が遅れています。</translation>
     </message>
     <message>
-        <source>The bur is inside the tooth: lift it out, then it works.</source>
+        <source>The bur is inside the tooth. Lift it out to continue.</source>
         <translation>バーが歯の内部にあります。引き上げると動作します。</translation>
     </message>
     <message>
-        <source>The outline holds your hand: Q lets it go.</source>
+        <source>The outline holds your hand. Press Q to release it.</source>
         <translation>外形線が手を保持しています。Qで解除します。</translation>
     </message>
     <message>
-        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
-        <translation>ハンドピースが手を歯の上へ導きます。押しとどめると離れます。</translation>
+        <source>The handpiece guides your hand back over the tooth. Push against it to stop.</source>
+        <translation>ハンドピースが手を歯の上へ導きます。押し返すと止まります。</translation>
     </message>
     <message>
-        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
+        <source>The handpiece responds late: the tooth feels softer.</source>
         <translation>ハンドピースの応答が遅いため、歯の手応えを柔らかくしています。</translation>
     </message>
     <message>
@@ -1852,12 +1852,12 @@
 <context>
     <name>HistoryPanel</name>
     <message>
-        <source>Whole tooth</source>
+        <source>Intact tooth</source>
         <translation>切削前の歯</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>元に戻した歯</translation>
+        <source>Tooth reset</source>
+        <translation>歯をリセット</translation>
     </message>
     <message>
         <source>%1 mm³ %2</source>
@@ -1904,7 +1904,7 @@
         <translation>X線</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>深さの色分け</translation>
     </message>
     <message>
@@ -1944,12 +1944,12 @@
         <translation>制限なし</translation>
     </message>
     <message>
-        <source>%1, give or take %2, costs nothing</source>
+        <source>%1 ± %2 costs nothing</source>
         <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
-        <translation>%1（±%2）は減点なし</translation>
+        <translation>%1 ± %2は減点なし</translation>
     </message>
     <message>
-        <source>From %1 up costs nothing</source>
+        <source>%1 or more costs nothing</source>
         <translation>%1以上は減点なし</translation>
     </message>
     <message>
@@ -1962,7 +1962,7 @@
     </message>
     <message>
         <source> as soon as %1</source>
-        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is removed&quot;</extracomment>
         <translation>（%1以降）</translation>
     </message>
     <message>
@@ -2015,7 +2015,7 @@
         <translation>試験</translation>
     </message>
     <message>
-        <source>on the table</source>
+        <source>in progress</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
         <translation>作業中</translation>
     </message>
@@ -2037,7 +2037,7 @@
         <translation>締切：%1</translation>
     </message>
     <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <source>You have no attempts left at this lesson. Your teacher can give you more.</source>
         <translation>この課題の試行回数を使い切りました。教員が追加できます。</translation>
     </message>
     <message numerus="yes">
@@ -2053,15 +2053,15 @@
         <translation>試行回数の残りなし</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
+        <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
+        <translation>この試験の最後の試行は別のウィンドウで始められました。このウィンドウでの作業は数えられません。</translation>
     </message>
 </context>
 <context>
     <name>Login</name>
     <message>
-        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
-        <translation>名前またはパスワードが違います。もう一度お試しいただくか、管理者にワンタイムコードを依頼してください。</translation>
+        <source>Wrong username or password. Try again, or ask an admin for a one-time code.</source>
+        <translation>ユーザー名またはパスワードが違います。もう一度お試しいただくか、管理者にワンタイムコードを依頼してください。</translation>
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
@@ -2070,20 +2070,20 @@
         </translation>
     </message>
     <message>
-        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
-        <translation>その間に誰かが登録されました。管理者としてログインしてください。</translation>
+        <source>A user was added here in the meantime. Log in as an admin.</source>
+        <translation>その間にユーザーが追加されました。管理者としてログインしてください。</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>学校のサーバーが応答しません。もう一度お試しいただくか、ログインせずに練習してください。</translation>
     </message>
     <message>
-        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>パスワードは 8 文字以上で、名前を含まず、「password1」のような誰もが最初に試すものではないものにしてください。</translation>
+        <source>A password has at least eight characters, does not contain the username and is not a common one such as &quot;password1&quot;.</source>
+        <translation>パスワードは8文字以上で、ユーザー名を含まず、「password1」のようなよくあるものではないようにしてください。</translation>
     </message>
     <message>
-        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
-        <translation>ほかのプログラムが学校のデータに書き込んでいるため、その間はログインできません。少し待ってからもう一度お試しください。</translation>
+        <source>Another program is writing to the school&apos;s database, so nobody can log in. Try again in a moment.</source>
+        <translation>ほかのプログラムが学校のデータベースに書き込んでいるため、ログインできません。少し待ってからもう一度お試しください。</translation>
     </message>
 </context>
 <context>
@@ -2230,14 +2230,9 @@
         <translation>この平面は歯と交わりません。</translation>
     </message>
     <message>
-        <source>surface before anything was cut</source>
+        <source>original surface</source>
         <extracomment>In the key of a picture, beside a line</extracomment>
-        <translation>切削前の表面</translation>
-    </message>
-    <message>
-        <source>surface before</source>
-        <extracomment>The same, where a second line stands beside it</extracomment>
-        <translation>切削前の表面</translation>
+        <translation>元の表面</translation>
     </message>
 </context>
 <context>
@@ -2283,7 +2278,7 @@
 <context>
     <name>TimeLine</name>
     <message>
-        <source>%1 pad: said to be %2</source>
+        <source>%1 pad: answer %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
         <translation>%1のパッド：%2と回答</translation>
     </message>
@@ -2304,8 +2299,8 @@
         <translation>やり直しました</translation>
     </message>
     <message>
-        <source>Whole again</source>
-        <translation>元に戻した歯</translation>
+        <source>Tooth reset</source>
+        <translation>歯をリセット</translation>
     </message>
     <message>
         <source>Bur %1: %2</source>
@@ -2316,7 +2311,7 @@
         <translation>ハンドピース：%1</translation>
     </message>
     <message>
-        <source>The hand was led home</source>
+        <source>The hand was guided back</source>
         <translation>手を定位置へ導きました</translation>
     </message>
     <message>
@@ -2324,7 +2319,7 @@
         <translation>点%1に接触</translation>
     </message>
     <message>
-        <source>Taken up again</source>
+        <source>Resumed</source>
         <translation>再開</translation>
     </message>
     <message>
@@ -2340,7 +2335,7 @@
         <translation>X線</translation>
     </message>
     <message>
-        <source>colours of depth</source>
+        <source>depth colours</source>
         <translation>深さの色分け</translation>
     </message>
     <message>
@@ -2356,11 +2351,11 @@
         <translation>バーの色</translation>
     </message>
     <message>
-        <source>held within the outline</source>
-        <translation>外形線内に保持</translation>
+        <source>guided hand</source>
+        <translation>手の誘導</translation>
     </message>
     <message>
-        <source>No aid in use</source>
+        <source>No aids in use</source>
         <translation>補助なし</translation>
     </message>
     <message>
@@ -2449,14 +2444,14 @@
         <translation>%1深すぎ</translation>
     </message>
     <message>
-        <source>%1 to go</source>
+        <source>%1 to cut</source>
         <extracomment>%1 is a length: so much is still to be taken away</extracomment>
         <translation>残り%1</translation>
     </message>
     <message>
-        <source>off the ideal, mm</source>
+        <source>deviation, mm</source>
         <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
-        <translation>理想形との差、mm</translation>
+        <translation>偏差、mm</translation>
     </message>
     <message>
         <source>depth, mm</source>
@@ -2593,11 +2588,11 @@
         <translation>歯の準備ができていません。少し待ってからもう一度お試しください。</translation>
     </message>
     <message>
-        <source>No pad has been named yet: say beneath the view what each is made of.</source>
-        <translation>まだどのパッドにも名前がありません。画面の下で、それぞれ何でできているかを選んでください。</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>まだどのパッドにも回答がありません。画面の下で、それぞれ何でできているかを選んでください。</translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>この練習はまだ始まっていないため、採点するものがありません。</translation>
     </message>
     <message>
@@ -2625,19 +2620,19 @@
         <translation>この課題の教員の記録がないため、模擬の手がお見せします。</translation>
     </message>
     <message>
-        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
         <translation>この課題の教員の記録がなく、模擬の手でもできません。</translation>
     </message>
     <message>
-        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
         <translation>この試行は別のデバイスで行われたため、続けられません。保管されています。</translation>
     </message>
     <message>
-        <source>Taking up the attempt …</source>
+        <source>Resuming the attempt …</source>
         <translation>試行を再開しています …</translation>
     </message>
     <message>
-        <source>Your attempt goes on where it was left.</source>
+        <source>Your attempt continues where you stopped.</source>
         <translation>試行を中断したところから続けます。</translation>
     </message>
     <message>
@@ -2645,20 +2640,20 @@
         <translation>その試行はもうありません。</translation>
     </message>
     <message>
-        <source>The tooth is whole, and yours to drill.</source>
+        <source>The tooth is intact. You can start drilling.</source>
         <translation>歯は元どおりです。切削を始められます。</translation>
     </message>
     <message>
-        <source>This is your own work again, as you left it.</source>
+        <source>You are back in your own work.</source>
         <translation>ご自身の作業に戻りました。</translation>
     </message>
     <message>
-        <source>Working out the score card …</source>
+        <source>Preparing the score card …</source>
         <translation>成績表を作成しています …</translation>
     </message>
     <message>
-        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation>学校のデータはネットワークドライブ上にあり、同時に一台しか使えません。複数台ではPostgreSQLサーバーに置いてください。</translation>
+        <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
+        <translation>学校のデータベースはネットワークドライブ上にあり、同時に1台しか使えません。複数台ではPostgreSQLサーバーを使ってください。</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -2673,26 +2668,26 @@
         <translation>バックアップは復元されませんでした。何も変更されていません。%1</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>
-            <numerusform>このコンピューターの試行%n件は、この学校に渡せません。誰のものか不明か、別の station.key で署名されています。保留されています。</numerusform>
+            <numerusform>このコンピューターの試行%n件は、この学校に送れません。学生が不明か、別の station.key で署名されています。このコンピューターに残ります。</numerusform>
         </translation>
     </message>
     <message>
-        <source>The backup of %1 is in place.</source>
+        <source>The backup of %1 was restored.</source>
         <extracomment>%2: a file&apos;s name</extracomment>
-        <translation>%1 のバックアップに置き換えました。</translation>
+        <translation>%1 のバックアップを復元しました。</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <translation>%1 のバックアップに置き換えました。元のファイルは %2 として横に残してあります。</translation>
+        <source>The backup of %1 was restored. The previous file is kept next to it as %2.</source>
+        <translation>%1 のバックアップを復元しました。以前のファイルは %2 として隣に残ります。</translation>
     </message>
     <message>
         <source>This account was disabled, and you were logged out. Ask an admin.</source>
         <translation>このアカウントは無効にされ、ログアウトしました。管理者に尋ねてください。</translation>
     </message>
     <message>
-        <source>The grade that could not be kept is kept now.</source>
+        <source>The grade that could not be saved is now saved.</source>
         <translation>保存できなかった採点結果が保存されました。</translation>
     </message>
     <message>
@@ -2715,8 +2710,8 @@
         <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
     </message>
     <message>
-        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
-        <translation>試験中です。以前の試行は試験が終わってから開けます。G キーで採点するか、別の課題を選んでください。</translation>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>試験中は以前の試行を開けません。Gで試験を終えるか、別の課題を始めてください。</translation>
     </message>
     <message>
         <source>Another school is now where yours was, and you were logged out. Log in again.</source>
@@ -2738,7 +2733,7 @@
         <translation>成績表を %1 として保存しました。</translation>
     </message>
     <message>
-        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The score card could not be written. Choose another folder, or free some disk space.</source>
         <translation>成績表を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
     </message>
     <message>
@@ -2746,11 +2741,11 @@
         <translation>成績表を印刷しました。</translation>
     </message>
     <message>
-        <source>The printer did not take the score card.</source>
-        <translation>プリンターが成績表を受け付けませんでした。</translation>
+        <source>The score card could not be printed.</source>
+        <translation>成績表を印刷できませんでした。</translation>
     </message>
     <message>
-        <source>The score card is being made …</source>
+        <source>Creating the score card …</source>
         <translation>成績表を作成しています …</translation>
     </message>
     <message>
@@ -3074,8 +3069,8 @@
         <translation>検索：名前、クラス、役割</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>ログイン名</translation>
+        <source>Username</source>
+        <translation>ユーザー名</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -3249,8 +3244,8 @@
         <translation>上の%1のワンタイムコードは使えなくなります。新しく作りますか？</translation>
     </message>
     <message>
-        <source>The name to log in with is missing.</source>
-        <translation>ログイン名が入力されていません。</translation>
+        <source>The username is missing.</source>
+        <translation>ユーザー名がありません。</translation>
     </message>
     <message numerus="yes">
         <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
@@ -3782,8 +3777,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>サーボの周期の間隔：直近1秒の100回中99回はこれより短い値です。</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
-        <translation>2つのプリセットをブラインド比較中です。終わるまで、どの感触かは示されません。歯の横の「比較を終える」で終わります。</translation>
+        <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>2つのプリセットをブラインド比較中のため、値は表示されません。歯の横の「比較を終える」で終わります。</translation>
     </message>
 </context>
 <context>
@@ -3813,12 +3808,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>回転</translation>
     </message>
     <message>
-        <source>Depth below the old surface</source>
+        <source>Depth below original surface</source>
         <translation>元の表面からの深さ</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was, straight up.</source>
-        <translation>先端が元の表面から真下にどれだけあるかを示します。</translation>
+        <source>Vertical depth of the tip below the original surface.</source>
+        <translation>元の表面から先端までの垂直の深さです。</translation>
     </message>
     <message>
         <source>Dentin left over the pulp</source>
@@ -3877,7 +3872,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>X線：%1</translation>
     </message>
     <message>
-        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
+        <source>The crown between two sound neighbours made by Cusp, with contact points.</source>
         <translation>両隣在歯の間の歯冠です。隣在歯はCuspが作った健全歯で、接触しています。</translation>
     </message>
     <message>
@@ -4895,7 +4890,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>言語：%1</translation>
     </message>
     <message>
-        <source>Choose the language of all words</source>
+        <source>Choose the language</source>
         <translation>表示する言語を選びます</translation>
     </message>
     <message>
@@ -4903,7 +4898,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>Cusp</translation>
     </message>
     <message>
-        <source>Log in, so that your attempts are kept.</source>
+        <source>Log in to save your attempts.</source>
         <translation>ログインすると試行が保存されます。</translation>
     </message>
     <message>
@@ -4915,8 +4910,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>パスワードの設定</translation>
     </message>
     <message>
-        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
-        <translation>ワンタイムコードは正しいものでした。今後はご自身のパスワード（8文字以上）でログインしてください。</translation>
+        <source>The one-time code is correct. Choose your own password: at least eight characters.</source>
+        <translation>ワンタイムコードを確認しました。ご自身のパスワードを8文字以上で設定してください。</translation>
     </message>
     <message>
         <source>Set the password</source>
@@ -4927,8 +4922,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>Cuspへようこそ</translation>
     </message>
     <message>
-        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
-        <translation>まだ誰も登録されていません。学校を作成すると、あなたが管理者となり、教員と学生を登録できます。すぐに練習することもできますが、何も保存されません。</translation>
+        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
+        <translation>ユーザーがまだいません。学校を作成すると、あなたが管理者となり、教員と学生を登録できます。保存せずにすぐ練習することもできます。</translation>
     </message>
     <message>
         <source>Create the school</source>
@@ -4940,16 +4935,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1さんがロック中</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left.</source>
-        <translation>机の上の作業は中断したときのままです。</translation>
+        <source>The work in progress is unchanged.</source>
+        <translation>作業中の内容はそのままです。</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>続ける</translation>
+        <source>Unlock</source>
+        <translation>ロック解除</translation>
     </message>
     <message>
-        <source>Somebody else logs in</source>
-        <translation>別の人がログイン</translation>
+        <source>Switch user</source>
+        <translation>ユーザーを切り替え</translation>
     </message>
     <message>
         <source>Practise now</source>
@@ -4960,8 +4955,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ログインせずに練習</translation>
     </message>
     <message>
-        <source>Name to log in with</source>
-        <translation>ログイン名</translation>
+        <source>Username</source>
+        <translation>ユーザー名</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -4980,15 +4975,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>パスワード</translation>
     </message>
     <message>
-        <source>The password again</source>
+        <source>Confirm password</source>
         <translation>パスワード（確認）</translation>
     </message>
     <message>
-        <source>Drill and be graded; nothing is kept</source>
+        <source>Drill and get a grade; nothing is saved</source>
         <translation>切削して採点を受けられます。何も保存されません</translation>
     </message>
     <message>
-        <source>The two passwords differ. Type the second one again.</source>
+        <source>The passwords do not match. Type the second one again.</source>
         <translation>2つのパスワードが一致しません。確認用をもう一度入力してください。</translation>
     </message>
     <message>
@@ -5001,32 +4996,32 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>バックアップを復元 (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>このコンピューターの試行のうち、どのバックアップにもないものは再び登録されます。それ以降に教員や管理者が登録したものは失われます。今のファイルは横に残ります。</translation>
+        <source>Attempts on this computer that are in no backup are added again. Changes that teachers and admins made after the backup are lost. The current file is kept next to the restored one.</source>
+        <translation>このコンピューターの試行のうち、どのバックアップにもないものは再び追加されます。バックアップの後に教員や管理者が行った変更は失われます。現在のファイルは、復元したファイルの隣に残ります。</translation>
     </message>
     <message>
         <source>Change your password</source>
         <translation>パスワードの変更</translation>
     </message>
     <message>
-        <source>The new one: eight characters or more.</source>
-        <translation>新しいパスワード：8文字以上。</translation>
+        <source>At least eight characters.</source>
+        <translation>8文字以上。</translation>
     </message>
     <message>
         <source>Change the password</source>
         <translation>パスワードを変更する</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
+        <source>Cancel</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation>変更しない</translation>
+        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Change my password</source>
         <translation>パスワードを変更</translation>
     </message>
     <message>
-        <source>Present password</source>
+        <source>Current password</source>
         <translation>現在のパスワード</translation>
     </message>
     <message>
@@ -5034,37 +5029,37 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>新しいパスワード</translation>
     </message>
     <message>
-        <source>The new password again</source>
-        <translation>新しいパスワードをもう一度</translation>
+        <source>Confirm new password</source>
+        <translation>新しいパスワード（確認）</translation>
     </message>
     <message>
-        <source>This name has signs that cannot be seen. Type it again.</source>
+        <source>This name contains invisible characters. Type it again.</source>
         <translation>この名前には見えない文字が含まれています。もう一度入力してください。</translation>
     </message>
     <message>
-        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
-        <translation>学校のデータが元の場所にありません。%1 には誰も登録されていません。バックアップがあるので、下のボタンで復元できます。または新しい学校を作成してください。あなたが管理者になります。</translation>
+        <source>The school&apos;s database was not found: %1 has no users. Restore the backup below, or create a new school and become its admin.</source>
+        <translation>学校のデータベースが見つかりません：%1 にはユーザーがいません。下のボタンでバックアップを復元するか、新しい学校を作成してください。作成した場合は、あなたが管理者になります。</translation>
     </message>
     <message>
-        <source>The attempt just graded is mine; keep it</source>
+        <source>Save the attempt just graded as mine</source>
         <translation>いま採点した試行は自分のものとして保存する</translation>
     </message>
     <message>
-        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <source>%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.</source>
         <extracomment>%1: a lesson or a tooth</extracomment>
         <translation>%1：ログインした人の試行になります。チェックを外すと保存されません。</translation>
     </message>
     <message>
-        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
-        <translation>机の上の作業は中断したときのままですが、試験の時間は進んでいます。</translation>
+        <source>The work in progress is unchanged, but the exam time keeps running.</source>
+        <translation>作業中の内容はそのままですが、試験の時間は進んでいます。</translation>
     </message>
     <message>
-        <source>Waiting for the school&apos;s data …</source>
-        <translation>学校のデータを待っています…</translation>
+        <source>Waiting for the school&apos;s database …</source>
+        <translation>学校のデータベースを待っています…</translation>
     </message>
     <message>
-        <source>The school&apos;s data are being opened …</source>
-        <translation>学校のデータを開いています…</translation>
+        <source>Opening the school&apos;s database …</source>
+        <translation>学校のデータベースを開いています…</translation>
     </message>
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
@@ -5864,12 +5859,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>操作履歴</translation>
     </message>
     <message>
-        <source>Go to a moment: click it, or press Enter</source>
-        <translation>時点に移動：クリックするか、Enterを押します</translation>
+        <source>Click a state, or press Enter, to return to it</source>
+        <translation>状態をクリックするかEnterを押すと、その状態に戻ります</translation>
     </message>
     <message>
-        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
-        <translation>切削するたびに、ここに小さな画像が現れます。クリックするとその時点に戻ります。その後の作業は別の枝として残ります。</translation>
+        <source>Each stroke appears here as a small picture. Click a picture to go back to it. Later strokes stay as a separate branch.</source>
+        <translation>ストロークごとに、ここに小さな画像が現れます。画像をクリックするとその時点に戻ります。その後のストロークは別の枝として残ります。</translation>
     </message>
 </context>
 <context>
@@ -5883,11 +5878,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>停止</translation>
     </message>
     <message>
-        <source>Stop the recording</source>
-        <translation>記録を停止</translation>
+        <source>Stop the replay</source>
+        <translation>再生を停止</translation>
     </message>
     <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
+        <source>Stop the replay and return to your own work (Esc)</source>
         <translation>再生をやめてご自身の作業に戻ります（Esc）</translation>
     </message>
     <message>
@@ -5912,7 +5907,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>タイムライン</translation>
     </message>
     <message>
-        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <source>Left and Right move from stroke to stroke, Home and End to the beginning and the end.</source>
         <translation>左右キーでストロークごとに、HomeとEndで最初と最後に移動します。</translation>
     </message>
     <message>
@@ -5925,8 +5920,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ストローク%1、%2秒、%3</translation>
     </message>
     <message>
-        <source>Elsewhere for %1, which is no time of the attempt</source>
-        <translation>%1 のあいだ別の画面にいました。この時間は課題の時間に入りません</translation>
+        <source>Interruption of %1, not counted as working time</source>
+        <translation>%1 の中断（作業時間に入りません）</translation>
     </message>
 </context>
 <context>
@@ -5995,8 +5990,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1、%2</translation>
     </message>
     <message>
-        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
-        <translation>教員による採点。機械採点：%1点。</translation>
+        <source>Given by an instructor. Automatic score: %1 points.</source>
+        <translation>教員による採点。自動採点：%1点。</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -6004,11 +5999,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1、%2：%3</translation>
     </message>
     <message>
-        <source>Expected before the score was seen: %1 points</source>
+        <source>Self-assessment before the score: %1 points</source>
         <translation>得点を見る前の予想：%1点</translation>
     </message>
     <message>
-        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <source>Time %1 min; cutting force: mean %2 N, maximum %3 N</source>
         <extracomment>&quot;12:07&quot;</extracomment>
         <translation>時間%1分。切削中の力 平均%2 N、最大%3 N</translation>
     </message>
@@ -6019,11 +6014,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         </translation>
     </message>
     <message>
-        <source>not kept</source>
+        <source>not met</source>
         <translation>超過</translation>
     </message>
     <message>
-        <source>kept</source>
+        <source>met</source>
         <translation>遵守</translation>
     </message>
     <message>
@@ -6032,19 +6027,19 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1／%2</translation>
     </message>
     <message>
-        <source>Where the points went</source>
+        <source>Lost points</source>
         <translation>失点の内訳</translation>
     </message>
     <message>
-        <source>On the tooth, and in a section through the place that is farthest off</source>
-        <translation>歯の上、および最も離れた箇所の断面</translation>
+        <source>On the tooth, and in a section through the largest deviation</source>
+        <translation>歯の上、および最大のずれを通る断面</translation>
     </message>
     <message>
         <source>Comments</source>
         <translation>コメント</translation>
     </message>
     <message>
-        <source>How it was marked and made</source>
+        <source>Details of grading and recording</source>
         <translation>採点と作業の条件</translation>
     </message>
     <message>
@@ -6073,7 +6068,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>%1 of 100 points, pass mark %2. %3</source>
-        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: critical error&quot;</extracomment>
         <translation>100点中%1点、合格点%2。%3</translation>
     </message>
     <message>
@@ -6224,8 +6219,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
 <context>
     <name>ui::shell::AccountMenu</name>
     <message>
-        <source>My place</source>
-        <translation>自分の席</translation>
+        <source>My account</source>
+        <translation>アカウント</translation>
     </message>
     <message>
         <source>Change my password …</source>
@@ -6243,7 +6238,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>切削のオン・オフ</translation>
     </message>
     <message>
-        <source>Let the bur turn, or stop it</source>
+        <source>Start or stop the bur</source>
         <translation>バーを回す、または止めます</translation>
     </message>
     <message>
@@ -6251,7 +6246,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Take back the last stroke</source>
+        <source>Undo the last stroke</source>
         <translation>直前のストロークを取り消します</translation>
     </message>
     <message>
@@ -6259,7 +6254,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>やり直す</translation>
     </message>
     <message>
-        <source>Make the stroke again that was taken back</source>
+        <source>Redo the stroke that was undone</source>
         <translation>取り消したストロークをもう一度行います</translation>
     </message>
     <message>
@@ -6267,15 +6262,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>履歴</translation>
     </message>
     <message>
-        <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation>戻れる時点を枝も含めて表示、または隠します</translation>
+        <source>Show or hide the undo history with all its branches</source>
+        <translation>操作履歴をすべての枝とともに表示、または隠します</translation>
     </message>
     <message>
         <source>Start again</source>
         <translation>最初からやり直す</translation>
     </message>
     <message>
-        <source>Make the tooth whole again; undo brings your work back</source>
+        <source>Reset the tooth; Undo restores your work</source>
         <translation>歯を元の状態に戻します。「元に戻す」で作業を復元できます</translation>
     </message>
     <message>
@@ -6283,7 +6278,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>採点</translation>
     </message>
     <message>
-        <source>Measure what you have cut and explain the grade</source>
+        <source>Measure your preparation and explain the grade</source>
         <translation>切削を測定し、成績を説明します</translation>
     </message>
     <message>
@@ -6291,11 +6286,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ハンドピース</translation>
     </message>
     <message>
-        <source>Take this bur</source>
+        <source>Use this bur</source>
         <translation>このバーを使います</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
+        <source>Use this handpiece</source>
         <translation>このハンドピースを使います</translation>
     </message>
     <message>
@@ -6307,11 +6302,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ハンドピースを反対側から持ちます。視点は変わりません</translation>
     </message>
     <message>
-        <source>Lead the handpiece home</source>
+        <source>Return the handpiece</source>
         <translation>ハンドピースを定位置へ</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand back over the tooth</source>
+        <source>Let the handpiece guide your hand back over the tooth</source>
         <translation>ハンドピースが手を歯の上へ導きます</translation>
     </message>
     <message>
@@ -6331,8 +6326,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>課題を編集 …</translation>
     </message>
     <message>
-        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
-        <translation>一覧で選んだ課題の理想形と採点を変更します</translation>
+        <source>Change the ideal and the rubric of the selected lesson</source>
+        <translation>選んだ課題の理想形と評価基準を変更します</translation>
     </message>
     <message>
         <source>Hardness presets</source>
@@ -6375,27 +6370,27 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>この試行のすべての動きをファイルに保存します</translation>
     </message>
     <message>
-        <source>Save this attempt as the reference …</source>
+        <source>Save this attempt as a reference …</source>
         <translation>この試行を基準として保存 …</translation>
     </message>
     <message>
-        <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>切削した形を、課題が求める理想形として保存します</translation>
+        <source>Save your preparation as an ideal for lessons</source>
+        <translation>切削した形を、課題の理想形として保存します</translation>
     </message>
     <message>
         <source>Open a recording</source>
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Watch a saved attempt again</source>
-        <translation>保存した試行をもう一度見ます</translation>
+        <source>Replay a saved attempt</source>
+        <translation>保存した試行を再生します</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
         <translation>エキスパートの試行</translation>
     </message>
     <message>
-        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <source>Watch how an expert does it; during a replay, beside this attempt</source>
         <translation>エキスパートの手順を見ます。再生中はこの試行の隣に表示します</translation>
     </message>
     <message>
@@ -6411,23 +6406,23 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>再生を一時停止</translation>
     </message>
     <message>
-        <source>Hold the recording where it is, or let it go on</source>
-        <translation>記録をその場で止める、または続けます</translation>
+        <source>Pause or resume the replay</source>
+        <translation>再生を一時停止、または再開します</translation>
     </message>
     <message>
-        <source>A stroke back</source>
+        <source>Previous stroke</source>
         <translation>前のストローク</translation>
     </message>
     <message>
-        <source>Go back to the end of the stroke before, and hold there</source>
+        <source>Go to the end of the previous stroke and pause</source>
         <translation>前のストロークの終わりに戻って止まります</translation>
     </message>
     <message>
-        <source>A stroke on</source>
+        <source>Next stroke</source>
         <translation>次のストローク</translation>
     </message>
     <message>
-        <source>Go on to the end of the next stroke, and hold there</source>
+        <source>Go to the end of the next stroke and pause</source>
         <translation>次のストロークの終わりまで進んで止まります</translation>
     </message>
     <message>
@@ -6463,20 +6458,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>記録を速く再生します（16倍まで）</translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation>もう1つ並べる</translation>
+        <source>Compare with …</source>
+        <translation>比較する …</translation>
     </message>
     <message>
-        <source>Open another attempt beside this one, or put it away</source>
+        <source>Open another attempt beside this one, or close it</source>
         <translation>別の試行をこの試行の隣に開く、または閉じます</translation>
     </message>
     <message>
-        <source>Be led along</source>
+        <source>Guide my hand</source>
         <translation>手を導く</translation>
     </message>
     <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
-        <translation>ハンドピースが手を試行に沿って導きます。押すと離れます</translation>
+        <source>Let the handpiece guide your hand along the attempt; push against it to stop</source>
+        <translation>ハンドピースが手を試行に沿って導きます。押し返すと止まります</translation>
     </message>
     <message>
         <source>Seeing inside</source>
@@ -6487,7 +6482,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>断面</translation>
     </message>
     <message>
-        <source>Show a live cut through the bur, or put it away</source>
+        <source>Show or hide a live section through the bur</source>
         <translation>バーを通る断面を表示、または隠します</translation>
     </message>
     <message>
@@ -6495,7 +6490,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>断面を回す</translation>
     </message>
     <message>
-        <source>Turn the cut about the bur by 15 degrees</source>
+        <source>Turn the section around the bur by 15 degrees</source>
         <translation>バーを中心に断面を15度回します</translation>
     </message>
     <message>
@@ -6511,20 +6506,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>表示</translation>
     </message>
     <message>
-        <source>View from the start</source>
-        <translation>最初の視点</translation>
+        <source>Reset view</source>
+        <translation>表示をリセット</translation>
     </message>
     <message>
-        <source>Turn the tooth back to where it began</source>
-        <translation>歯を最初の向きに戻します</translation>
+        <source>Return to the initial view</source>
+        <translation>最初の視点に戻します</translation>
     </message>
     <message>
-        <source>Turn round</source>
-        <translation>反対側から見る</translation>
+        <source>Rotate 180°</source>
+        <translation>180°回転</translation>
     </message>
     <message>
-        <source>Look from the other side: half a circle</source>
-        <translation>反対側から見ます：半回転</translation>
+        <source>Look at the tooth from the opposite side</source>
+        <translation>反対側から歯を見ます</translation>
     </message>
     <message>
         <source>Dental mirror</source>
@@ -6532,31 +6527,31 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>デンタルミラー</translation>
     </message>
     <message>
-        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
-        <translation>ミラーを取る、または置きます。鏡面をドラッグ、Shiftで傾けます</translation>
+        <source>Show or hide the mirror; drag its glass to move it, with Shift to tilt it</source>
+        <translation>ミラーを表示、または隠します。鏡面をドラッグすると動き、Shiftを押すと傾きます</translation>
     </message>
     <message>
         <source>Light on the handpiece</source>
         <translation>ハンドピースのライト</translation>
     </message>
     <message>
-        <source>Let the handpiece light the cavity</source>
+        <source>Light the cavity from the handpiece</source>
         <translation>ハンドピースで窩洞を照らします</translation>
     </message>
     <message>
-        <source>Colours of depth</source>
+        <source>Depth colours</source>
         <translation>深さの色分け</translation>
     </message>
     <message>
-        <source>Colour the cut by its depth and tell it under the pointer</source>
+        <source>Colour the cut by its depth and show the depth at the pointer</source>
         <translation>切削面を深さで色分けし、ポインターの位置の値を示します</translation>
     </message>
     <message>
-        <source>Colours against the ideal</source>
+        <source>Deviation from the ideal</source>
         <translation>理想形との色分け</translation>
     </message>
     <message>
-        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
+        <source>Colour what is too deep and what is still to cut, and show the value at the pointer</source>
         <translation>深すぎる所と残りを色分けし、ポインターの位置の値を示します</translation>
     </message>
     <message>
@@ -6565,7 +6560,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>バーの色分け</translation>
     </message>
     <message>
-        <source>Colour the bur by how near it is to what is to be kept</source>
+        <source>Colour the bur by its distance from tissue that must be kept</source>
         <translation>残すべき部分への近さをバーの色で示します</translation>
     </message>
     <message>
@@ -6573,7 +6568,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>手の誘導</translation>
     </message>
     <message>
-        <source>Let a gentle force hold the hand within the outline</source>
+        <source>A gentle force keeps the hand within the outline</source>
         <translation>弱い力で手を外形線の内側に保ちます</translation>
     </message>
     <message>
@@ -6581,11 +6576,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>隣在歯</translation>
     </message>
     <message>
-        <source>Show the teeth beside this one, and the gum</source>
+        <source>Show the adjacent teeth and the gum</source>
         <translation>両隣の歯と歯肉を表示します</translation>
     </message>
     <message>
-        <source>Where the hand is</source>
+        <source>Hand position</source>
         <translation>手の位置</translation>
     </message>
     <message>
@@ -6593,12 +6588,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>手がバーを持つ位置を薄く表示します</translation>
     </message>
     <message>
-        <source>Colours for every eye</source>
-        <translation>誰にも見分けやすい色</translation>
+        <source>Colour-blind palette</source>
+        <translation>色覚対応の配色</translation>
     </message>
     <message>
-        <source>Give each tissue a colour and a pattern that nobody confuses</source>
-        <translation>各組織に、見間違えない色と模様を付けます</translation>
+        <source>Give each tissue a colour and a pattern that are easy to tell apart</source>
+        <translation>各組織に、見分けやすい色と模様を付けます</translation>
     </message>
     <message>
         <source>Wet tooth</source>
@@ -6606,7 +6601,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>濡れた歯</translation>
     </message>
     <message>
-        <source>Let the tooth shine as if it were wet</source>
+        <source>Make the tooth shine as if it were wet</source>
         <translation>濡れたように歯を光らせます</translation>
     </message>
     <message>
@@ -6626,7 +6621,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>めがねや画面を選び、目に合わせます</translation>
     </message>
     <message>
-        <source>Turn left and right over</source>
+        <source>Mirror horizontally</source>
         <translation>左右反転</translation>
     </message>
     <message>
@@ -6634,11 +6629,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>手の上に置いたハーフミラー用</translation>
     </message>
     <message>
-        <source>Turn up and down over</source>
+        <source>Mirror vertically</source>
         <translation>上下反転</translation>
     </message>
     <message>
-        <source>For a screen that lies upside down over the hand</source>
+        <source>For a screen mounted upside down over the hand</source>
         <translation>手の上に伏せて置いた画面用</translation>
     </message>
     <message>
@@ -6654,7 +6649,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>動きを減らす</translation>
     </message>
     <message>
-        <source>No gliding, no spinning bur</source>
+        <source>No animations and no spinning bur</source>
         <translation>滑らかな移動とバーの回転を表示しません</translation>
     </message>
     <message>
@@ -6666,7 +6661,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>サイドパネル</translation>
     </message>
     <message>
-        <source>Show the figures, or put them away</source>
+        <source>Show or hide the figures</source>
         <translation>数値を表示、または隠します</translation>
     </message>
     <message>
@@ -6674,8 +6669,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>コンソール</translation>
     </message>
     <message>
-        <source>Look at parameters and turn them while you drill, or put it away</source>
-        <translation>切削しながらパラメーターを見て変更します。もう一度で隠します</translation>
+        <source>Show or hide parameters that you can change while you drill</source>
+        <translation>切削中に変更できるパラメーターを表示、または隠します</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -6731,15 +6726,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>自分の試行</translation>
     </message>
     <message>
-        <source>See how your attempts went</source>
-        <translation>自分の試行の経過を見ます</translation>
+        <source>See the results of your attempts</source>
+        <translation>自分の試行の結果を見ます</translation>
     </message>
     <message>
         <source>Classes</source>
         <translation>クラス</translation>
     </message>
     <message>
-        <source>See how a class does, and who needs help</source>
+        <source>See the results of a class and who needs help</source>
         <translation>クラスの成績と、助けが必要な人を見ます</translation>
     </message>
     <message>
@@ -6747,8 +6742,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ツアーを見る</translation>
     </message>
     <message>
-        <source>Be shown round, step by step</source>
-        <translation>一歩ずつ案内を受けます</translation>
+        <source>Get to know the window step by step</source>
+        <translation>画面の使い方を順に案内します</translation>
     </message>
     <message>
         <source>School</source>
@@ -6759,20 +6754,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>人、クラス名簿、バックアップ、監査記録</translation>
     </message>
     <message>
-        <source>Log in; lock this place, change your password or the language</source>
+        <source>Log in, lock this workstation, or change your password or the language</source>
         <translation>ログイン。席のロック、パスワードや言語の変更</translation>
     </message>
     <message>
-        <source>Lock, or let another log in</source>
-        <translation>ロック、または別の人がログイン</translation>
+        <source>Lock or switch user</source>
+        <translation>ロック、またはユーザーを切り替え</translation>
     </message>
     <message>
-        <source>Your work stays; who comes back or logs in says who he is</source>
-        <translation>作業は残ります。戻る人もログインする人も、誰であるかを示します</translation>
+        <source>Your work stays open; a password is needed to continue</source>
+        <translation>作業は開いたままです。続けるにはパスワードが必要です</translation>
     </message>
     <message>
-        <source>Close what is open here; nothing is lost</source>
-        <translation>ここで開いているものを閉じます。何も失われません</translation>
+        <source>Close this page; nothing is lost</source>
+        <translation>このページを閉じます。何も失われません</translation>
     </message>
     <message>
         <source>Back to the attempts</source>
@@ -6794,11 +6789,11 @@ unsaved</source>
 保存なし</translation>
     </message>
     <message>
-        <source>Show what was done at other computers meanwhile</source>
-        <translation>その間にほかのコンピューターで行われたことを表示します</translation>
+        <source>Show changes made on other computers</source>
+        <translation>ほかのコンピューターで行われた変更を表示します</translation>
     </message>
     <message>
-        <source>Read again</source>
+        <source>Reload</source>
         <translation>再読み込み</translation>
     </message>
 </context>
@@ -6949,7 +6944,7 @@ unsaved</source>
         <translation>矢印キー</translation>
     </message>
     <message>
-        <source>Move it finely</source>
+        <source>Move it in fine steps</source>
         <translation>細かく動かす</translation>
     </message>
     <message>
@@ -7021,8 +7016,8 @@ unsaved</source>
         <translation>同じ操作 + Shift</translation>
     </message>
     <message>
-        <source>Turn it back</source>
-        <translation>視点を戻す</translation>
+        <source>Reset view</source>
+        <translation>表示をリセット</translation>
     </message>
     <message>
         <source>right double-click</source>
@@ -7061,8 +7056,8 @@ unsaved</source>
         <translation>Alt + Page Up</translation>
     </message>
     <message>
-        <source>Come nearer, go back</source>
-        <translation>近づく・離れる</translation>
+        <source>Zoom in, zoom out</source>
+        <translation>拡大・縮小</translation>
     </message>
     <message>
         <source>wheel</source>
@@ -7089,14 +7084,14 @@ unsaved</source>
         <translation>一覧で</translation>
     </message>
     <message>
-        <source>Sort it otherwise</source>
+        <source>Change the sorting</source>
         <translation>並べ替えを変える</translation>
     </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
     <message>
-        <source>%1 by another rubric</source>
+        <source>%1 with another rubric</source>
         <translation>%1（別の評価基準）</translation>
     </message>
     <message>
@@ -7123,8 +7118,8 @@ unsaved</source>
 <context>
     <name>ui::shell::MainWindow</name>
     <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>この課題の時間が終わりました。好きなだけ続けるか、Gを押してください。</translation>
+        <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
+        <translation>この課題の時間が終わりました。好きなだけ続けるか、Gで採点してください。</translation>
     </message>
     <message>
         <source>Save the X-ray pictures</source>
@@ -7139,19 +7134,19 @@ unsaved</source>
         <translation>試験の新しい試行を始めます。</translation>
     </message>
     <message>
-        <source>The exercise begins anew.</source>
+        <source>The exercise starts again.</source>
         <translation>練習を最初から始めます。</translation>
     </message>
     <message>
-        <source>The tooth is whole again.</source>
-        <translation>歯を元の状態に戻しました。</translation>
+        <source>The tooth was reset.</source>
+        <translation>歯をリセットしました。</translation>
     </message>
     <message>
-        <source>Bring my work back</source>
+        <source>Restore my work</source>
         <translation>作業を復元</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <source>This is a replay. Stop it to grade your own work.</source>
         <translation>再生中です。ご自身の作業の採点を受けるには停止してください。</translation>
     </message>
     <message>
@@ -7175,7 +7170,7 @@ unsaved</source>
         <translation>比較を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
     </message>
     <message>
-        <source>The hardness preset was kept: %1.</source>
+        <source>The hardness preset was saved: %1.</source>
         <translation>硬さのプリセットを保存しました：%1。</translation>
     </message>
     <message>
@@ -7184,36 +7179,36 @@ unsaved</source>
         <translation>手応えは%1になりました。</translation>
     </message>
     <message>
-        <source>In an exam, what is felt stays as it is.</source>
-        <translation>試験中は手応えを変更できません。</translation>
+        <source>The hardness cannot be changed during an exam.</source>
+        <translation>試験中は硬さを変更できません。</translation>
     </message>
     <message>
-        <source>This is a replay: it feels as it was recorded.</source>
-        <translation>再生中です：手応えは記録のとおりです。</translation>
+        <source>A replay uses the recorded hardness.</source>
+        <translation>再生では記録時の硬さを使います。</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: that comes to its end first.</source>
+        <source>A blind comparison of two presets is running. Finish it first.</source>
         <translation>2つのプリセットをブラインド比較中です。先に比較を終えてください。</translation>
     </message>
     <message>
-        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
+        <source>This lesson sets its own hardness. Only the forces can be changed.</source>
         <translation>この課題には固有の硬さがあります。変更できるのは力だけです。</translation>
     </message>
     <message>
-        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
-        <translation>試験中です。エディターには課題の理想形が表示されます。先に試験を終えてください：Gで採点、または別の課題を選びます。</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>課題エディターは理想形を表示するため、試験中は使えません。Gで試験を終えるか、別の課題を始めてください。</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>このファイルは課題として使えないため、編集できません。先に示された箇所を直してください。</translation>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>このファイルは有効な課題ではないため、編集できません。先に示された誤りを直してください。</translation>
     </message>
     <message>
-        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
         <translation>押し返したため、誘導を終えました。もう一度誘導を始めるにはAを押してください。</translation>
     </message>
     <message>
-        <source>The handpiece is not there any more, so your hand is free.</source>
-        <translation>ハンドピースがなくなったため、手は自由です。</translation>
+        <source>The handpiece is no longer available, so the guidance stopped.</source>
+        <translation>ハンドピースが使えなくなったため、誘導を終えました。</translation>
     </message>
     <message>
         <source>Only a tooth with decay has an ideal preparation.</source>
@@ -7224,15 +7219,15 @@ unsaved</source>
         <translation>画像を%1として保存しました。</translation>
     </message>
     <message>
-        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
         <translation>画像を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
     </message>
     <message>
-        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
         <translation>下からは切削できません：バーは歯の反対側で動いています。向きを戻すか、Vを押してください。</translation>
     </message>
     <message>
-        <source>Undo takes the stroke back.</source>
+        <source>You can undo the stroke.</source>
         <translation>「元に戻す」でこのストロークを取り消せます。</translation>
     </message>
     <message>
@@ -7244,7 +7239,7 @@ unsaved</source>
         <translation>露髄しました</translation>
     </message>
     <message>
-        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
+        <source>Cusp was still busy and did not do that. Try again.</source>
         <translation>Cuspは前の処理中のため、その操作を行いませんでした。もう一度お試しください。</translation>
     </message>
     <message numerus="yes">
@@ -7270,11 +7265,11 @@ unsaved</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>Leave it as it is</source>
-        <translation>このままにする</translation>
+        <source>Keep this unit</source>
+        <translation>この単位のままにする</translation>
     </message>
     <message>
-        <source>The simulated handpiece is at work</source>
+        <source>The simulated handpiece is active</source>
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
         <translation>模擬ハンドピースが作業中です</translation>
     </message>
@@ -7301,7 +7296,7 @@ unsaved</source>
         <translation>試行を破棄しました。7日間保管されます。</translation>
     </message>
     <message>
-        <source>Bring it back</source>
+        <source>Restore it</source>
         <translation>復元する</translation>
     </message>
     <message>
@@ -7309,7 +7304,7 @@ unsaved</source>
         <translation>記録を%1として保存しました。</translation>
     </message>
     <message>
-        <source>The recording has come to its end.</source>
+        <source>The recording has ended.</source>
         <translation>記録の終わりです。</translation>
     </message>
     <message>
@@ -7317,11 +7312,11 @@ unsaved</source>
         <translation>再生を停止</translation>
     </message>
     <message>
-        <source>What you have cut would be lost.</source>
+        <source>Your work would be lost.</source>
         <translation>切削した内容が失われます。</translation>
     </message>
     <message>
-        <source>It has not been saved as a recording since you last cut.</source>
+        <source>Your latest cuts are not saved as a recording.</source>
         <translation>最後の切削以降、記録として保存されていません。</translation>
     </message>
     <message>
@@ -7361,11 +7356,11 @@ unsaved</source>
         <translation>スキャン（OBJ、STL、PLY）でも記録でもありません。どちらかをドロップしてください。</translation>
     </message>
     <message>
-        <source>The exam would be broken off without a score.</source>
+        <source>The exam would end without a score.</source>
         <translation>試験は採点されないまま中断されます。</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
         <translation>それでも1回の試行として数えられます。切削したものは後から採点できません。</translation>
     </message>
     <message>
@@ -7373,7 +7368,7 @@ unsaved</source>
         <translation>今すぐ採点(&amp;G)</translation>
     </message>
     <message>
-        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
+        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
         <translation>課題を変更できるのは教員です。教員としてログインしてください。課題を行うには一覧から選んでください。</translation>
     </message>
     <message>
@@ -7397,37 +7392,37 @@ unsaved</source>
         <translation>ファイルから …</translation>
     </message>
     <message>
-        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
         <translation>この課題の試行回数はすでに使い切られているため、この成績は保存されません。</translation>
     </message>
     <message>
-        <source>The work itself can be kept as a recording.</source>
-        <translation>作業そのものは記録として残せます。</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>作業は記録として保存できます。</translation>
     </message>
     <message>
-        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
-        <translation>学校のデータがまだ応答しません。練習は続けられます。要求した内容は、応答があり次第表示されます。</translation>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>学校のデータベースがまだ応答しません。切削は続けられます。要求した内容は、応答があり次第処理されます。</translation>
     </message>
     <message numerus="yes">
-        <source>%n grade(s) are not kept yet, and would be lost.</source>
+        <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
             <numerusform>%n 件の評価がまだ保存されておらず、失われます。</numerusform>
         </translation>
     </message>
     <message>
-        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
         <translation>現在ディスクに書き込めません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
     </message>
     <message>
-        <source>The time of this exam is over: nothing more can be cut.</source>
+        <source>The time for this exam is over: cutting is disabled.</source>
         <translation>この試験の時間は終わりました。これ以上切削できません。</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it.</source>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
         <translation>この試験は終わりましたが、まだ採点されていません。Gで採点します。</translation>
     </message>
     <message>
-        <source>&amp;Go on with it</source>
+        <source>&amp;Continue it</source>
         <translation>続ける(&amp;G)</translation>
     </message>
     <message>
@@ -7435,15 +7430,15 @@ unsaved</source>
         <translation>新しい試行を始めます。</translation>
     </message>
     <message>
-        <source>This exam would be put away without a score.</source>
-        <translation>この試験は得点なしで片付けられます。</translation>
+        <source>This exam would be discarded without a score.</source>
+        <translation>この試験は得点なしで破棄されます。</translation>
     </message>
     <message>
-        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
         <translation>それでも1回の試行として数えられます。直後であればまだ元に戻せます。</translation>
     </message>
     <message>
-        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>ワンタイムコードは無効になりました。新しいコードを管理者に依頼してください。</translation>
     </message>
 </context>
@@ -7465,15 +7460,15 @@ unsaved</source>
 <context>
     <name>ui::shell::Mouth</name>
     <message>
-        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
-        <translation>このコンピューターでは口腔全体を描けません。平面の歯列でも同じことができます。</translation>
+        <source>This computer cannot draw the whole mouth. Use the flat arches instead.</source>
+        <translation>このコンピューターでは口腔全体を描けません。代わりに平面の歯列を使ってください。</translation>
     </message>
     <message>
         <source>Whole mouth</source>
         <translation>口腔全体</translation>
     </message>
     <message>
-        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
+        <source>Arrow keys move along the arch, Enter selects the tooth.</source>
         <translation>矢印キーで歯列をたどり、Enterで歯を選びます。</translation>
     </message>
     <message>
@@ -7481,15 +7476,15 @@ unsaved</source>
         <translation>%1、%2</translation>
     </message>
     <message>
-        <source>The teeth are being made …</source>
+        <source>Creating the teeth …</source>
         <translation>歯を作成しています …</translation>
     </message>
     <message>
-        <source>Chosen. Enter or a double click takes it.</source>
+        <source>Selected. Press Enter or double-click to use it.</source>
         <translation>選択中です。Enterまたはダブルクリックで決定します。</translation>
     </message>
     <message>
-        <source>Click to choose it.</source>
+        <source>Click to select it.</source>
         <translation>クリックして選びます。</translation>
     </message>
     <message>
@@ -7569,15 +7564,15 @@ unsaved</source>
         <translation>深さ</translation>
     </message>
     <message>
-        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
-        <translation>先端が元の表面からどれだけ下にあるかを示します。真下に意味のない歯の縁では表示しません。</translation>
+        <source>Depth of the tip below the original surface. No value is shown at the edge of the tooth, where a vertical depth means little.</source>
+        <translation>元の表面からの先端の深さです。垂直の深さに意味のない歯の縁では表示しません。</translation>
     </message>
     <message>
         <source>Dentin over pulp</source>
         <translation>歯髄上の象牙質</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
+        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
         <translation>先端の真下で、切削面と歯髄の間にある健全象牙質です。2 mmが望ましく、0.5 mm未満では歯髄を傷つけます。</translation>
     </message>
     <message>
@@ -7586,7 +7581,7 @@ unsaved</source>
         <translation>限界まで</translation>
     </message>
     <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <source>Distance from the head of the bur to tissue that must be kept, downwards or sideways. No value is shown above one millimetre.</source>
         <translation>バーの頭部から残すべき部分までの下方または側方の距離です。1 mmを超える間は表示しません。</translation>
     </message>
     <message>
@@ -7594,7 +7589,7 @@ unsaved</source>
         <translation>除去量</translation>
     </message>
     <message>
-        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
         <translation>除去した歯髄の体積です。採点では露出した面積（mm²）を見ます。</translation>
     </message>
     <message>
@@ -7602,7 +7597,7 @@ unsaved</source>
         <translation>バー</translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <source>Speed of the bur in revolutions per minute. Load slows it down until it stalls</source>
         <translation>バーの毎分回転数：負荷で遅くなり、やがて止まります</translation>
     </message>
     <message>
@@ -7634,7 +7629,7 @@ unsaved</source>
         <translation>&lt; 1</translation>
     </message>
     <message>
-        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
+        <source>The handpiece touches the crown, so the bur cannot go deeper.</source>
         <translation>ハンドピースが歯冠に当たっています：これより深くは届きません。</translation>
     </message>
     <message>
@@ -7714,8 +7709,8 @@ unsaved</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Leave everything as it was before (Esc)</source>
-        <translation>すべてを元のままにします（Esc）</translation>
+        <source>Discard the changes (Esc)</source>
+        <translation>変更を破棄します（Esc）</translation>
     </message>
 </context>
 <context>
@@ -7729,11 +7724,11 @@ unsaved</source>
         <translation>この歯を切削</translation>
     </message>
     <message>
-        <source>Put this tooth on the table (Enter)</source>
-        <translation>この歯を用意します（Enter）</translation>
+        <source>Practise on this tooth (Enter)</source>
+        <translation>この歯で練習します（Enter）</translation>
     </message>
     <message>
-        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <source>Or drill your own tooth: a scan as an OBJ, STL or PLY file. You can also drop the file anywhere on this window.</source>
         <translation>ご自身の歯も切削できます：OBJ、STL、PLYのスキャン。このウィンドウにファイルをドロップすることもできます。</translation>
     </message>
     <message>
@@ -7745,15 +7740,15 @@ unsaved</source>
         <translation>口腔全体</translation>
     </message>
     <message>
-        <source>Nothing chosen</source>
+        <source>No tooth selected</source>
         <translation>未選択</translation>
     </message>
     <message>
-        <source>On the table now. Taking it again gives you a whole one.</source>
-        <translation>現在の歯です。もう一度選ぶと切削前の歯になります。</translation>
+        <source>In use. Choosing it again resets it.</source>
+        <translation>使用中の歯です。もう一度選ぶとリセットされます。</translation>
     </message>
     <message>
-        <source>Click a tooth, or walk with the arrow keys.</source>
+        <source>Click a tooth, or use the arrow keys.</source>
         <translation>歯をクリックするか、矢印キーで移動してください。</translation>
     </message>
 </context>
@@ -7768,7 +7763,7 @@ unsaved</source>
         <translation>すべての課題</translation>
     </message>
     <message>
-        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
+        <source>The lessons that come with Cusp, and your own. Search for a word or the number of a tooth.</source>
         <translation>Cuspに付属の課題と自作の課題です。言葉または歯の番号で検索できます。</translation>
     </message>
     <message>
@@ -7776,7 +7771,7 @@ unsaved</source>
         <translation>課題を変更する</translation>
     </message>
     <message>
-        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
+        <source>Change the goal and the rubric of a lesson, and see the effect on earlier attempts.</source>
         <translation>課題の内容と採点を変更し、これまでの試行がどう変わるかを確かめられます。</translation>
     </message>
     <message>
@@ -7784,7 +7779,7 @@ unsaved</source>
         <translation>担当クラス</translation>
     </message>
     <message>
-        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
+        <source>Here you see who needs help and how everybody is doing. Assign lessons, open attempts, replay them, and write comments.</source>
         <translation>助けが必要な人と全員の成績が分かります。課題を割り当て、試行を開いて再生し、コメントを書けます。</translation>
     </message>
     <message>
@@ -7796,7 +7791,7 @@ unsaved</source>
         <translation>採点</translation>
     </message>
     <message>
-        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
+        <source>Your work is measured, and the score card shows where and when each point was lost.</source>
         <translation>作業が計測され、どの点をどこでいつ失ったかが成績表に示されます。</translation>
     </message>
     <message>
@@ -7804,7 +7799,7 @@ unsaved</source>
         <translation>クラス</translation>
     </message>
     <message>
-        <source>How every class does at every lesson, as its teachers see it.</source>
+        <source>The results of every class in every lesson, as its teachers see them.</source>
         <translation>各クラスの課題ごとの成績を、教員と同じ画面で見られます。</translation>
     </message>
     <message>
@@ -7812,7 +7807,7 @@ unsaved</source>
         <translation>手応え</translation>
     </message>
     <message>
-        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <source>Burs, force and depth are here. The hardness presets (F7) set how hard teeth are.</source>
         <translation>バー、力、深さはここにあります。歯の硬さは硬さのプリセット（F7）で決めます。</translation>
     </message>
     <message>
@@ -7824,11 +7819,11 @@ unsaved</source>
         <translation>課題</translation>
     </message>
     <message>
-        <source>Choose here what to practise. What your class is to do comes first.</source>
+        <source>Choose here what to practise. Lessons assigned to your class come first.</source>
         <translation>練習する内容をここで選びます。クラスに割り当てられた課題が先に並びます。</translation>
     </message>
     <message>
-        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
+        <source>Choose here what to practise. Each lesson states its goal and how it is graded.</source>
         <translation>練習する内容をここで選びます。各課題に内容と採点方法が書かれています。</translation>
     </message>
     <message>
@@ -7836,7 +7831,7 @@ unsaved</source>
         <translation>バー、力、深さ</translation>
     </message>
     <message>
-        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <source>Change the bur, set how hard the mouse presses, and read force and depth while you drill.</source>
         <translation>バーの交換やマウスの押す力の設定ができ、切削中の力と深さを読み取れます。</translation>
     </message>
     <message>
@@ -7844,31 +7839,31 @@ unsaved</source>
         <translation>内部を見る</translation>
     </message>
     <message>
-        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <source>A live section through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
         <translation>課題が許す場合、バーを通る断面でエナメル質、象牙質、歯髄が見られます。</translation>
     </message>
     <message>
-        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
+        <source>See how your scores develop, read your instructor&apos;s comments, and replay every attempt.</source>
         <translation>点数の推移と教員のコメントが見られ、どの試行も再生できます。</translation>
     </message>
     <message>
-        <source>Your place</source>
-        <translation>この席</translation>
+        <source>Your account</source>
+        <translation>アカウント</translation>
     </message>
     <message>
-        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
+        <source>Log in to save your grades. Without a login, nothing is saved.</source>
         <translation>ログインすると成績が保存されます。ログインしないと何も保存されません。</translation>
     </message>
     <message>
-        <source>Lock your place when you leave it, or let somebody else log in.</source>
-        <translation>席を離れるときはロックするか、別の人に替わってください。</translation>
+        <source>Lock the window when you leave, or switch user.</source>
+        <translation>席を離れるときはロックするか、ユーザーを切り替えてください。</translation>
     </message>
     <message>
         <source>Every key</source>
         <translation>すべてのキー</translation>
     </message>
     <message>
-        <source>All keys are listed here. From there you can take this tour again.</source>
+        <source>All keys are listed here. You can also start this tour again from there.</source>
         <translation>すべてのキーの一覧です。このツアーもそこからもう一度見られます。</translation>
     </message>
     <message>
@@ -7901,7 +7896,7 @@ unsaved</source>
         <translation>学校</translation>
     </message>
     <message>
-        <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
+        <source>Add people one by one or from a list, assign them to classes, and manage backups and the audit.</source>
         <translation>利用者を一人ずつ、または名簿から登録し、クラスに入れます。バックアップと監査記録もここで管理します。</translation>
     </message>
     <message>
@@ -7932,8 +7927,8 @@ unsaved</source>
         <translation>表示</translation>
     </message>
     <message>
-        <source>What is shown of the tooth, and how</source>
-        <translation>歯の何をどのように表示するか</translation>
+        <source>Choose what the view shows</source>
+        <translation>表示する内容を選びます</translation>
     </message>
 </context>
 <context>
@@ -8054,16 +8049,16 @@ unsaved</source>
 <context>
     <name>ui::study::ConductNotes</name>
     <message>
-        <source>%1 in all, %2 of it cutting</source>
+        <source>%1 in total, %2 of it cutting</source>
         <extracomment>Two times in minutes and seconds</extracomment>
         <translation>全体%1、うち切削%2</translation>
     </message>
     <message>
-        <source>force %1 N on the mean, %2 N at most</source>
+        <source>force: mean %1 N, maximum %2 N</source>
         <translation>力 平均%1 N、最大%2 N</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) taken back</source>
+        <source>%n step(s) undone</source>
         <translation>
             <numerusform>取り消し%n回</numerusform>
         </translation>
@@ -8083,8 +8078,8 @@ unsaved</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>その場面を見る：ここから試行を再生します</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>この時点から試行を再生します</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8101,7 +8096,7 @@ unsaved</source>
 <context>
     <name>ui::study::CriterionRow</name>
     <message>
-        <source>%1 too little done</source>
+        <source>%1 work incomplete</source>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
         <translation>%1 作業不足</translation>
     </message>
@@ -8116,13 +8111,13 @@ unsaved</source>
         <translation>%1 遅すぎ</translation>
     </message>
     <message>
-        <source>%1 never removed</source>
+        <source>%1 not removed</source>
         <translation>%1 除去されず</translation>
     </message>
     <message>
-        <source>%1 never earned</source>
+        <source>%1 not achieved</source>
         <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
-        <translation>%1 得られず</translation>
+        <translation>%1 未達成</translation>
     </message>
     <message>
         <source>%1 at %2, stroke %3</source>
@@ -8134,11 +8129,11 @@ unsaved</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>上から見た露出面積です。除去した体積は歯の隣にmm³で示します。</translation>
+        <source>The exposed area, seen from above. The side panel shows the removed volume, in mm³.</source>
+        <translation>上から見た露出面積です。除去した体積はサイドパネルにmm³で表示されます。</translation>
     </message>
     <message>
-        <source>Fails the attempt and takes all points that are left</source>
+        <source>The attempt fails and all remaining points are lost</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation>不合格となり、残りの点をすべて失います</translation>
     </message>
@@ -8152,16 +8147,16 @@ unsaved</source>
         <translation>%1：%2、%3点</translation>
     </message>
     <message>
-        <source>Show where this was worst</source>
+        <source>Show the worst place</source>
         <translation>最も悪い箇所を表示します</translation>
     </message>
     <message>
-        <source>No stroke caused this: see how the attempt ended</source>
-        <translation>原因となるストロークはありません：試行の最後を見ます</translation>
+        <source>No stroke caused this. Show the end of the attempt</source>
+        <translation>原因となるストロークはありません。試行の最後を表示します</translation>
     </message>
     <message>
-        <source>See it happen: play the attempt from here</source>
-        <translation>その場面を見る：ここから試行を再生します</translation>
+        <source>Replay the attempt from this moment</source>
+        <translation>この時点から試行を再生します</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
@@ -8183,8 +8178,8 @@ unsaved</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>Say that this pad is made of this; you can change it until you are graded</source>
-        <translation>このパッドの材質をこれと答えます。採点までは変更できます</translation>
+        <source>Choose this material for the pad; you can change it until you are graded</source>
+        <translation>このパッドの材質としてこれを選びます。採点までは変更できます</translation>
     </message>
     <message>
         <source>✓ right</source>
@@ -8220,35 +8215,35 @@ unsaved</source>
         <translation>／%1秒</translation>
     </message>
     <message>
-        <source>This is what they are made of</source>
-        <translation>それぞれの材質はこのとおりです</translation>
+        <source>The materials of the pads</source>
+        <translation>各パッドの材質</translation>
     </message>
     <message>
-        <source>Every pad has its name</source>
-        <translation>すべてのパッドに名前が付きました</translation>
+        <source>Every pad has an answer</source>
+        <translation>すべてのパッドに回答しました</translation>
     </message>
     <message>
         <source>What is each pad made of?</source>
         <translation>それぞれのパッドは何でできていますか？</translation>
     </message>
     <message>
-        <source>Graded. F2 leads to the next lesson.</source>
-        <translation>採点済みです。F2で次の課題へ進みます。</translation>
+        <source>Graded. Press F2 for the next lesson.</source>
+        <translation>採点済みです。F2を押すと次の課題へ進めます。</translation>
     </message>
     <message>
-        <source>Well done. See how it is marked.</source>
-        <translation>よくできました。採点を見てください。</translation>
+        <source>Well done. Press G for your grade.</source>
+        <translation>よくできました。Gを押して採点してください。</translation>
     </message>
     <message>
-        <source>Sure? Then see how it is marked.</source>
-        <translation>よろしいですか？ では採点を見てください。</translation>
+        <source>Sure? Then press G for your grade.</source>
+        <translation>よろしければ、Gを押して採点してください。</translation>
     </message>
     <message>
-        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>バーが回転しています：スペースキーで止めてください。ここでは何も切削しません。</translation>
+        <source>The bur is turning. Stop it with the space bar: this exercise needs no cutting.</source>
+        <translation>バーが回転しています。スペースキーで止めてください。この練習では切削しません。</translation>
     </message>
     <message>
-        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <source>Start the bur with the space bar: while it is stopped, all three feel the same.</source>
         <translation>スペースキーでバーを回してください：止まっていると3つとも同じ手応えです。</translation>
     </message>
     <message>
@@ -8257,8 +8252,8 @@ unsaved</source>
         <translation>これまでの最長：%1秒</translation>
     </message>
     <message>
-        <source>Any order. Rings become discs.</source>
-        <translation>順番は自由です。輪が円板に変わります。</translation>
+        <source>Any order. A ring becomes a disc when touched.</source>
+        <translation>順番は自由です。触れた輪は円板になります。</translation>
     </message>
     <message>
         <source>Anywhere on the tooth.</source>
@@ -8272,7 +8267,7 @@ unsaved</source>
 <context>
     <name>ui::study::FeedbackCard</name>
     <message>
-        <source>%1 has written about your attempt: %2</source>
+        <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
         <translation>%1 さんがあなたの試行についてコメントしました: %2</translation>
     </message>
@@ -8283,7 +8278,7 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>Read it</source>
+        <source>Read</source>
         <translation>読む</translation>
     </message>
     <message>
@@ -8306,7 +8301,7 @@ unsaved</source>
         <translation>得点を見る</translation>
     </message>
     <message>
-        <source>See how the work was marked (Enter)</source>
+        <source>Show how your work was graded (Enter)</source>
         <translation>採点の内容を見ます（Enter）</translation>
     </message>
     <message>
@@ -8314,7 +8309,7 @@ unsaved</source>
         <translation>得点を見る前に</translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <source>%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
         <translation>%1。100点中%2点で合格です。先に自分の作業を評価してから得点を見ると、より多くを学べます。</translation>
     </message>
@@ -8334,11 +8329,11 @@ unsaved</source>
 <context>
     <name>ui::study::HeatMap</name>
     <message>
-        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>上から見た歯。深すぎる所と残りを色分けしています</translation>
     </message>
     <message>
-        <source>as it ought to be</source>
+        <source>as it should be</source>
         <translation>適正</translation>
     </message>
     <message>
@@ -8346,11 +8341,11 @@ unsaved</source>
         <translation>%1 mm深すぎます</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>残り%1 mm</translation>
     </message>
     <message>
-        <source>still to go</source>
+        <source>still to cut</source>
         <translation>残り</translation>
     </message>
     <message>
@@ -8358,14 +8353,14 @@ unsaved</source>
         <translation>深すぎ</translation>
     </message>
     <message>
-        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
+        <source>To mark the place of a comment, click the tooth or use the arrow keys. Delete removes the mark.</source>
         <translation>歯をクリックするか矢印キーで、コメントの対象となる場所に印を付けます。Deleteで印が消えます。</translation>
     </message>
 </context>
 <context>
     <name>ui::study::HoldGauge</name>
     <message>
-        <source>Force against the band from %1 to %2 N</source>
+        <source>Force in relation to the range from %1 to %2 N</source>
         <translation>%1～%2 Nの範囲に対する力</translation>
     </message>
 </context>
@@ -8421,20 +8416,20 @@ unsaved</source>
 <context>
     <name>ui::study::InfractionCard</name>
     <message>
-        <source>Take it back</source>
-        <translation>取り消す</translation>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
-        <translation>起きる前の状態に歯を戻します。やり直すこともできます（Enter）</translation>
+        <source>Restore the tooth as it was before this; you can redo it (Enter)</source>
+        <translation>この前の状態に歯を戻します。やり直すこともできます（Enter）</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>続ける</translation>
     </message>
     <message>
-        <source>Leave it as it is and work on (Esc)</source>
-        <translation>そのままにして作業を続けます（Esc）</translation>
+        <source>Keep the tooth as it is and continue (Esc)</source>
+        <translation>歯をそのままにして作業を続けます（Esc）</translation>
     </message>
 </context>
 <context>
@@ -8624,22 +8619,22 @@ unsaved</source>
         <translation>課題が求める内容の画像</translation>
     </message>
     <message>
-        <source>This tooth cannot be made.</source>
-        <translation>この歯は作れません。</translation>
+        <source>This tooth cannot be created.</source>
+        <translation>この歯は作成できません。</translation>
     </message>
     <message>
-        <source>The tooth is being made …</source>
+        <source>Creating the tooth …</source>
         <translation>歯を作成しています …</translation>
     </message>
 </context>
 <context>
     <name>ui::study::LessonStrip</name>
     <message>
-        <source>The step before</source>
+        <source>Previous step</source>
         <translation>前の手順</translation>
     </message>
     <message>
-        <source>The next step</source>
+        <source>Next step</source>
         <translation>次の手順</translation>
     </message>
     <message>
@@ -8656,19 +8651,19 @@ unsaved</source>
         <translation>%1／%2</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
+        <source>The exam is over and cutting is disabled. Press G for the score or R for another attempt.</source>
         <translation>試験は終わりました。これ以上切削できません。Gで得点を表示、Rで新しい試行を始めます。</translation>
     </message>
     <message>
-        <source>Time worked</source>
+        <source>Working time</source>
         <translation>作業時間</translation>
     </message>
     <message>
-        <source>Time left of %1</source>
-        <translation>%1のうち残り時間</translation>
+        <source>Remaining time of %1</source>
+        <translation>%1のうちの残り時間</translation>
     </message>
     <message>
-        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
+        <source>The exam is over and cutting is disabled. Press G for the score.</source>
         <translation>試験は終わりました。これ以上切削できません。Gで得点を表示します。</translation>
     </message>
 </context>
@@ -8699,7 +8694,7 @@ unsaved</source>
         <translation>この課題を開始</translation>
     </message>
     <message>
-        <source>Put the tooth of this lesson on the table (Enter)</source>
+        <source>Load the tooth of this lesson (Enter)</source>
         <translation>この課題の歯を用意します（Enter）</translation>
     </message>
     <message>
@@ -8707,16 +8702,16 @@ unsaved</source>
         <translation>あなたの課題 …</translation>
     </message>
     <message>
-        <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>教員の課題を読み込むフォルダーを開きます</translation>
+        <source>Open the folder for lessons that teachers add</source>
+        <translation>教員が追加する課題のフォルダーを開きます</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
         <translation>あなたの課題のフォルダーを開く</translation>
     </message>
     <message>
-        <source>Cannot be given</source>
-        <translation>使用できません</translation>
+        <source>Invalid file</source>
+        <translation>無効なファイル</translation>
     </message>
     <message>
         <source>exam</source>
@@ -8737,8 +8732,8 @@ unsaved</source>
         <translation>最高%1点、不合格</translation>
     </message>
     <message>
-        <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>このファイルは課題として使えません。ほかの課題は使えます。</translation>
+        <source>This file is not a valid lesson. The other lessons work.</source>
+        <translation>このファイルは有効な課題ではありません。ほかの課題は使えます。</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -8749,11 +8744,11 @@ unsaved</source>
         <translation>種類</translation>
     </message>
     <message>
-        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
-        <translation>試験：誤りは記録され、終わるまで伝えません。手順は取り消せません</translation>
+        <source>Exam: mistakes are recorded and reported at the end; undo is disabled</source>
+        <translation>試験：誤りは記録され、最後に伝えます。「元に戻す」は使えません</translation>
     </message>
     <message>
-        <source>Practice: you are told what goes wrong</source>
+        <source>Practice: mistakes are reported at once</source>
         <translation>練習：誤りはその場で伝えます</translation>
     </message>
     <message>
@@ -8769,7 +8764,7 @@ unsaved</source>
         <translation>補助</translation>
     </message>
     <message>
-        <source>Marked by</source>
+        <source>Rubric</source>
         <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
         <translation>評価基準</translation>
     </message>
@@ -8792,7 +8787,7 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>Wrong</source>
+        <source>Error</source>
         <translation>誤り</translation>
     </message>
     <message>
@@ -8808,7 +8803,7 @@ unsaved</source>
         <translation>一本の歯の課題</translation>
     </message>
     <message>
-        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <source>Choose a tooth in the arch to see its lessons</source>
         <translation>歯列から歯を選び、その課題を見る</translation>
     </message>
     <message>
@@ -8835,20 +8830,20 @@ unsaved</source>
         <translation>破棄</translation>
     </message>
     <message>
-        <source>Discard the attempt that was not finished</source>
+        <source>Discard the unfinished attempt</source>
         <translation>途中の試行を破棄する</translation>
     </message>
     <message>
-        <source>Continue where I stopped: %1, begun %2</source>
+        <source>Continue %1, started %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation>中断したところから続ける：%1（%2 開始）</translation>
+        <translation>続ける：%1（%2 開始）</translation>
     </message>
     <message>
         <source>Continue</source>
         <translation>続ける</translation>
     </message>
     <message>
-        <source>Tried last: %1, best so far %2</source>
+        <source>Last attempt: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
         <translation>最後に試した課題：%1、最高 %2</translation>
     </message>
@@ -8857,15 +8852,15 @@ unsaved</source>
         <translation>もう一度</translation>
     </message>
     <message>
-        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <source>Assigned to you, but not on this computer: %1. Ask your teacher for the file.</source>
         <translation>出されていますが、このコンピューターにありません：%1。先生にファイルをもらってください。</translation>
     </message>
     <message>
-        <source>Given to you</source>
+        <source>Assigned to you</source>
         <translation>出された課題</translation>
     </message>
     <message>
-        <source>No lesson fits</source>
+        <source>No matching lessons</source>
         <translation>該当する課題がありません</translation>
     </message>
     <message>
@@ -8879,15 +8874,15 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>Given to</source>
+        <source>Assigned to</source>
         <translation>出された先</translation>
     </message>
     <message>
-        <source>There is none of these now. Show all lessons.</source>
+        <source>There are no such lessons now. Show all lessons.</source>
         <translation>該当する課題は今はありません。すべての課題を表示してください。</translation>
     </message>
     <message>
-        <source>The lessons are being read …</source>
+        <source>Loading the lessons …</source>
         <translation>課題を読み込んでいます …</translation>
     </message>
     <message>
@@ -8972,48 +8967,48 @@ unsaved</source>
 <context>
     <name>ui::study::ScorePage</name>
     <message>
-        <source>You expected %1 points: exactly so.</source>
+        <source>You expected %1 points, which is exactly right.</source>
         <translation>予想は%1点：ぴったりです。</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>予想は%1点：%2点高すぎました。</translation>
+        <source>You expected %1 points. You overestimated by %2 points.</source>
+        <translation>予想は%1点：実際より%2点高く見積もりました。</translation>
     </message>
     <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>予想は%1点：%2点低すぎました。</translation>
+        <source>You expected %1 points. You underestimated by %2 points.</source>
+        <translation>予想は%1点：実際より%2点低く見積もりました。</translation>
     </message>
     <message>
-        <source>Nothing cost you a point.</source>
+        <source>You lost no points.</source>
         <translation>失点はありません。</translation>
     </message>
     <message>
-        <source>Most points went to: %1.</source>
+        <source>Your biggest loss: %1.</source>
         <translation>最も失点したもの：%1。</translation>
     </message>
     <message>
-        <source>What cost most you knew: %1.</source>
+        <source>You named your biggest loss correctly: %1.</source>
         <translation>最も失点したものを当てました：%1。</translation>
     </message>
     <message>
-        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
+        <source>You expected &quot;%1&quot; to be your biggest loss; it was &quot;%2&quot;.</source>
         <translation>最も失点したのは「%1」との予想でしたが、「%2」でした。</translation>
     </message>
     <message>
-        <source>%1: %2, not named</source>
+        <source>%1: %2, no answer</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
         <translation>%1：%2、回答なし</translation>
     </message>
     <message>
-        <source>%1: %2, as you said</source>
-        <translation>%1：%2、回答どおり</translation>
+        <source>%1: %2, correct</source>
+        <translation>%1：%2、正解</translation>
     </message>
     <message>
-        <source>%1: %2, you said %3</source>
+        <source>%1: %2, your answer: %3</source>
         <translation>%1：%2、回答は%3</translation>
     </message>
     <message>
-        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <source>Held for %1 of %2 s, mean deviation %3 N</source>
         <translation>%2秒中%1秒保持、平均%3 Nのずれ</translation>
     </message>
     <message>
@@ -9021,20 +9016,20 @@ unsaved</source>
         <translation>すべての点に触れました</translation>
     </message>
     <message>
-        <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <source>%1 of %2 points touched; the ring marks a missed point</source>
         <translation>%2点中%1点に触れました。輪は触れなかった点を示します</translation>
     </message>
     <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <source>Rubric &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured, because the model is a height field.</source>
         <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
         <translation>評価基準「%1」、第%2版、内容%3。アンダーカットと90°を超える壁は測定されません：モデルは高さのデータです。</translation>
     </message>
     <message>
-        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
-        <translation>完成した歯を、一辺の列数を半分と2倍にしてもう一度測定します。数値がどれだけ格子に左右されるかが分かります。手の腕前や、別の日の結果については分かりません。</translation>
+        <source>The tooth is measured again with half and with double the number of grid columns. The result is clear of the pass mark if all scores lie on the same side of it. This says nothing about another attempt.</source>
+        <translation>歯を、格子の列数を半分と2倍にしてもう一度測定します。すべての得点が合格点の同じ側にあれば、結果は明確です。別の試行の結果については分かりません。</translation>
     </message>
     <message>
-        <source>Where the points went</source>
+        <source>Lost points</source>
         <translation>失点の内訳</translation>
     </message>
     <message>
@@ -9046,7 +9041,7 @@ unsaved</source>
         <translation>失点した時点を調べています</translation>
     </message>
     <message>
-        <source>Log in and keep it</source>
+        <source>Log in and save</source>
         <translation>ログインして保存</translation>
     </message>
     <message>
@@ -9072,57 +9067,57 @@ unsaved</source>
         <translation>合格</translation>
     </message>
     <message>
-        <source>Not passed: harm done</source>
-        <translation>不合格：損傷あり</translation>
+        <source>Not passed: critical error</source>
+        <translation>不合格：重大な誤り</translation>
     </message>
     <message>
         <source>Not passed yet</source>
         <translation>まだ合格ではありません</translation>
     </message>
     <message>
-        <source>At half the grid %1, at double %2.</source>
-        <translation>格子が半分で%1、2倍で%2。</translation>
+        <source>Score at half the grid: %1, at double the grid: %2.</source>
+        <translation>格子が半分のときの得点：%1、2倍のとき：%2。</translation>
     </message>
     <message>
-        <source>At half the grid %1.</source>
-        <translation>格子が半分で%1。</translation>
+        <source>Score at half the grid: %1.</source>
+        <translation>格子が半分のときの得点：%1。</translation>
     </message>
     <message>
-        <source>The pass mark lies between: this result is within the noise.</source>
-        <translation>合格点がその間にあります：結果は誤差の範囲内です。</translation>
+        <source>Result is close to the pass mark.</source>
+        <translation>結果は合格点に近い値です。</translation>
     </message>
     <message>
-        <source>Not within the noise of the pass mark.</source>
-        <translation>合格点は誤差の範囲外です。</translation>
+        <source>Result is clear of the pass mark.</source>
+        <translation>結果は合格点から十分に離れています。</translation>
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1には歯の上の場所がありません</translation>
     </message>
     <message>
-        <source>The work is everywhere as it ought to be</source>
-        <translation>すべての箇所が適正です</translation>
+        <source>No deviation from the ideal</source>
+        <translation>理想形からのずれはありません</translation>
     </message>
     <message>
         <source>%1 mm too deep</source>
         <translation>%1 mm深すぎます</translation>
     </message>
     <message>
-        <source>%1 mm still to go</source>
+        <source>%1 mm still to cut</source>
         <translation>残り%1 mm</translation>
     </message>
     <message>
-        <source>%1: the worst place</source>
+        <source>%1: worst place</source>
         <extracomment>%1 a criterion of a score</extracomment>
         <translation>%1：最も悪い箇所</translation>
     </message>
     <message>
-        <source>%1: the worst place, %2</source>
+        <source>%1: worst place, %2</source>
         <translation>%1：最も悪い箇所、%2</translation>
     </message>
     <message>
-        <source>%1 has no place; farthest off the ideal: %2</source>
-        <translation>%1には場所がありません。理想形から最も離れた所：%2</translation>
+        <source>%1 has no place on the tooth; largest deviation: %2</source>
+        <translation>%1には歯の上の場所がありません。最大のずれ：%2</translation>
     </message>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
@@ -9132,12 +9127,12 @@ unsaved</source>
         </translation>
     </message>
     <message>
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにあるのはあなたの結果だけです。</translation>
     </message>
     <message numerus="yes">
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
             <numerusform>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにある結果は%n人分です。</numerusform>
@@ -9149,16 +9144,16 @@ unsaved</source>
         <translation>別の評価基準</translation>
     </message>
     <message>
-        <source>You are not logged in, so this grade is not kept.</source>
+        <source>You are not logged in, so this grade is not saved.</source>
         <translation>ログインしていないため、この成績は保存されません。</translation>
     </message>
     <message>
-        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
-        <translation>この成績はこのコンピューターに保存されています。学校のデータベースには、つながり次第送られます。</translation>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>この成績はこのコンピューターに保存されています。接続が回復すると、学校のデータベースに送られます。</translation>
     </message>
     <message>
-        <source>This is the first grade here.</source>
-        <translation>ここでの最初の成績です。</translation>
+        <source>No earlier grades.</source>
+        <translation>以前の成績はありません。</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9173,8 +9168,8 @@ unsaved</source>
         <translation>報告書</translation>
     </message>
     <message>
-        <source>Score card on paper</source>
-        <translation>成績表を紙に出力</translation>
+        <source>Save or print the score card</source>
+        <translation>成績表を保存または印刷します</translation>
     </message>
     <message>
         <source>Save as PDF …</source>
@@ -9193,32 +9188,32 @@ unsaved</source>
         <translation>%1さんの評価：%2</translation>
     </message>
     <message>
-        <source>Expected by the student: %1 points.</source>
+        <source>The student expected %1 points.</source>
         <translation>学生の予想：%1点</translation>
     </message>
     <message>
-        <source>Passed, as the teacher decided</source>
+        <source>Passed (teacher&apos;s decision)</source>
         <translation>合格（教員の判断）</translation>
     </message>
     <message>
-        <source>Not passed, as the teacher decided</source>
+        <source>Not passed (teacher&apos;s decision)</source>
         <translation>不合格（教員の判断）</translation>
     </message>
     <message>
-        <source>The machine&apos;s score: %1</source>
+        <source>Automatic score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
-        <translation>機械採点：%1</translation>
+        <translation>自動採点：%1</translation>
     </message>
     <message>
-        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
+        <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
         <translation>この試行には読み取れる記録がないため、再生できず、歯の画像も表示されません。点数と減点の内訳は保存されたときのままです。</translation>
     </message>
     <message>
-        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
         <translation>この評価はまだ保存されていません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やしてください。</translation>
     </message>
     <message>
-        <source>This grade is not kept: it will not be here next time.</source>
+        <source>This grade is not saved and will not be here next time.</source>
         <translation>この成績は保存されません。次回はここに表示されません。</translation>
     </message>
     <message>

@@ -253,8 +253,7 @@ QString SchoolWindow::uidOf(const QString& name) const
 
 bool SchoolWindow::isUnfinishedOffered() const
 {
-    return child<QPushButton>("continue")->isVisible() &&
-           child<QLabel>("continueWords")->text().contains("Continue where I stopped");
+    return child<QPushButton>("continue")->isVisible() && child<QLabel>("continueWords")->text().contains("Continue ");
 }
 
 }  // namespace support

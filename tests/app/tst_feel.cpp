@@ -177,9 +177,9 @@ private slots:
         tryOnBlock("presetCompare");
         auto* card = child<ui::presets::TrialCard>();
         QVERIFY(card->isVisible() && !card->tuned());
-        QVERIFY(answer("set force.friction 0.2").contains("compared blind"));
+        QVERIFY(answer("set force.friction 0.2").contains("blind comparison"));
         for (const char* command : {"get force.friction", "save leak", "set force.stiffness 19"})
-            QVERIFY2(answer(command).contains("compared blind"), command);
+            QVERIFY2(answer(command).contains("blind comparison"), command);
         ui::tooth::ToothView& view = window().view();
         QTest::mouseMove(&view, view.rect().center());
         QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
@@ -223,9 +223,9 @@ private slots:
         const QString detail = child<QLabel>("presetFaultDetail")->text();
         QVERIFY2(detail.contains("says nothing of ") && detail.contains("pulp"), qPrintable(detail));
         const auto* bar = child<ui::shell::MessageBar>();
-        QVERIFY2(bar->sentence().contains("was kept: slip"), qPrintable(bar->sentence()));
+        QVERIFY2(bar->sentence().contains("was saved: slip"), qPrintable(bar->sentence()));
         import(R"({"force": {"stiffness_n_per_mm": 15}})");
-        QVERIFY2(!bar->sentence().contains("was kept"),
+        QVERIFY2(!bar->sentence().contains("was saved"),
                  qPrintable(bar->sentence()));  // one would read the older of both
         QVERIFY2(fault->text().contains("Would tremble"), qPrintable(fault->text()));
         core::settings::FeelPreset stiff;
@@ -242,7 +242,7 @@ private slots:
         QVERIFY(answer("set force.friction 0.2").contains("0.2"));
         openMadeLesson(
             R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
-        WAIT_FOR(answer("set force.friction 0.3").contains("In an exam"));
+        WAIT_FOR(answer("set force.friction 0.3").contains("during an exam"));
         const core::recording::Recording exam = recording();
         QCOMPARE(exam.settings().force.friction, core::contact::ForceSettings{}.friction);
         QVERIFY(!lessons::presetUsed(exam).isChanged);

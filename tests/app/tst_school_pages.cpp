@@ -126,7 +126,7 @@ private slots:
         goToTooth();
         setReachable(false);
         lockAndTryWrong(4);
-        QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+        QVERIFY2(saidAtDoor().contains("Wrong username or password"), qPrintable(saidAtDoor()));
         tryPassword();
         QVERIFY2(isAtDoor() && mustWait(), qPrintable(saidAtDoor()));
         const auto unlocks = [&] {
@@ -174,7 +174,7 @@ private slots:
         actions().lock->trigger();
         tryPassword("somebody else's");
         QVERIFY(isAtDoor() && door() == Door::Locked);
-        QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+        QVERIFY2(saidAtDoor().contains("Wrong username or password"), qPrintable(saidAtDoor()));
         tryPassword();
         QVERIFY2(!isAtDoor(), qPrintable(saidAtDoor()));
         QVERIFY(window().view().isVisible());
@@ -266,7 +266,8 @@ private slots:
         start(options);
         WAIT_FOR(child<QPushButton>("tryAgain")->isVisible());
         QVERIFY(!child<QPushButton>("restoreBackup")->isVisible());
-        QVERIFY2(saidAtDoor().contains("Another program is writing to the school's data"), qPrintable(saidAtDoor()));
+        QVERIFY2(saidAtDoor().contains("Another program is writing to the school's database"),
+                 qPrintable(saidAtDoor()));
         other.reset();
         click("tryAgain");
         WAIT_FOR(!child<QPushButton>("tryAgain")->isVisible());
@@ -283,7 +284,7 @@ private slots:
         WAIT_FOR(child<QPushButton>("restoreBackup")->isVisible());
         QVERIFY(child<QPushButton>("tryAgain")->isVisible() && child<QPushButton>("practiseAsGuest")->isEnabled());
         click("restoreBackup");
-        waitForDoorToSay("is in place");
+        waitForDoorToSay("was restored");
         QCOMPARE(window().focusWidget(), child<QLineEdit>("username"));
         logIn("sam");
         QCOMPARE(count("audit WHERE action = 'backup.restored'"), 1);
@@ -499,7 +500,7 @@ private slots:
         QCOMPARE(shown.criteria.size(), scored.criteria.size());
         for (std::size_t k = 0; k < scored.criteria.size(); ++k) {
             QCOMPARE(shown.criteria[k].lostTenths, scored.criteria[k].lostTenths);
-            QCOMPARE(ui::text::criterionWorked(shown.criteria[k], shown.verdict).contains("not stored"), !hasSheet);
+            QCOMPARE(ui::text::criterionWorked(shown.criteria[k], shown.verdict).contains("not saved"), !hasSheet);
         }
         const auto* const unrecorded = child<QLabel>("unrecorded");
         QVERIFY2(unrecorded->isVisible(), qPrintable(unrecorded->text()));
@@ -692,7 +693,7 @@ private slots:
         QVERIFY(child<AdminPage>()->isVisible() && !child<QPushButton>("keepPresent")->isVisible());
         QCOMPARE(count("people"), 5);
         clickTwice("restoreThis");
-        waitForDoorToSay("is in place");
+        waitForDoorToSay("was restored");
         QCOMPARE(count("people"), 4);
         QCOMPARE(count("audit a JOIN people p ON p.uid = a.actor "
                        "WHERE a.action = 'backup.restored' AND p.username = 'admin'"),

@@ -33,9 +33,9 @@ private slots:
         drill(-2.0);
         m_postgres.kill();
         drill(2.0);
-        grade("kept on this computer");
+        grade("saved on this computer");
         QVERIFY(m_postgres.start());
-        waitForSaved("first grade");
+        waitForSaved("No earlier grades");
         QCOMPARE(attempts(), 1);
         // The next start delivers nothing again.
         m_application.reset();
@@ -55,7 +55,7 @@ private slots:
         const QString outbox = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/outbox";
         QFile inTheWay(outbox);
         QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-        grade("not kept yet");
+        grade("not saved yet");
         switchTo("sue");
         m_application.reset();
         QVERIFY(inTheWay.remove());

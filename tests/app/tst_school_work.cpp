@@ -127,7 +127,7 @@ private slots:
         const QString before = removed();
         press({-2.0, 1.0, -1.0});
         WAIT_FOR(removed() != before);
-        grade("first grade");
+        grade("No earlier grades");
         release();
         QCOMPARE(attempts(), 1);
         const QString path = m_folder->filePath("new.pdf");
@@ -194,13 +194,13 @@ private slots:
             waitForTicks(500);
             QVERIFY(actions().redo->isEnabled());
         };
-        WAIT_FOR_VALUE(heading(), QString("Given to you"));
+        WAIT_FOR_VALUE(heading(), QString("Assigned to you"));
         startAssigned();
         drill(0.0);
         undoAndLoadSoft();
         drill(0.0);
         gradeLesson(1);
-        waitForSaved("first grade");
+        waitForSaved("No earlier grades");
         QVERIFY(actions().reload->isEnabled());
         waitForNewTooth([this] { actions().reload->trigger(); });
         waitForWholeTooth();
@@ -213,7 +213,7 @@ private slots:
         QVERIFY(!actions().reload->isEnabled());
         drill(2.0);
         actions().grade->trigger();
-        waitForMessage("used up your attempts");
+        waitForMessage("no attempts left");
         QVERIFY(!child<ui::study::Forecast>()->isVisible());
         actions().lessons->trigger();
         WAIT_FOR(child<QLabel>("whyNotStart")->isVisible());
@@ -222,7 +222,7 @@ private slots:
         QVERIFY(actions().reload->isEnabled());
         // It was not assigned to Sue's class.
         switchTo("sue");
-        WAIT_FOR(list->model()->rowCount() > 2 && heading() != "Given to you");
+        WAIT_FOR(list->model()->rowCount() > 2 && heading() != "Assigned to you");
     }
 
     /// Another user gets a whole tooth, of which Sam sees nothing; the idle lock keeps it for Sam as well.
@@ -268,7 +268,7 @@ private slots:
         WAIT_FOR(isUnfinishedOffered());
         assign("block-line", 1);
         click("continue");
-        waitForMessage("used up your attempts");
+        waitForMessage("no attempts left");
         QCOMPARE(removed(), QString("0.00"));
         switchTo("sue");
         switchTo("sam");
@@ -325,7 +325,7 @@ private slots:
         beginAs("sam");
         blockOutbox();
         drill(-2.0);
-        grade("not kept yet");
+        grade("not saved yet");
         waitForMessage("Make room on the disk");
         switchTo("sue");
         QVERIFY2(!message().contains("Make room on the disk"), qPrintable(message()));
@@ -335,7 +335,7 @@ private slots:
         click("questionStay");
         goToTooth();
         drill(2.0);
-        grade("not kept yet");
+        grade("not saved yet");
         // During a replay the journal cannot be told that the attempt is saved.
         m_application->showMoment(0.1);
         WAIT_FOR(actions().pauseReplay->isEnabled());
@@ -355,7 +355,7 @@ private slots:
         drill(-2.0);
         const QString own = removed();
         blockOutbox();
-        grade("not kept yet");
+        grade("not saved yet");
         switchTo("sue");
         m_application.reset();
         freeOutbox();
@@ -363,7 +363,7 @@ private slots:
         WAIT_FOR(isUnfinishedOffered());
         waitForNewTooth([this] { click("continue"); });
         WAIT_FOR_VALUE(removed(), own);
-        grade("first grade");
+        grade("No earlier grades");
         QCOMPARE(attempts(), 1);
     }
 
@@ -374,13 +374,13 @@ private slots:
         QVERIFY(sql::backUp(OtherStation(file()).school.db, sql::backupFolder(file()),
                             QDateTime::currentDateTimeUtc().addSecs(1)));
         drill(-2.0);
-        grade("first grade");
+        grade("No earlier grades");
         WAIT_FOR_VALUE(attempts(), 1);
         m_application.reset();
         damageSchool();
         start();
         click("restoreBackup");
-        waitForDoorToSay("is in place");
+        waitForDoorToSay("was restored");
         logIn("sam");
         WAIT_FOR_VALUE(attempts(), 1);
     }
@@ -408,7 +408,7 @@ private slots:
         drill(-2.0);
         WAIT_FOR_VALUE(count("exam_starts"), 2);
         beginAnew();
-        waitForMessage("used up your attempts");
+        waitForMessage("no attempts left");
         m_application.reset();
         startAs("ines");
         openStudent();
@@ -429,7 +429,7 @@ private slots:
                                      {newUid(), "exam-36", "2026-01-01T00:00:00Z"}));
         }
         press({-2.0, 1.0, -1.0});
-        waitForMessage("begun in another window");
+        waitForMessage("started in another window");
         release();
         for (const QAction* action : {actions().drill, actions().reload, actions().grade})
             QVERIFY2(!action->isEnabled(), qPrintable(action->text()));
@@ -475,7 +475,7 @@ private slots:
         blockOutbox();
         gradeLesson(0);
         const int expectedTenths = 10 * child<QSlider>("expected")->value();
-        waitForSaved("not kept yet");
+        waitForSaved("not saved yet");
         static_cast<void>(killWithJournal(uidOf("sam")));
         freeOutbox();
         startAs("sam");
@@ -519,7 +519,7 @@ private slots:
         for (const char* button : {"openAttempt", "replayAttempt"}) {
             window().showMessage("Nothing yet.");
             click(button);
-            waitForMessage("You are in an exam");
+            waitForMessage("not available during an exam");
             QVERIFY(child<ui::people::HistoryPage>()->isVisible());
         }
         goToTooth();
@@ -533,7 +533,7 @@ private slots:
     {
         beginAs("sam");
         drill(-2.0);
-        grade("first grade");
+        grade("No earlier grades");
         switchTo("ines");
         openStudent();
         openNewest();
@@ -627,7 +627,7 @@ private slots:
         QCOMPARE(count("presets WHERE name = 'hard'"), 1);
         goToTooth();
         drill(-2.0);
-        grade("first grade");
+        grade("No earlier grades");
         const auto felt = [this](int attempt) {
             return OtherStation(file())
                 .ask(QStringLiteral("SELECT preset FROM attempts ORDER BY id LIMIT 1 OFFSET %1").arg(attempt))

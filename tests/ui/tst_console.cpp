@@ -176,8 +176,8 @@ private slots:
     void theOwnerMayRefuse()
     {
         Room room;
-        room.refusal = "In an exam, what is felt stays as it is.";
-        QVERIFY(room.answer("set force.stiffness 1").contains("In an exam"));
+        room.refusal = "The hardness cannot be changed during an exam.";
+        QVERIFY(room.answer("set force.stiffness 1").contains("during an exam"));
         QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
         room.refusal.clear();
         // The limit for a stable stiffness still applies.
@@ -396,7 +396,7 @@ private slots:
         // Neither the number, nor whether it is this one, nor how far it is from the bound.
         for (const char* command : {"get force.stiffness", "force.stiffness", "set force.stiffness 2",
                                     "set force.stiffness 9", "save leak", "reset force.stiffness"})
-            QVERIFY2(room.answer(command).contains("compared blind"), command);
+            QVERIFY2(room.answer(command).contains("blind comparison"), command);
         QVERIFY(kept.isEmpty());
         QVERIFY(room.answer("list force.stiff").contains("–"));
         room.line().setText("get force.stiffness");

@@ -463,7 +463,7 @@ private slots:
                 return one->isVisibleTo(m_window.get()) && one->text().contains(words);
             });
         };
-        QVERIFY(says("enamel") && says("Name or password is wrong"));
+        QVERIFY(says("enamel") && says("Wrong username or password"));
         ui::text::Language::choose("de");
         QTRY_VERIFY(says("Schmelz") && says("Passwort ist falsch"));
     }

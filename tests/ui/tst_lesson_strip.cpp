@@ -46,10 +46,10 @@ private slots:
         QCOMPARE(words(), QString("First"));
         hint().click();
         QCOMPARE(words(), QString("First hint"));
-        arrow("The next step").click();
+        arrow("Next step").click();
         QCOMPARE(words(), QString("Second"));
         QVERIFY(!hint().isVisible());
-        arrow("The next step").click();
+        arrow("Next step").click();
         QCOMPARE(words(), QString("Third"));
         QVERIFY(hint().isVisible() && !hint().isChecked());
         hint().click();
@@ -72,14 +72,14 @@ private slots:
         };
         QCOMPARE(press(hint()), QString("First hint"));
         QCOMPARE(press(hint()), QString("First"));
-        QCOMPARE(press(arrow("The next step")), QString("Second"));
-        press(arrow("The next step"));
+        QCOMPARE(press(arrow("Next step")), QString("Second"));
+        press(arrow("Next step"));
         QCOMPARE(words(), QString("Third"));
-        QVERIFY(arrow("The step before").hasFocus());
-        press(arrow("The step before"));
-        press(arrow("The step before"));
+        QVERIFY(arrow("Previous step").hasFocus());
+        press(arrow("Previous step"));
+        press(arrow("Previous step"));
         QCOMPARE(words(), QString("First"));
-        QVERIFY(arrow("The next step").hasFocus());
+        QVERIFY(arrow("Next step").hasFocus());
     }
 
     void anExamThatIsOverSaysSo()
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(time->text(), QString("0:00"));
         m_strip->conclude(LessonStrip::Ending::WithScore);
         QVERIFY(words().contains("The exam is over"));
-        QVERIFY(!hint().isVisible() && !arrow("The next step").isVisible());
+        QVERIFY(!hint().isVisible() && !arrow("Next step").isVisible());
         m_strip->setTime(70.0);
         QCOMPARE(time->text(), QString("0:00"));
         // Another attempt is spoken of once there is a grade, and one is left.

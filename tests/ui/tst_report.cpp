@@ -288,8 +288,8 @@ private slots:
         card.attempt.givenTenths = 801;
         card.talk.overrides.push_back({"Grace Hopper", "2026-11-20T11:30:00Z", 801, "The wall is fine by hand."});
         row("another score was given", card,
-            {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
-             "The machine's score: 100.0"});
+            {"80.1 of 100 points", "Automatic score: 68.4", "Grace Hopper", "The wall is fine by hand.",
+             "Automatic score: 100.0"});
         card = m_card;
         card.work->measured.process.emplace().totalS = 133.0;
         card.work->aids = core::session::kSectionAid | core::session::kIdealAid;
@@ -297,8 +297,9 @@ private slots:
         card.sheet.criteria.front().critical = true;
         card.sheet.criteria.front().share = 1.0;
         row("harm, aids and a breach", card,
-            {ui::study::ScorePage::verdictWords(card.sheet, {}), "Not passed: harm done", "1 breach(es) of the rules: ",
-             " at 0:37", "Aids in use: section, ideal", "Middle half", "Class median", "Pass mark", "Not passed"},
+            {ui::study::ScorePage::verdictWords(card.sheet, {}), "Not passed: critical error",
+             "1 breach(es) of the rules: ", " at 0:37", "Aids in use: section, ideal", "Middle half", "Class median",
+             "Pass mark", "Not passed"},
             {"..."});
         card = m_card;
         card.proof.auditCode.clear();

@@ -371,7 +371,7 @@ private slots:
         QTest::newRow("over what is free") << criterion("a", 3.2, "percent", Side::Over, 0, 1, 30, 600)
                                            << "(3.20 − 1.00 free) / 30.00 % × 60.0 points = 4.4";
         QTest::newRow("at the cap") << criterion("a", 40, "mm3", Side::Over, 0, 4, 20, 400)
-                                    << "(40.00 − 4.00 free) / 20.00 mm³ × 40.0 points, no more than all of them";
+                                    << "(40.00 − 4.00 free) / 20.00 mm³ × 40.0 points, at most all of them";
         QTest::newRow("nothing free") << criterion("a", 1.25, "mm3", Side::Over, 0, 0, 20, 400)
                                       << "(1.25) / 20.00 mm³ × 40.0 points = 2.5";
         QTest::newRow("a target, both sides") << criterion("a", 1.95, "mm", Side::Both, 1.5, 0.25, 1, 200)
@@ -386,15 +386,16 @@ private slots:
                                 << "at least 1.40 mm: nothing lost";
         QTest::newRow("at once") << criterion("a", 0.2, "mm2", Side::Over, 0, 0.1, 0, 50)
                                  << "up to 0.10 mm²; beyond it all of its 5.0 points are lost";
-        QTest::newRow("critical") << criterion("a", 0.2, "mm2", Side::Over, 0, 0, 0, 0)
-                                  << "Allowed is up to 0.00 mm²; it fails the attempt and takes the 100.0 points left";
+        QTest::newRow("critical")
+            << criterion("a", 0.2, "mm2", Side::Over, 0, 0, 0, 0)
+            << "Allowed: up to 0.00 mm². The attempt fails and the remaining 100.0 points are lost";
         QTest::newRow("not measured") << criterion("a", {}, "mm", Side::Over, 0, 0, 1, 150)
                                       << "Not measured, so it earns none of its 15.0 points";
         lessons::Criterion early = criterion("a", 0, "mm3", Side::Over, 0, 4, 20, 400);
         early.isTooEarly = true;
         early.lostTenths = 400;
         early.once = lessons::Once{"caries_removed_percent", "percent", 50.0};
-        QTest::newRow("too early") << early << "None of its 40.0 points are earned before 50 % of the decay is out";
+        QTest::newRow("too early") << early << "None of its 40.0 points are earned before 50 % of the decay is removed";
         early.once = lessons::Once{"deepest_cut_mm", "mm", 0.5};
         QTest::newRow("too early by another")
             << early << "None of its 40.0 points are earned before deepest_cut_mm has reached 0.5 mm";

@@ -287,7 +287,7 @@ private slots:
         // Beside what is searched for.
         search()->setText("class1-36");
         QCOMPARE(shown("Passed"), QStringList());
-        QCOMPARE(lessonTitle(), QString("No lesson fits"));
+        QCOMPARE(lessonTitle(), QString("No matching lessons"));
         QCOMPARE(shown("All"), QStringList{"Class I on 36"});
         // For a student to whom nothing was given, everything that is not passed is to do.
         search()->clear();

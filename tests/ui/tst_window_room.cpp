@@ -343,9 +343,9 @@ private slots:
             return sentence->isVisible() ? sentence->text() : QString();
         };
         QVERIFY(!sentence->isVisible());
-        QTRY_VERIFY(isTold(kDeviceLost, false, false).contains("handpiece is gone"));
+        QTRY_VERIFY(isTold(kDeviceLost, false, false).contains("handpiece is disconnected"));
         QTRY_VERIFY(isTold(0, false, false).isEmpty());
-        QTRY_VERIFY(isTold(0, true, false).startsWith("The handpiece lies on the crown"));
+        QTRY_VERIFY(isTold(0, true, false).startsWith("The handpiece touches the crown"));
         QTRY_VERIFY(isTold(0, true, true).isEmpty());
     }
 
@@ -394,7 +394,7 @@ private slots:
     {
         press(Qt::Key_R);
         QCOMPARE(sent().size(), 1);
-        QVERIFY(message().contains("whole again"));
+        QVERIFY(message().contains("was reset"));
         QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
         const auto commands = sent();
         QCOMPARE(commands.size(), 1);

@@ -132,7 +132,7 @@ private slots:
             QVERIFY(sent().isEmpty());
             QVERIFY2(message().isEmpty(), "the school may still refuse it");
             m_window->showBegunAnew();
-            QVERIFY2(message().contains("begins anew"), qPrintable(message()));
+            QVERIFY2(message().contains("starts again"), qPrintable(message()));
             child<MessageBar>()->dismiss();
         }
         beginLesson(assigned("class1-36"));
@@ -160,7 +160,7 @@ private slots:
             record(30.0);
             QVERIFY2(message().isEmpty(), qPrintable(message()));
             record(100.0);
-            QVERIFY2(message().contains("time of this lesson is over") == isLesson, qPrintable(message()));
+            QVERIFY2(message().contains("time for this lesson is over") == isLesson, qPrintable(message()));
             actions().lessons->trigger();
             QVERIFY2(message().isEmpty(), "it is said where the lesson is");
             actions().back->trigger();
@@ -186,7 +186,7 @@ private slots:
         const auto passOnAnotherPage = [&](double seconds) {
             actions().lessons->trigger();
             pass(seconds);
-            QVERIFY2(!message().contains("time of this"), qPrintable(message()));
+            QVERIFY2(!message().contains("time for this"), qPrintable(message()));
             actions().back->trigger();
         };
         const auto passGraded = [&] {
@@ -203,7 +203,7 @@ private slots:
         actions().reload->trigger();
         QCOMPARE(pass(20.0), QString("1:00"));
         QCOMPARE(passGraded(), QString("1:00"));
-        QVERIFY2(!message().contains("time of this lesson"), qPrintable(message()));
+        QVERIFY2(!message().contains("time for this lesson"), qPrintable(message()));
         // A resumed attempt keeps the pauses that it had before.
         begin(false);
         m_window->resumeClock(100.0, 40.0);
@@ -269,7 +269,7 @@ private slots:
                 QVERIFY(!actions().undo->isEnabled() && !actions().history->isEnabled());
                 actions().reload->trigger();
                 QCOMPARE(again.count(), 0);
-                QVERIFY2(message().contains("no grade yet"), qPrintable(message()));
+                QVERIFY2(message().contains("not graded yet"), qPrintable(message()));
             }
             showScoreAndGoBack();
             QVERIFY(!mayCut() && !actions().undo->isEnabled() && !actions().history->isEnabled());
@@ -285,7 +285,7 @@ private slots:
         // If the student has cut nothing when the time is over, there is nothing to grade and the exam begins again.
         beginLesson(exam);
         record(overS, 0.0, true);
-        QVERIFY2(message().contains("time of this exam is over"), qPrintable(message()));
+        QVERIFY2(message().contains("time for this exam is over"), qPrintable(message()));
         actions().reload->trigger();
         QCOMPARE(again.count(), 3);
         exam.lesson->exam = false;
@@ -317,7 +317,7 @@ private slots:
             QStringList told;
             for (const int y : {12, 12 + 32})
                 told << line->saidAt({qRound(line->xOf(20.5)), y});
-            told = told.filter("pulp is open");
+            told = told.filter("pulp is exposed");
             if (child<QLabel>("notice")->isVisible())
                 told << child<QLabel>("notice")->text();
             if (!line->saidAt({qRound(line->xOf(40.0)), 12}).join(' ').contains("Undone"))
@@ -336,7 +336,7 @@ private slots:
         QVERIFY2(message().contains("exam"), qPrintable(message()));
         actions().back->trigger();
         // After grading, and in a practice attempt, nothing is hidden.
-        const QStringList all{"0:20  The pulp is open", "0:20  The pulp is open", "Pulp opened"};
+        const QStringList all{"0:20  The pulp is exposed", "0:20  The pulp is exposed", "Pulp opened"};
         m_window->showScore(sheet(3.2, 40, 0.5), {});
         actions().back->trigger();
         QCOMPARE(breachesTold(), all);
@@ -508,7 +508,7 @@ private slots:
         cutSomething(1.0);
         m_window->showScore(sheet(40, 30, 0), {});
         child<ui::study::ScorePage>()->setKeeping(ui::study::ScorePage::Keeping::Refused);
-        QVERIFY(child<QLabel>("historyRemark")->text().contains("tried again"));
+        QVERIFY(child<QLabel>("historyRemark")->text().contains("tries again"));
         m_window->setUnkeptGrades(1);
         m_window->close();
         QVERIFY(m_window->isVisible() && question("gradeQuestion") != nullptr);
@@ -642,13 +642,13 @@ private slots:
         // What led to the breach is seen.
         QTest::mouseClick(line, Qt::LeftButton, {}, at(20.5, 12));
         QVERIFY(isAt(19.5));
-        for (const auto& [place, words] : {std::pair(at(20.5, 12), "pulp is open"),
+        for (const auto& [place, words] : {std::pair(at(20.5, 12), "pulp is exposed"),
                                            {at(40.0, 12), "Undone"},
                                            {at(15.0, 12), "Bur 4"},
                                            {at(26.0, 12), "Handpiece: Electric"},
-                                           {at(50.0, 12), "Middle pad: said to be dentin"},
+                                           {at(50.0, 12), "Middle pad: answer dentin"},
                                            {at(7.0, 24), "Stroke 1, 4.0 s"},
-                                           {at(30.0, 24), "Elsewhere for 0:06"}})
+                                           {at(30.0, 24), "Interruption of 0:06"}})
             QVERIFY2(line->saidAt(place).join(' ').contains(QLatin1String(words)), words);
         QVERIFY(line->saidAt(at(36.0, 24)).isEmpty());
     }

@@ -311,8 +311,8 @@ void PeoplePart::speak()
     };
     name(m_search, tr("Search: a name, a class, a role"));
     for (const auto& [field, word, words] :
-         {std::tuple(m_username, m_usernameWord, tr("Name to log in with")),
-          std::tuple(m_given, m_givenWord, tr("Given name")), std::tuple(m_family, m_familyWord, tr("Family name"))}) {
+         {std::tuple(m_username, m_usernameWord, tr("Username")), std::tuple(m_given, m_givenWord, tr("Given name")),
+          std::tuple(m_family, m_familyWord, tr("Family name"))}) {
         field->setAccessibleName(words);
         word->setText(words);
     }
@@ -767,7 +767,7 @@ void PeoplePart::submit()
         m_sinceSubmitted.start();
         emit changeWanted(changed, tickedClasses());
     } else if (const QString name = m_username->text().trimmed(); name.isEmpty()) {
-        say({}, [] { return tr("The name to log in with is missing."); });
+        say({}, [] { return tr("The username is missing."); });
         m_username->setFocus();
     } else {
         m_submitted = typed();

@@ -93,8 +93,8 @@ bool isFeelVeiled(const core::settings::Parameters& parameters)
 
 QString blindWords()
 {
-    return Words::tr("Two presets are being compared blind: until that is over, what is felt is not told. \"End the "
-                     "comparison\" beside the tooth ends it.");
+    return Words::tr("A blind comparison of two presets is running, so their values are hidden. \"End the comparison\" "
+                     "beside the tooth ends it.");
 }
 
 QString groupName(const QString& group)

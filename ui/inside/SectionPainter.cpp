@@ -363,10 +363,7 @@ PictureKey keyOf(const SectionScene& scene)
         });
     };
     //: In the key of a picture, beside a line
-    const QString original = QCoreApplication::translate("Section", "surface before anything was cut");
-    //: The same, where a second line stands beside it
-    const QString shortly = QCoreApplication::translate("Section", "surface before");
-    line(surfacePen(), PictureKey::kSignPx, scene.ideal ? shortly : original);
+    line(surfacePen(), PictureKey::kSignPx, QCoreApplication::translate("Section", "original surface"));
     if (scene.ideal)
         line(idealPen(), 2.0 * PictureKey::kSignPx, QCoreApplication::translate("Section", "ideal preparation"));
     if (scene.band != nullptr)

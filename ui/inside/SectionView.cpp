@@ -145,8 +145,8 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
         figures->addWidget(value, row++, 1);
         return value;
     };
-    m_depth = addFigure(QT_TR_NOOP("Depth below the old surface"), "sectionDepth",
-                        QT_TR_NOOP("How far the tip stands below the surface as it was, straight up."));
+    m_depth = addFigure(QT_TR_NOOP("Depth below original surface"), "sectionDepth",
+                        QT_TR_NOOP("Vertical depth of the tip below the original surface."));
     m_dentin = addFigure(
         QT_TR_NOOP("Dentin left over the pulp"), "sectionDentin",
         QT_TR_NOOP("Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there."));

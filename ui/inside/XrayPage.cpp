@@ -150,7 +150,7 @@ void XrayPage::speak()
     setTitle(tr("X-ray: %1").arg(text::toothTitle(anatomy)));
     m_bitewing->setToolTip(
         brokenIntoLines(core::teeth::isGenerated(anatomy)
-                            ? tr("The crown between its two neighbours. They are sound teeth made by Cusp, and touch.")
+                            ? tr("The crown between two sound neighbours made by Cusp, with contact points.")
                             : tr("Nothing in a scan says which side is mesial, so it gets no neighbours.")));
     nameSides();
 }

@@ -6,10 +6,10 @@ namespace ui::people {
 /// What the login page asks for.
 enum class Door {
     Login,
-    NewPassword,  ///< the one-time code was right
-    OwnPassword,  ///< who is logged in changes his
-    NewSchool,    ///< nobody has been entered yet
-    Locked        ///< somebody has left his place: he comes back, or another logs in
+    NewPassword,  ///< after a one-time code: choose a password
+    OwnPassword,  ///< change the password of the logged-in user
+    NewSchool,    ///< the database has no users
+    Locked        ///< the user locked the window: unlock it, or switch user
 };
 
 }  // namespace ui::people

@@ -242,47 +242,44 @@ void LoginPage::speak()
 {
     m_language->setText(text::Language::nameOf(text::Language::current()));
     m_language->setAccessibleName(tr("Language: %1").arg(m_language->text()));
-    m_language->setToolTip(tr("Choose the language of all words"));
+    m_language->setToolTip(tr("Choose the language"));
     switch (m_door) {
     case Door::Login:
         m_title->setText(tr("Cusp"));
-        m_words->setText(tr("Log in, so that your attempts are kept."));
+        m_words->setText(tr("Log in to save your attempts."));
         m_go->setText(tr("Log in"));
         break;
     case Door::NewPassword:
         m_title->setText(tr("Choose a password"));
-        m_words->setText(tr("The one-time code is right. From now on you log in with a password of your own: eight "
-                            "characters or more."));
+        m_words->setText(tr("The one-time code is correct. Choose your own password: at least eight characters."));
         m_go->setText(tr("Set the password"));
         break;
     case Door::OwnPassword:
         m_title->setText(tr("Change your password"));
-        m_words->setText(tr("The new one: eight characters or more."));
+        m_words->setText(tr("At least eight characters."));
         m_go->setText(tr("Change the password"));
         break;
     case Door::NewSchool:
         m_title->setText(tr("Welcome to Cusp"));
-        m_words->setText(
-            m_backupMade.isValid()
-                //: %1: a file
-                ? tr("The school's data are not where they were: there is nobody in %1. But there is a backup of them, "
-                     "which you can restore below. Or create a new school: you become its admin.")
-                      .arg(m_where)
-                : tr("Nobody has been entered here yet. Create the school: you become its admin, who enters "
-                     "teachers and students. Or practise now; nothing is kept then."));
+        m_words->setText(m_backupMade.isValid()
+                             //: %1: a file
+                             ? tr("The school's database was not found: %1 has no users. Restore the backup below, or "
+                                  "create a new school and become its admin.")
+                                   .arg(m_where)
+                             : tr("No users yet. Create the school: you become its admin and add teachers and "
+                                  "students. Or practise now without saving."));
         m_go->setText(tr("Create the school"));
         break;
     case Door::Locked:
         //: %1: the name a user logs in with
         m_title->setText(tr("Locked by %1").arg(m_lockedBy));
-        m_words->setText(m_isLockedInExam
-                             ? tr("The work on the table is as it was left, but the time of the exam goes on.")
-                             : tr("The work on the table is as it was left."));
-        m_go->setText(tr("Go on"));
+        m_words->setText(m_isLockedInExam ? tr("The work in progress is unchanged, but the exam time keeps running.")
+                                          : tr("The work in progress is unchanged."));
+        m_go->setText(tr("Unlock"));
         break;
     }
     //: Back, without having changed the password
-    m_other->setText(m_door == Door::OwnPassword ? tr("Leave it as it is") : tr("Somebody else logs in"));
+    m_other->setText(m_door == Door::OwnPassword ? tr("Cancel") : tr("Switch user"));
     m_change->setText(tr("Change my password"));
     m_change->setAccessibleName(m_change->text());
     m_guest->setText(m_door == Door::NewSchool ? tr("Practise now") : tr("Practise without login"));
@@ -290,32 +287,32 @@ void LoginPage::speak()
         m_captions[input]->setText(words);
         input->setAccessibleName(words);
     };
-    name(m_name, tr("Name to log in with"));
+    name(m_name, tr("Username"));
     name(m_given, tr("Given name"));
     name(m_family, tr("Family name"));
-    name(m_old, tr("Present password"));
+    name(m_old, tr("Current password"));
     name(m_password, m_door == Door::Login         ? tr("Password or one-time code")
                      : m_door == Door::OwnPassword ? tr("New password")
                                                    : tr("Password"));
-    name(m_again, m_door == Door::OwnPassword ? tr("The new password again") : tr("The password again"));
+    name(m_again, m_door == Door::OwnPassword ? tr("Confirm new password") : tr("Confirm password"));
     m_tryAgain->setText(tr("Try again"));
     //: %1: day and time
     m_restore->setText(
         tr("Restore backup (%1)").arg(QLocale().toString(m_backupMade.toLocalTime(), QLocale::ShortFormat)));
     m_restore->setToolTip(brokenIntoLines(
-        tr("Attempts of this computer that are in no backup are entered again. What teachers and admins have entered "
-           "since then is missing. The file that is there now is kept beside it.")));
+        tr("Attempts on this computer that are in no backup are added again. Changes that teachers and admins made "
+           "after the backup are lost. The current file is kept next to the restored one.")));
     for (QPushButton* button : {m_go, m_other, m_guest, m_tryAgain, m_restore})
         button->setAccessibleName(button->text());
-    m_waiting->setText(m_isOpening ? tr("The school's data are being opened …")
-                                   : tr("Waiting for the school's data …"));
-    m_keep->setText(tr("The attempt just graded is mine; keep it"));
+    m_waiting->setText(m_isOpening ? tr("Opening the school's database …") : tr("Waiting for the school's database …"));
+    m_keep->setText(tr("Save the attempt just graded as mine"));
     m_keep->setAccessibleName(m_keep->text());
     //: %1: a lesson or a tooth
     m_keep->setToolTip(brokenIntoLines(
-        m_kept ? tr("%1: it becomes the attempt of who logs in. Without the tick it is not kept.").arg(m_kept())
+        m_kept ? tr("%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.")
+                     .arg(m_kept())
                : QString()));
-    m_guest->setToolTip(brokenIntoLines(tr("Drill and be graded; nothing is kept")));
+    m_guest->setToolTip(brokenIntoLines(tr("Drill and get a grade; nothing is saved")));
 }
 
 void LoginPage::say(std::function<QString()> sentence)
@@ -428,7 +425,7 @@ bool LoginPage::areNamesFit()
     for (QLineEdit* one : {m_family, m_given})
         if (wrong == nullptr && !database::canBeSeen(one->text().trimmed().toStdString())) {
             wrong = one;
-            why = [] { return tr("This name has signs that cannot be seen. Type it again."); };
+            why = [] { return tr("This name contains invisible characters. Type it again."); };
         }
     if (wrong == nullptr)
         return true;
@@ -445,7 +442,7 @@ void LoginPage::submit()
     tellFault({});
     const QString password = m_password->text();
     if (m_again->isVisibleTo(m_card) && m_again->text() != password) {
-        refuse([] { return tr("The two passwords differ. Type the second one again."); });
+        refuse([] { return tr("The passwords do not match. Type the second one again."); });
         m_again->setFocus();
         m_again->selectAll();
         return;

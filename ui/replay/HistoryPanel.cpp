@@ -65,9 +65,9 @@ std::uint64_t number(MomentId id)
 QString whenWords(const HistoryRow& row)
 {
     if (row.moment.tick == 0 && row.parent < 0)
-        return QCoreApplication::translate("HistoryPanel", "Whole tooth");
+        return QCoreApplication::translate("HistoryPanel", "Intact tooth");
     if (row.moment.tick == 0)
-        return QCoreApplication::translate("HistoryPanel", "Whole again");
+        return QCoreApplication::translate("HistoryPanel", "Tooth reset");
     return text::duration(row.moment.seconds);
 }
 
@@ -216,12 +216,11 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     m_list->setUniformItemSizes(true);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    text::inEveryLanguage(m_list, [this] { m_list->setToolTip(tr("Go to a moment: click it, or press Enter")); });
+    text::inEveryLanguage(m_list, [this] { m_list->setToolTip(tr("Click a state, or press Enter, to return to it")); });
     column->addWidget(m_list);
     text::inEveryLanguage(m_empty, [this] {
-        m_empty->setText(
-            tr("Each stroke you make appears here as a small picture. Click one to go back to it; what came "
-               "after stays, as a branch of its own."));
+        m_empty->setText(tr("Each stroke appears here as a small picture. Click a picture to go back to it. Later "
+                            "strokes stay as a separate branch."));
     });
     m_empty->setWordWrap(true);
     m_empty->setForegroundRole(QPalette::PlaceholderText);

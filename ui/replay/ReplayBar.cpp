@@ -85,8 +85,8 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
     text::inEveryLanguage(stop, [stop] { stop->setText(tr("Stop")); });
     stop->setProperty("kind", "filled");
     text::inEveryLanguage(stop, [stop] {
-        stop->setAccessibleName(tr("Stop the recording"));
-        stop->setToolTip(tr("Stop watching and go back to your own work (Esc)"));
+        stop->setAccessibleName(tr("Stop the replay"));
+        stop->setToolTip(tr("Stop the replay and return to your own work (Esc)"));
     });
     stop->setFocusPolicy(Qt::TabFocus);
     connect(stop, &QPushButton::clicked, this, &ReplayBar::stopWanted);

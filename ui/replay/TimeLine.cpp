@@ -131,7 +131,7 @@ QString noteWords(std::uint64_t code)
 {
     if (const auto answer = core::grading::answerOf(code); answer && answer->pad < core::grading::kPads)
         //: %1 is "Left", "Middle" or "Right", %2 a tissue
-        return QCoreApplication::translate("TimeLine", "%1 pad: said to be %2")
+        return QCoreApplication::translate("TimeLine", "%1 pad: answer %2")
             .arg(study::padName(answer->pad), text::materialName(answer->said));
     if (code == core::session::kGradedNote)
         return QCoreApplication::translate("TimeLine", "Graded");
@@ -159,7 +159,7 @@ QString markWords(const Mark& mark)
     case Mark::Kind::Redo:
         return QCoreApplication::translate("TimeLine", "Redone");
     case Mark::Kind::StartAgain:
-        return QCoreApplication::translate("TimeLine", "Whole again");
+        return QCoreApplication::translate("TimeLine", "Tooth reset");
     case Mark::Kind::Bur:
         return QCoreApplication::translate("TimeLine", "Bur %1: %2").arg(mark.value + 1).arg(burWords(mark.value));
     case Mark::Kind::Handpiece:
@@ -169,13 +169,13 @@ QString markWords(const Mark& mark)
     case Mark::Kind::Note:
         return noteWords(mark.value);
     case Mark::Kind::Home:
-        return QCoreApplication::translate("TimeLine", "The hand was led home");
+        return QCoreApplication::translate("TimeLine", "The hand was guided back");
     case Mark::Kind::Touched:
         return QCoreApplication::translate("TimeLine", "Point %1 touched").arg(mark.value + 1);
     case Mark::Kind::Resumed:
         break;
     }
-    return QCoreApplication::translate("TimeLine", "Taken up again");
+    return QCoreApplication::translate("TimeLine", "Resumed");
 }
 
 QString remarkWords(const Remark& remark)
@@ -192,7 +192,7 @@ TimeLine::TimeLine(QWidget* parent) : QWidget(parent)
     text::inEveryLanguage(this, [this] {
         setAccessibleName(tr("Time line"));
         setAccessibleDescription(
-            tr("Left and right go from stroke to stroke, Home and End to the beginning and the end."));
+            tr("Left and Right move from stroke to stroke, Home and End to the beginning and the end."));
     });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setCursor(Qt::PointingHandCursor);
@@ -288,7 +288,7 @@ QStringList TimeLine::saidAt(const QPoint& place) const
             if (place.x() >= xIn(lane.course, rest.fromS) && place.x() <= xIn(lane.course, rest.toS))
                 said << at(
                     rest.fromS,
-                    tr("Elsewhere for %1, which is no time of the attempt").arg(text::duration(rest.toS - rest.fromS)));
+                    tr("Interruption of %1, not counted as working time").arg(text::duration(rest.toS - rest.fromS)));
     }
     return said;
 }

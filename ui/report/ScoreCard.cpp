@@ -108,15 +108,15 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
     //: %1: a person; %2: date and time
     sheet.say(CardWords::tr("%1, %2").arg(card.person, people::when(attempt.finishedUtc)), kHeadPt);
     sheet.skip(4.0);
-    //: %1 and %2: points; %3: "Passed", "Not passed: harm done"
+    //: %1 and %2: points; %3: "Passed", "Not passed: critical error"
     sheet.say(CardWords::tr("%1 of 100 points, pass mark %2. %3")
                   .arg(text::points(attempt.countingTenths()), text::points(attempt.passMarkTenths),
                        study::ScorePage::verdictWords(card.sheet, attempt.givenTenths)),
               kTitlePt, QFont::DemiBold);
     if (attempt.givenTenths) {
-        sheet.say(CardWords::tr("Given by an instructor. The machine's score: %1 points.")
-                      .arg(text::points(attempt.scoreTenths)),
-                  kTextPt, QFont::DemiBold);
+        sheet.say(
+            CardWords::tr("Given by an instructor. Automatic score: %1 points.").arg(text::points(attempt.scoreTenths)),
+            kTextPt, QFont::DemiBold);
         if (!card.talk.overrides.empty()) {
             const database::AttemptOverride& given = card.talk.overrides.back();
             //: %1: a person; %2: date and time; %3: why
@@ -128,10 +128,10 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
     }
     if (attempt.expectedTenths)
         sheet.say(
-            CardWords::tr("Expected before the score was seen: %1 points").arg(text::points(*attempt.expectedTenths)),
+            CardWords::tr("Self-assessment before the score: %1 points").arg(text::points(*attempt.expectedTenths)),
             kTextPt);
     //: "12:07"
-    sheet.say(CardWords::tr("Time %1 min; force while cutting %2 N on the average, %3 N at most")
+    sheet.say(CardWords::tr("Time %1 min; cutting force: mean %2 N, maximum %3 N")
                   .arg(people::clock(attempt.durationMs), text::number(0.001 * attempt.meanForceMn, 2),
                        text::number(0.001 * attempt.peakForceMn, 2)),
               kTextPt);
@@ -154,7 +154,7 @@ QString momentsOf(const ScoreCard& card, std::size_t k)
 QString lostWords(const lessons::Criterion& criterion)
 {
     if (criterion.weightTenths == 0)  // a limit: it costs no points, it decides
-        return criterion.share > 0.0 ? CardWords::tr("not kept") : CardWords::tr("kept");
+        return criterion.share > 0.0 ? CardWords::tr("not met") : CardWords::tr("met");
     //: Lost of a weight, both points: "−4.4 of 30.0"
     return CardWords::tr("%1 of %2")
         .arg(text::number(-0.1 * criterion.lostTenths, 1), text::points(criterion.weightTenths));
@@ -162,7 +162,7 @@ QString lostWords(const lessons::Criterion& criterion)
 
 void paintCriteria(Sheet& sheet, const ScoreCard& card)
 {
-    sheet.head(CardWords::tr("Where the points went"), 40.0);
+    sheet.head(CardWords::tr("Lost points"), 40.0);
     double lostWide = 0.0;
     for (const lessons::Criterion& criterion : card.sheet.criteria)
         lostWide = std::max(lostWide, sheet.widthOf(lostWords(criterion), kTextPt, QFont::DemiBold) + kColumnGapPt);
@@ -208,7 +208,7 @@ void paintPictures(Sheet& sheet, const QList<QImage>& pictures, double mostHigh)
     const double wide = 0.5 * (sheet.width() - 10.0);
     const double high = std::min(mostHigh, wide * kPicturePx.height() / kPicturePx.width());
     const double drawn = high * kPicturePx.width() / kPicturePx.height();
-    sheet.head(CardWords::tr("On the tooth, and in a section through the place that is farthest off"), high);
+    sheet.head(CardWords::tr("On the tooth, and in a section through the largest deviation"), high);
     double left = 0.0;
     for (qsizetype k = 0; k < pictures.size() && !sheet.isCounting(); ++k) {
         const QRectF box(left, sheet.top(), drawn, high);
@@ -299,7 +299,7 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
     const auto shown = [](const std::string& hash) { return noted(hash.substr(0, kHashShown)); };
-    sheet.head(CardWords::tr("How it was marked and made"), 40.0);
+    sheet.head(CardWords::tr("Details of grading and recording"), 40.0);
     const QString rubric =
         QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));
     const QString content = shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash);

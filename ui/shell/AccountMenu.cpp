@@ -22,7 +22,7 @@ AccountMenu::AccountMenu(const Actions& actions, QWidget* parent) : QMenu(parent
     addAction(actions.presets);
     addAction(actions.settings);
     text::inEveryLanguage(this, [this, password] {
-        setAccessibleName(tr("My place"));
+        setAccessibleName(tr("My account"));
         password->setText(tr("Change my password …"));
     });
 }

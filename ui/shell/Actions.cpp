@@ -31,26 +31,26 @@ QString drawingOf(const QAction* action)
 Actions::Actions(QWidget* window) : QObject(window), m_window(window)
 {
     m_groups.push_back({QT_TR_NOOP("Drill"), {}});
-    drill = add("drill", QT_TR_NOOP("Drill on or off"), QT_TR_NOOP("Let the bur turn, or stop it"),
-                {Qt::Key_D, Qt::Key_Space});
+    drill =
+        add("drill", QT_TR_NOOP("Drill on or off"), QT_TR_NOOP("Start or stop the bur"), {Qt::Key_D, Qt::Key_Space});
     drill->setCheckable(true);
-    undo = add("undo", QT_TR_NOOP("Undo"), QT_TR_NOOP("Take back the last stroke"), {Qt::CTRL | Qt::Key_Z});
-    redo = add("redo", QT_TR_NOOP("Redo"), QT_TR_NOOP("Make the stroke again that was taken back"),
+    undo = add("undo", QT_TR_NOOP("Undo"), QT_TR_NOOP("Undo the last stroke"), {Qt::CTRL | Qt::Key_Z});
+    redo = add("redo", QT_TR_NOOP("Redo"), QT_TR_NOOP("Redo the stroke that was undone"),
                {Qt::CTRL | Qt::SHIFT | Qt::Key_Z});
-    history = add("history", QT_TR_NOOP("History"),
-                  QT_TR_NOOP("Show what can be gone back to, branches and all, or put it away"), {Qt::Key_U});
+    history = add("history", QT_TR_NOOP("History"), QT_TR_NOOP("Show or hide the undo history with all its branches"),
+                  {Qt::Key_U});
     history->setCheckable(true);
-    reload = add("reload", QT_TR_NOOP("Start again"),
-                 QT_TR_NOOP("Make the tooth whole again; undo brings your work back"), {Qt::Key_R});
+    reload =
+        add("reload", QT_TR_NOOP("Start again"), QT_TR_NOOP("Reset the tooth; Undo restores your work"), {Qt::Key_R});
     grade =
-        add("grade", QT_TR_NOOP("Grade"), QT_TR_NOOP("Measure what you have cut and explain the grade"), {Qt::Key_G});
+        add("grade", QT_TR_NOOP("Grade"), QT_TR_NOOP("Measure your preparation and explain the grade"), {Qt::Key_G});
 
     m_groups.push_back({QT_TR_NOOP("Handpiece"), {}});
     auto* oneBur = new QActionGroup(this);
     int digit = Qt::Key_1;
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
         QAction* action =
-            add({}, [&bur] { return text::burName(bur.id); }, QT_TR_NOOP("Take this bur"), {QKeySequence(digit++)});
+            add({}, [&bur] { return text::burName(bur.id); }, QT_TR_NOOP("Use this bur"), {QKeySequence(digit++)});
         action->setCheckable(true);
         oneBur->addAction(action);
         burs.push_back(action);
@@ -59,7 +59,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     digit = Qt::Key_7;
     for (const core::settings::Handpiece& handpiece : core::settings::handpieces()) {
         QAction* action = add("handpiece", [&handpiece] { return text::handpieceName(handpiece.name); },
-                              QT_TR_NOOP("Take this handpiece"), {QKeySequence(digit++)});
+                              QT_TR_NOOP("Use this handpiece"), {QKeySequence(digit++)});
         action->setCheckable(true);
         oneHandpiece->addAction(action);
         handpieces.push_back(action);
@@ -67,18 +67,17 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     otherHand = add("hand", QT_TR_NOOP("Other hand"),
                     QT_TR_NOOP("Hold the handpiece from the other side; the view stays"), {Qt::Key_H});
     otherHand->setCheckable(true);
-    bringHome = add("home", QT_TR_NOOP("Lead the handpiece home"),
-                    QT_TR_NOOP("Let the handpiece lead your hand back over the tooth"), {Qt::Key_C});
+    bringHome = add("home", QT_TR_NOOP("Return the handpiece"),
+                    QT_TR_NOOP("Let the handpiece guide your hand back over the tooth"), {Qt::Key_C});
 
     m_groups.push_back({QT_TR_NOOP("Tooth and files"), {}});
     lessons = add("lessons", QT_TR_NOOP("Lessons"), QT_TR_NOOP("Choose what to practise"), {Qt::Key_F2});
-    editLesson =
-        add("edit", QT_TR_NOOP("Edit the lesson …"),
-            QT_TR_NOOP("Change the ideal and the marking of the lesson that is chosen in the list"), {Qt::Key_F4});
-    attempts = add("attempts", QT_TR_NOOP("My attempts"), QT_TR_NOOP("See how your attempts went"), {Qt::Key_F3});
-    classes = add("class", QT_TR_NOOP("Classes"), QT_TR_NOOP("See how a class does, and who needs help"), {Qt::Key_F6});
-    readAgain = add("reload", QT_TR_NOOP("Read again"), QT_TR_NOOP("Show what was done at other computers meanwhile"),
-                    {Qt::Key_F5});
+    editLesson = add("edit", QT_TR_NOOP("Edit the lesson …"),
+                     QT_TR_NOOP("Change the ideal and the rubric of the selected lesson"), {Qt::Key_F4});
+    attempts = add("attempts", QT_TR_NOOP("My attempts"), QT_TR_NOOP("See the results of your attempts"), {Qt::Key_F3});
+    classes =
+        add("class", QT_TR_NOOP("Classes"), QT_TR_NOOP("See the results of a class and who needs help"), {Qt::Key_F6});
+    readAgain = add("reload", QT_TR_NOOP("Reload"), QT_TR_NOOP("Show changes made on other computers"), {Qt::Key_F5});
     school =
         add("settings", QT_TR_NOOP("School"), QT_TR_NOOP("People, class lists, backups and the audit"), {Qt::Key_F8});
     for (QAction* one : {attempts, classes, readAgain, school})
@@ -94,21 +93,20 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     saveRecording = add("save", QT_TR_NOOP("Save the recording"),
                         QT_TR_NOOP("Save every movement of this attempt to a file"), {Qt::CTRL | Qt::Key_S});
     saveReference =
-        add("reference", QT_TR_NOOP("Save this attempt as the reference …"),
-            QT_TR_NOOP("Keep what you have cut as the ideal that lessons ask for"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S});
-    openRecording = add("play", QT_TR_NOOP("Open a recording"), QT_TR_NOOP("Watch a saved attempt again"),
+        add("reference", QT_TR_NOOP("Save this attempt as a reference …"),
+            QT_TR_NOOP("Save your preparation as an ideal for lessons"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S});
+    openRecording = add("play", QT_TR_NOOP("Open a recording"), QT_TR_NOOP("Replay a saved attempt"),
                         {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
     expert = add("expert", QT_TR_NOOP("The expert's attempt"),
-                 QT_TR_NOOP("Watch how an expert does it; in a replay, beside this attempt"), {Qt::Key_Y});
+                 QT_TR_NOOP("Watch how an expert does it; during a replay, beside this attempt"), {Qt::Key_Y});
 
     m_groups.push_back({QT_TR_NOOP("Replay"), {}});
     pauseReplay = add("pause", [this] { return m_isReplayPaused ? tr("Resume the replay") : tr("Pause the replay"); },
-                      QT_TR_NOOP("Hold the recording where it is, or let it go on"), {Qt::Key_Space});
-    stepBack =
-        add("step-back", QT_TR_NOOP("A stroke back"),
-            QT_TR_NOOP("Go back to the end of the stroke before, and hold there"), {Qt::Key_Left, Qt::Key_Comma});
-    stepOn = add("step-on", QT_TR_NOOP("A stroke on"),
-                 QT_TR_NOOP("Go on to the end of the next stroke, and hold there"), {Qt::Key_Right, Qt::Key_Period});
+                      QT_TR_NOOP("Pause or resume the replay"), {Qt::Key_Space});
+    stepBack = add("step-back", QT_TR_NOOP("Previous stroke"),
+                   QT_TR_NOOP("Go to the end of the previous stroke and pause"), {Qt::Key_Left, Qt::Key_Comma});
+    stepOn = add("step-on", QT_TR_NOOP("Next stroke"), QT_TR_NOOP("Go to the end of the next stroke and pause"),
+                 {Qt::Key_Right, Qt::Key_Period});
     replayBegin = add("to-begin", QT_TR_NOOP("To the beginning"), QT_TR_NOOP("Go to the beginning of the recording"),
                       {Qt::Key_Home});
     replayEnd = add("to-end", QT_TR_NOOP("To the end"), QT_TR_NOOP("Go to the end of the recording"), {Qt::Key_End});
@@ -116,26 +114,26 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                  {Qt::Key_BracketLeft, Qt::Key_Down});
     faster = add("faster", QT_TR_NOOP("Faster"), QT_TR_NOOP("Play the recording faster, up to 16 times"),
                  {Qt::Key_BracketRight, Qt::Key_Up});
-    beside = add("beside", QT_TR_NOOP("Another beside"),
-                 QT_TR_NOOP("Open another attempt beside this one, or put it away"), {Qt::CTRL | Qt::Key_B});
+    beside = add("beside", QT_TR_NOOP("Compare with …"),
+                 QT_TR_NOOP("Open another attempt beside this one, or close it"), {Qt::CTRL | Qt::Key_B});
     beside->setCheckable(true);
-    along = add("along", QT_TR_NOOP("Be led along"),
-                QT_TR_NOOP("Let the handpiece lead your hand along the attempt; a push lets go"), {Qt::Key_A});
+    along =
+        add("along", QT_TR_NOOP("Guide my hand"),
+            QT_TR_NOOP("Let the handpiece guide your hand along the attempt; push against it to stop"), {Qt::Key_A});
     along->setCheckable(true);
 
     m_groups.push_back({QT_TR_NOOP("Seeing inside"), {}});
-    section = add("section", QT_TR_NOOP("Section"), QT_TR_NOOP("Show a live cut through the bur, or put it away"),
-                  {Qt::Key_X});
+    section =
+        add("section", QT_TR_NOOP("Section"), QT_TR_NOOP("Show or hide a live section through the bur"), {Qt::Key_X});
     section->setCheckable(true);
-    turnSection = add("view", QT_TR_NOOP("Turn the section"), QT_TR_NOOP("Turn the cut about the bur by 15 degrees"),
-                      {Qt::SHIFT | Qt::Key_X});
+    turnSection = add("view", QT_TR_NOOP("Turn the section"),
+                      QT_TR_NOOP("Turn the section around the bur by 15 degrees"), {Qt::SHIFT | Qt::Key_X});
     radiograph =
         add("film", QT_TR_NOOP("X-ray"), QT_TR_NOOP("Show X-ray pictures of the tooth, before and now"), {Qt::Key_F});
 
     m_groups.push_back({QT_TR_NOOP("View"), {}});
-    resetView = add("view", QT_TR_NOOP("View from the start"), QT_TR_NOOP("Turn the tooth back to where it began"),
-                    {Qt::Key_V});
-    turnRound = add("turn", QT_TR_NOOP("Turn round"), QT_TR_NOOP("Look from the other side: half a circle"),
+    resetView = add("view", QT_TR_NOOP("Reset view"), QT_TR_NOOP("Return to the initial view"), {Qt::Key_V});
+    turnRound = add("turn", QT_TR_NOOP("Rotate 180°"), QT_TR_NOOP("Look at the tooth from the opposite side"),
                     {Qt::SHIFT | Qt::Key_H});
     const auto choice = [this](const QString& drawing, const char* text, const char* tip,
                                const QList<QKeySequence>& keys) {
@@ -144,60 +142,63 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         return action;
     };
     //: The small round mirror on a handle
-    mirror = choice("mirror", QT_TR_NOOP("Dental mirror"),
-                    QT_TR_NOOP("Take the mirror or put it away; drag its glass, with Shift to tilt it"), {Qt::Key_E});
-    burLight = choice("light", QT_TR_NOOP("Light on the handpiece"), QT_TR_NOOP("Let the handpiece light the cavity"),
+    mirror =
+        choice("mirror", QT_TR_NOOP("Dental mirror"),
+               QT_TR_NOOP("Show or hide the mirror; drag its glass to move it, with Shift to tilt it"), {Qt::Key_E});
+    burLight = choice("light", QT_TR_NOOP("Light on the handpiece"), QT_TR_NOOP("Light the cavity from the handpiece"),
                       {Qt::Key_L});
-    depthColours = choice("depth", QT_TR_NOOP("Colours of depth"),
-                          QT_TR_NOOP("Colour the cut by its depth and tell it under the pointer"), {Qt::Key_K});
-    idealColours = choice("ideal", QT_TR_NOOP("Colours against the ideal"),
-                          QT_TR_NOOP("Colour what is too deep and what is still to go, and tell it under the pointer"),
-                          {Qt::SHIFT | Qt::Key_K});
+    depthColours = choice("depth", QT_TR_NOOP("Depth colours"),
+                          QT_TR_NOOP("Colour the cut by its depth and show the depth at the pointer"), {Qt::Key_K});
+    idealColours =
+        choice("ideal", QT_TR_NOOP("Deviation from the ideal"),
+               QT_TR_NOOP("Colour what is too deep and what is still to cut, and show the value at the pointer"),
+               {Qt::SHIFT | Qt::Key_K});
     //: The bur tells by its colour how near it is to what is to be kept
     burColour = choice("target", QT_TR_NOOP("Colour the bur"),
-                       QT_TR_NOOP("Colour the bur by how near it is to what is to be kept"), {Qt::Key_A});
-    fixture = choice("rail", QT_TR_NOOP("Guided hand"),
-                     QT_TR_NOOP("Let a gentle force hold the hand within the outline"), {Qt::Key_Q});
-    neighbours = choice("mouth", QT_TR_NOOP("Neighbouring teeth"),
-                        QT_TR_NOOP("Show the teeth beside this one, and the gum"), {Qt::Key_N});
-    handPlace = choice("ghost", QT_TR_NOOP("Where the hand is"),
-                       QT_TR_NOOP("Show faintly where the hand holds the bur"), {Qt::Key_B});
-    distinctColours = choice("palette", QT_TR_NOOP("Colours for every eye"),
-                             QT_TR_NOOP("Give each tissue a colour and a pattern that nobody confuses"), {Qt::Key_P});
+                       QT_TR_NOOP("Colour the bur by its distance from tissue that must be kept"), {Qt::Key_A});
+    fixture = choice("rail", QT_TR_NOOP("Guided hand"), QT_TR_NOOP("A gentle force keeps the hand within the outline"),
+                     {Qt::Key_Q});
+    neighbours = choice("mouth", QT_TR_NOOP("Neighbouring teeth"), QT_TR_NOOP("Show the adjacent teeth and the gum"),
+                        {Qt::Key_N});
+    handPlace = choice("ghost", QT_TR_NOOP("Hand position"), QT_TR_NOOP("Show faintly where the hand holds the bur"),
+                       {Qt::Key_B});
+    distinctColours =
+        choice("palette", QT_TR_NOOP("Colour-blind palette"),
+               QT_TR_NOOP("Give each tissue a colour and a pattern that are easy to tell apart"), {Qt::Key_P});
     //: The tooth as if it were wet
-    wetLook = choice("drop", QT_TR_NOOP("Wet tooth"), QT_TR_NOOP("Let the tooth shine as if it were wet"), {Qt::Key_W});
+    wetLook =
+        choice("drop", QT_TR_NOOP("Wet tooth"), QT_TR_NOOP("Make the tooth shine as if it were wet"), {Qt::Key_W});
     stereo = choice("glasses", QT_TR_NOOP("Stereo picture"), QT_TR_NOOP("One picture for each eye"), {Qt::Key_S});
     stereoPage = add("glasses", QT_TR_NOOP("Set up the stereo picture …"),
                      QT_TR_NOOP("Choose glasses or screen and fit it to your eyes"), {Qt::SHIFT | Qt::Key_S});
-    flipLeftRight = choice("flip-h", QT_TR_NOOP("Turn left and right over"),
+    flipLeftRight = choice("flip-h", QT_TR_NOOP("Mirror horizontally"),
                            QT_TR_NOOP("For a half-silvered mirror over the hand"), {Qt::ALT | Qt::Key_H});
-    flipUpDown = choice("flip-v", QT_TR_NOOP("Turn up and down over"),
-                        QT_TR_NOOP("For a screen that lies upside down over the hand"), {Qt::ALT | Qt::Key_V});
+    flipUpDown = choice("flip-v", QT_TR_NOOP("Mirror vertically"),
+                        QT_TR_NOOP("For a screen mounted upside down over the hand"), {Qt::ALT | Qt::Key_V});
     savePicture = add("picture", QT_TR_NOOP("Save a picture …"), QT_TR_NOOP("Save what the view shows as a PNG"),
                       {Qt::CTRL | Qt::Key_P});
-    reducedMotion =
-        choice("calm", QT_TR_NOOP("Less motion"), QT_TR_NOOP("No gliding, no spinning bur"), {Qt::ALT | Qt::Key_M});
+    reducedMotion = choice("calm", QT_TR_NOOP("Less motion"), QT_TR_NOOP("No animations and no spinning bur"),
+                           {Qt::ALT | Qt::Key_M});
 
     m_groups.push_back({QT_TR_NOOP("Window"), {}});
-    panel = add("panel", QT_TR_NOOP("Side panel"), QT_TR_NOOP("Show the figures, or put them away"), {Qt::Key_F9});
+    panel = add("panel", QT_TR_NOOP("Side panel"), QT_TR_NOOP("Show or hide the figures"), {Qt::Key_F9});
     panel->setCheckable(true);
     panel->setChecked(true);
-    console = add("console", QT_TR_NOOP("Console"),
-                  QT_TR_NOOP("Look at parameters and turn them while you drill, or put it away"),
-                  {Qt::Key_F10, Qt::Key_QuoteLeft});
+    console =
+        add("console", QT_TR_NOOP("Console"), QT_TR_NOOP("Show or hide parameters that you can change while you drill"),
+            {Qt::Key_F10, Qt::Key_QuoteLeft});
     settings =
         add("settings", QT_TR_NOOP("Settings"), QT_TR_NOOP("Every setting with its range"), {Qt::CTRL | Qt::Key_Comma});
     account = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : m_username; },
-                  QT_TR_NOOP("Log in; lock this place, change your password or the language"), {});
-    lock = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : tr("Lock, or let another log in"); },
-               QT_TR_NOOP("Your work stays; who comes back or logs in says who he is"), {Qt::CTRL | Qt::Key_L});
+                  QT_TR_NOOP("Log in, lock this workstation, or change your password or the language"), {});
+    lock = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : tr("Lock or switch user"); },
+               QT_TR_NOOP("Your work stays open; a password is needed to continue"), {Qt::CTRL | Qt::Key_L});
     fullScreen = add("fullscreen", QT_TR_NOOP("Full screen"), QT_TR_NOOP("Fill the whole screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     help = add("help", QT_TR_NOOP("Keys and mouse"), QT_TR_NOOP("Show what every key does"), {Qt::Key_F1});
-    tour = add("expert", QT_TR_NOOP("Take the tour"), QT_TR_NOOP("Be shown round, step by step"),
+    tour = add("expert", QT_TR_NOOP("Take the tour"), QT_TR_NOOP("Get to know the window step by step"),
                {Qt::SHIFT | Qt::Key_F1});
-    back = add("back", [this] { return wayBack(); }, QT_TR_NOOP("Close what is open here; nothing is lost"),
-               {Qt::Key_Escape});
+    back = add("back", [this] { return wayBack(); }, QT_TR_NOOP("Close this page; nothing is lost"), {Qt::Key_Escape});
     quit = add("close", QT_TR_NOOP("Quit"), QT_TR_NOOP("Close Cusp"), {Qt::CTRL | Qt::Key_Q});
     text::inEveryLanguage(window, [this] { speak(); });
 }
@@ -234,7 +235,7 @@ void Actions::showAccount(const QString& username)
 {
     m_username = username;
     account->setText(username.isEmpty() ? tr("Log in") : username);
-    lock->setText(username.isEmpty() ? tr("Log in") : tr("Lock, or let another log in"));
+    lock->setText(username.isEmpty() ? tr("Log in") : tr("Lock or switch user"));
 }
 
 void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)

@@ -38,7 +38,7 @@ QList<Gesture> gestures()
 {
     return {
         {HelpOverlay::tr("Move the bur"), {HelpOverlay::tr("mouse"), HelpOverlay::tr("arrows")}},
-        {HelpOverlay::tr("Move it finely"), {HelpOverlay::tr("Shift + arrows")}},
+        {HelpOverlay::tr("Move it in fine steps"), {HelpOverlay::tr("Shift + arrows")}},
         {HelpOverlay::tr("Push it against the tooth"), {HelpOverlay::tr("left button"), HelpOverlay::tr("Page Down")}},
         {HelpOverlay::tr("Lift it"), {HelpOverlay::tr("Page Up")}},
         {HelpOverlay::tr("Push harder, softer"),
@@ -48,11 +48,11 @@ QList<Gesture> gestures()
         {HelpOverlay::tr("Turn the view"), {HelpOverlay::tr("right or middle drag"), HelpOverlay::tr("Ctrl + arrows")}},
         {HelpOverlay::tr("Turn the handpiece"), {HelpOverlay::tr("the same with Shift")}},
         // The left button on the tooth drills, however quickly it is pressed twice.
-        {HelpOverlay::tr("Turn it back"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
+        {HelpOverlay::tr("Reset view"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
         {HelpOverlay::tr("Move the mirror"), {HelpOverlay::tr("drag its glass"), HelpOverlay::tr("Alt + arrows")}},
         {HelpOverlay::tr("Tilt the mirror"), {HelpOverlay::tr("the same with Shift")}},
         {HelpOverlay::tr("Bring it nearer"), {HelpOverlay::tr("wheel over it"), HelpOverlay::tr("Alt + Page Up")}},
-        {HelpOverlay::tr("Come nearer, go back"), {HelpOverlay::tr("wheel"), QStringLiteral("+"), QStringLiteral("−")}},
+        {HelpOverlay::tr("Zoom in, zoom out"), {HelpOverlay::tr("wheel"), QStringLiteral("+"), QStringLiteral("−")}},
     };
 }
 
@@ -60,7 +60,7 @@ QList<Gesture> gestures()
 QList<Gesture> inLists()
 {
     return {
-        {HelpOverlay::tr("Sort it otherwise"), {HelpOverlay::tr("Alt + arrows")}},
+        {HelpOverlay::tr("Change the sorting"), {HelpOverlay::tr("Alt + arrows")}},
     };
 }
 

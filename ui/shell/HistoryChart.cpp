@@ -37,7 +37,8 @@ void HistoryChart::setScores(const QList<Score>& oldestFirst, int passMarkTenths
 
 QString HistoryChart::words(const Score& score)
 {
-    return score.isComparable ? text::points(score.tenths) : tr("%1 by another rubric").arg(text::points(score.tenths));
+    return score.isComparable ? text::points(score.tenths)
+                              : tr("%1 with another rubric").arg(text::points(score.tenths));
 }
 
 QString HistoryChart::passMarkWords() const

@@ -228,23 +228,21 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
-            // On whichever page he is next, and until he has seen it.
+            // On whichever page the user is next, until they have seen it.
             m_messages->say([] {
-                return MessageBar::Message{MessageBar::Kind::Warning,
-                                           tr("The time of this exam is over: nothing more can be cut."),
-                                           {},
-                                           {},
-                                           {},
-                                           MessageBar::Topic::Tooth};
+                return MessageBar::Message{
+                    MessageBar::Kind::Warning, tr("The time for this exam is over: cutting is disabled."), {}, {}, {},
+                    MessageBar::Topic::Tooth};
             });
             emit gradeRequested();
         } else
-            m_messages->say({MessageBar::Kind::News,
-                             tr("The time of this lesson is over. Go on as long as you like, or press G."),
-                             {},
-                             {},
-                             {},
-                             MessageBar::Topic::Lesson});
+            m_messages->say(
+                {MessageBar::Kind::News,
+                 tr("The time for this lesson is over. Continue as long as you like, or press G for the grade."),
+                 {},
+                 {},
+                 {},
+                 MessageBar::Topic::Lesson});
     });
     connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
         askForFile(
@@ -339,7 +337,7 @@ void MainWindow::connectActions()
     on(m_actions->reload, [this] { startAgain(); });
     on(m_actions->grade, [this] {
         if (m_replaying)
-            offerToStop(tr("This is a replay. Stop it to be graded on your own work."));
+            offerToStop(tr("This is a replay. Stop it to grade your own work."));
         else
             emit gradeRequested();
     });
@@ -412,7 +410,7 @@ void MainWindow::startAgain()
     const bool hasWork = m_exerciseCard->isVisibleTo(m_room) || ownWork() != core::terrain::PerMaterial{};
     if (m_examIsOver && !m_isGraded && hasWork) {
         goTo(m_room);
-        showMessage(tr("This exam is over, but has no grade yet. Press G for it."));
+        showMessage(tr("This exam is over but not graded yet. Press G to grade it."));
     } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
         emit attemptAgainWanted();
     } else if (m_isGraded) {
@@ -421,7 +419,7 @@ void MainWindow::startAgain()
         goTo(m_room);
         if (!send(core::session::Reload{}))
             return;
-        m_messages->say({MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
+        m_messages->say({MessageBar::Kind::News, tr("The tooth was reset."), {}, tr("Restore my work"), [this] {
                              send(core::session::Undo{});
                          }});
     }
@@ -431,7 +429,7 @@ void MainWindow::showBegunAnew()
 {
     goTo(m_room);
     showMessage(isExam()                              ? tr("Another attempt at the exam begins.")
-                : m_exerciseCard->isVisibleTo(m_room) ? tr("The exercise begins anew.")
+                : m_exerciseCard->isVisibleTo(m_room) ? tr("The exercise starts again.")
                 : lessonShown() == nullptr            ? tr("Another attempt begins.")
                                                       : tr("Another attempt at the lesson begins."));
 }
@@ -565,13 +563,13 @@ void MainWindow::showAccount()
             button->mapToGlobal(QPoint(button->width() - m_accountMenu->sizeHint().width(), button->height())));
 }
 
-/// Who is logged in locks his place; from there he comes back, or lets somebody else log in.
+/// Locks the window of the logged-in user, who can unlock it or switch user.
 void MainWindow::changeAccount()
 {
     if (isAtDoor() && m_who.isGuest())
         goBack();
     else if (m_who.isGuest() && m_isGraded && ownWork() == m_workGraded && m_pages->currentWidget() == m_scorePage)
-        emit keepWanted();  // his grade is what he logs in for
+        emit keepWanted();  // the guest logs in to save this grade
     else if (m_who.isGuest())
         // Who logs in begins with a clean table.
         leaveWork([this] {
@@ -736,7 +734,7 @@ void MainWindow::refuseLogin(const core::Error& error)
     if (error.code == core::ErrorCode::NewPassword)
         m_login->ask(people::Door::NewPassword);
     else if (error.code == core::ErrorCode::WrongLogin && m_login->door() == people::Door::NewPassword)
-        m_login->refuse([] { return tr("The one-time code does not hold any more. Ask an admin for another."); });
+        m_login->refuse([] { return tr("The one-time code is no longer valid. Ask an admin for a new one."); });
     else if (error.code == core::ErrorCode::OutOfRange)
         m_login->refuseNewPassword([error] { return text::loginFault(error); });
     else
@@ -919,18 +917,18 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& wanted)
     if (!(next == m_usualFeel))
         next = wanted;
     if (isExamRunning())
-        return tr("In an exam, what is felt stays as it is.").toStdString();
+        return tr("The hardness cannot be changed during an exam.").toStdString();
     if (m_replaying)
-        return tr("This is a replay: it feels as it was recorded.").toStdString();
+        return tr("A replay uses the recorded hardness.").toStdString();
     const bool isTried = m_trialCard->isVisibleTo(m_room);
     if (isTried && m_trialCard->isComparing())
-        return tr("Two presets are being compared blind: that comes to its end first.").toStdString();
+        return tr("A blind comparison of two presets is running. Finish it first.").toStdString();
     // A lesson that brings its own hardness leaves the forces alone.
     core::settings::FeelPreset forces = next;
     for (const auto& field : core::settings::feelFields().subspan(0, 2 * core::settings::kSubstances + 1))
         forces.*field.value = m_feel.*field.value;
     if (m_assignment && m_assignment->lesson && m_assignment->lesson->hardness && !(forces == next))
-        return tr("This lesson brings its own hardness. Only the forces can be changed.").toStdString();
+        return tr("This lesson sets its own hardness. Only the forces can be changed.").toStdString();
     m_feel = next;
     if (isTried) {
         if (m_trialCard->tuned())
@@ -951,7 +949,7 @@ void MainWindow::showPresetKept(const core::settings::FeelPreset& preset, const 
 {
     m_presets->select(preset);
     m_presets->setFault(note);
-    const QString said = tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset));
+    const QString said = tr("The hardness preset was saved: %1.").arg(presets::presetWords(preset));
     if (m_console->isVisible())
         m_console->say(note.isEmpty() ? said : said + u'\n' + note);
     else
@@ -988,17 +986,15 @@ void MainWindow::beginTrial()
 void MainWindow::editChosenLesson()
 {
     if (isExamRunning()) {
-        showMessage(
-            tr("You are in an exam, and a lesson's ideal is shown in the editor. Finish the exam first: press G "
-               "for the grade, or take another lesson."));
+        showMessage(tr("The lesson editor is not available during an exam, because it shows the ideal. Press G to "
+                       "finish the exam, or start another lesson."));
         return;
     }
     const lessons::CatalogEntry* const entry = m_lessonsPage->chosen();
     if (entry == nullptr)  // nothing fits the search, and the page says so
         return;
     if (!entry->read.lesson) {
-        showMessage(
-            tr("This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first."));
+        showMessage(tr("This file is not a valid lesson, so it cannot be edited. Fix the listed errors first."));
         return;
     }
     if (entry->pack.isEmpty())
@@ -1027,7 +1023,8 @@ void MainWindow::openLessons()
 void MainWindow::editLesson(const lessons::ReadLesson& lesson)
 {
     if (!m_mayEdit) {
-        showMessage(tr("Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list."));
+        showMessage(
+            tr("Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list."));
         return;
     }
     m_editor->edit(lesson, lessons::teachersFolder());
@@ -1179,8 +1176,8 @@ void MainWindow::lookAlike()
 void MainWindow::showLeadEnd(bool pushed)
 {
     m_actions->along->setChecked(false);
-    showMessage(pushed ? tr("You held against it, so your hand is free. Press A to be led again.")
-                       : tr("The handpiece is not there any more, so your hand is free."));
+    showMessage(pushed ? tr("You pushed against the guidance, so it stopped. Press A to start it again.")
+                       : tr("The handpiece is no longer available, so the guidance stopped."));
 }
 
 void MainWindow::offerHome()
@@ -1355,7 +1352,7 @@ void MainWindow::savePicture(const QString& path, const QImage& picture)
         showMessage(tr("The picture was saved as %1.").arg(QDir::toNativeSeparators(path)));
     else
         m_messages->say({MessageBar::Kind::Error,
-                         tr("The picture could not be written. Choose another folder, or make room on the disk."),
+                         tr("The picture could not be written. Choose another folder, or free some disk space."),
                          QFileInfo(path).fileName(),
                          {},
                          {},
@@ -1369,8 +1366,8 @@ void MainWindow::connectView()
     connect(m_view, &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
     connect(m_view, &tooth::ToothView::pushRefused, this, [this] {
         if (!std::exchange(m_knowsTheFarSide, true))
-            showMessage(tr("From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, "
-                           "or press V."));
+            showMessage(tr("You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth "
+                           "back, or press V."));
     });
     const auto take = [this](const tooth::ViewSettings& settings) {
         m_view->setSettings(settings);
@@ -1536,7 +1533,7 @@ void MainWindow::tellHarm(const core::session::SessionState& now)
     const auto isOpen = [](const core::session::SessionState& state) {
         return state.removedMm3.at(static_cast<std::size_t>(core::terrain::Material::Pulp)) > 0.0;
     };
-    const QString toDo = m_replaying ? QString() : tr("Undo takes the stroke back.");
+    const QString toDo = m_replaying ? QString() : tr("You can undo the stroke.");
     if (now.perforated && !m_session.perforated)
         m_room->showNotice(tr("Tooth perforated"), toDo);
     else if (isOpen(now) && !isOpen(m_session))
@@ -1549,11 +1546,7 @@ bool MainWindow::send(const core::session::SessionCommand& command)
 {
     if (m_links.commands.tryPush(command))
         return true;
-    m_messages->say({MessageBar::Kind::Warning,
-                     tr("Cusp is still busy with what came before, and did not do that. Try again."),
-                     {},
-                     {},
-                     {}});
+    m_messages->say({MessageBar::Kind::Warning, tr("Cusp was still busy and did not do that. Try again."), {}, {}, {}});
     return false;
 }
 
@@ -1837,7 +1830,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     // Who has gone to another page since the tooth was asked for, or has not asked for one, stays there.
     const QWidget* const page = m_pages->currentWidget();
     const bool wasAsked = std::exchange(m_askedFrom, nullptr) == page;
-    if (isAtDoor())  // nobody is taken away from what he types there
+    if (isAtDoor())  // typing on the login page is not interrupted
         m_behindDoor = m_room;
     else if (wasAsked || page == m_room || page == m_chooser || m_replaying)
         goTo(m_room);
@@ -1859,7 +1852,7 @@ MessageBar::Message MainWindow::noteOfScan(const QStringList& notes, bool unitIn
         message.actionText = tr("Another unit");
         message.choices = {choice(tr("Millimetres"), QStringLiteral("mm")),
                            choice(tr("Centimetres"), QStringLiteral("cm")), choice(tr("Metres"), QStringLiteral("m")),
-                           MessageBar::Choice{tr("Leave it as it is"), {}}};
+                           MessageBar::Choice{tr("Keep this unit"), {}}};
     }
     return message;
 }
@@ -1872,7 +1865,7 @@ void MainWindow::sayTooth()
     const bool isSomebodys = m_replaying && !m_replayWhose.isEmpty();
     m_room->setTooth(title,
                      //: Beside the name of the tooth, where otherwise "lower left first molar" stands
-                     selfDrilling  ? tr("The simulated handpiece is at work")
+                     selfDrilling  ? tr("The simulated handpiece is active")
                      : isSomebodys ? m_replayWhose
                                    : text::toothName(m_tooth->fdi));
     //: %1: a lesson; %2: a person and a date
@@ -1923,8 +1916,8 @@ void MainWindow::showUnanswered()
     m_messages->withdraw(MessageBar::Topic::School);
     m_messages->say([] {
         MessageBar::Message message{MessageBar::Kind::Warning,
-                                    tr("What the school keeps does not answer yet. You can go on drilling; what you "
-                                       "asked for comes when it does."),
+                                    tr("The school's database does not answer yet. You can continue drilling; your "
+                                       "request is completed when it answers."),
                                     {},
                                     {},
                                     {}};
@@ -2065,10 +2058,9 @@ void MainWindow::discardUnfinished()
         return;
     }
     tellUnfinished();  // who thinks better of it finds it there
-    ask("unfinishedQuestion",
-        {tr("This exam would be put away without a score."),
-         tr("It counts as an attempt all the same. Right afterwards you can still bring it back."),
-         tr("&Go on with it"), [this] { resumeUnfinished(); }, discard});
+    ask("unfinishedQuestion", {tr("This exam would be discarded without a score."),
+                               tr("It still counts as an attempt. You can restore it right afterwards."),
+                               tr("&Continue it"), [this] { resumeUnfinished(); }, discard});
 }
 
 void MainWindow::forgetUnfinished()
@@ -2084,7 +2076,7 @@ void MainWindow::offerToBringBack(const std::function<void()>& bringBack)
         return MessageBar::Message{MessageBar::Kind::Warning,
                                    tr("The attempt was discarded; it is kept for seven days."),
                                    {},
-                                   tr("Bring it back"),
+                                   tr("Restore it"),
                                    bringBack};
     });
 }
@@ -2121,8 +2113,8 @@ void MainWindow::showWorkKept()
 void MainWindow::showOverLimit()
 {
     m_messages->say({MessageBar::Kind::Warning,
-                     tr("You had used up your attempts at this lesson before, so this grade is not kept."),
-                     tr("The work itself can be kept as a recording."), m_actions->saveRecording->text(),
+                     tr("You had no attempts left at this lesson, so this grade is not saved."),
+                     tr("You can save your work as a recording."), m_actions->saveRecording->text(),
                      [this] { askToSave(); }, MessageBar::Topic::Tooth});
 }
 
@@ -2340,7 +2332,7 @@ void MainWindow::showReplayPaused(bool paused)
 void MainWindow::showReplayEnd()
 {
     showReplayPaused(true);
-    offerToStop(tr("The recording has come to its end."));
+    offerToStop(tr("The recording has ended."));
 }
 
 void MainWindow::offerToStop(const QString& sentence)
@@ -2380,8 +2372,8 @@ void MainWindow::leaveWork(const std::function<void()>& what)
     }
     if (isExamRunning() && !m_replaying) {
         ask("workQuestion",
-            {tr("The exam would be broken off without a score."),
-             tr("It counts as an attempt all the same. What you have cut cannot be graded later."), tr("&Grade it now"),
+            {tr("The exam would end without a score."),
+             tr("It still counts as an attempt. Your work cannot be graded later."), tr("&Grade it now"),
              [this] {
                  goTo(m_room);
                  emit gradeRequested();
@@ -2393,9 +2385,8 @@ void MainWindow::leaveWork(const std::function<void()>& what)
         m_afterSaving = what;
         askToSave();
     };
-    ask("workQuestion",
-        {tr("What you have cut would be lost."), tr("It has not been saved as a recording since you last cut."),
-         tr("&Save the recording …"), save, what});
+    ask("workQuestion", {tr("Your work would be lost."), tr("Your latest cuts are not saved as a recording."),
+                         tr("&Save the recording …"), save, what});
 }
 
 bool MainWindow::isAtLockedDoor() const
@@ -2429,9 +2420,9 @@ void MainWindow::leaveGrades(const std::function<void()>& what)
         what();
         return;
     }
-    ask("gradeQuestion", {tr("%n grade(s) are not kept yet, and would be lost.", nullptr, m_unkeptGrades),
-                          tr("The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: "
-                             "make room on the disk, or check the rights of the folder."),
+    ask("gradeQuestion", {tr("%n grade(s) are not saved yet and would be lost.", nullptr, m_unkeptGrades),
+                          tr("The disk cannot be written to. Cusp tries again every few seconds while it runs. Free "
+                             "some disk space, or check the permissions of the folder."),
                           {},
                           {},
                           what});

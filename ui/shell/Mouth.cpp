@@ -35,7 +35,7 @@ bool isChoosable(int fdi)
 }  // namespace
 
 Mouth::Mouth(QWidget* parent)
-    : SceneWidget([] { return tr("This computer cannot draw the whole mouth. The flat arches do the same."); },
+    : SceneWidget([] { return tr("This computer cannot draw the whole mouth. Use the flat arches instead."); },
                   bestWay(), parent)
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -102,7 +102,7 @@ void Mouth::showJaws()
 void Mouth::setSelected(int fdi)
 {
     m_selected = isChoosable(fdi) ? fdi : 0;
-    setAccessibleDescription(m_selected == 0 ? tr("Arrow keys walk along the arch, Enter takes the tooth.")
+    setAccessibleDescription(m_selected == 0 ? tr("Arrow keys move along the arch, Enter selects the tooth.")
                                              : tr("%1, %2").arg(m_selected).arg(text::toothName(m_selected)));
     redraw();
 }
@@ -183,7 +183,7 @@ void Mouth::paintMarks(QPainter& painter)
     };
     const QRectF all = QRectF(rect()).adjusted(kSpace4, kSpace4, -kSpace4, -kSpace4);
     if (!m_arch) {
-        write(all, Qt::AlignCenter | Qt::TextWordWrap, tr("The teeth are being made …"), typeface(kBody),
+        write(all, Qt::AlignCenter | Qt::TextWordWrap, tr("Creating the teeth …"), typeface(kBody),
               QPalette::WindowText);
         return;
     }
@@ -195,12 +195,12 @@ void Mouth::paintMarks(QPainter& painter)
     const int told = m_hovered != 0 ? m_hovered : m_selected;
     if (told != 0) {
         const QString name = text::capitalised(text::toothName(told));
-        const QString offer =
-            isChoosable(told)
-                ? told == m_selected ? tr("Chosen. Enter or a double click takes it.") : tr("Click to choose it.")
-                //: %1 is the FDI number of the tooth on the other side
-                : tr("Only teeth of the left side can be drilled; %1 is its mirror image.")
-                      .arg(core::teeth::leftFellow(told));
+        const QString offer = isChoosable(told)
+                                  ? told == m_selected ? tr("Selected. Press Enter or double-click to use it.")
+                                                       : tr("Click to select it.")
+                                  //: %1 is the FDI number of the tooth on the other side
+                                  : tr("Only teeth of the left side can be drilled; %1 is its mirror image.")
+                                        .arg(core::teeth::leftFellow(told));
         const QFontMetricsF small(typeface(kSmall));
         const double width =
             std::max(small.horizontalAdvance(offer), QFontMetricsF(typeface(kBody)).horizontalAdvance(name));

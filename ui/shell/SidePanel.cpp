@@ -179,22 +179,22 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         name(m_force, tr("Force"));
         name(m_depth, tr("Depth"));
         m_depth.block->setToolTip(
-            brokenIntoLines(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
-                               "the tooth, where straight down says little.")));
+            brokenIntoLines(tr("Depth of the tip below the original surface. No value is shown at the edge of the "
+                               "tooth, where a vertical depth means little.")));
         name(m_dentin, tr("Dentin over pulp"));
         m_dentin.block->setToolTip(
-            brokenIntoLines(tr("Sound dentin between the cut and the pulp straight below the tip. Two millimetres are "
-                               "wanted; less than half a millimetre harms the pulp.")));
+            brokenIntoLines(tr("Sound dentin between the cut and the pulp, vertically below the tip. Leave two "
+                               "millimetres; less than half a millimetre harms the pulp.")));
         //: How far the bur is from what is to be kept
         name(m_margin, tr("To the limit"));
         m_margin.block->setToolTip(
-            brokenIntoLines(tr("How far the bur's head is from what is to be kept, downwards or sideways. Nothing is "
-                               "shown while it is more than a millimetre.")));
+            brokenIntoLines(tr("Distance from the head of the bur to tissue that must be kept, downwards or sideways. "
+                               "No value is shown above one millimetre.")));
         removed->setText(tr("Removed"));
-        pulp->setToolTip(
-            brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
+        pulp->setToolTip(brokenIntoLines(tr("Volume of removed pulp. The grade uses the exposed area, in mm².")));
         bur->setText(tr("Bur"));
-        m_rpm->setToolTip(brokenIntoLines(tr("Turns of the bur a minute: a load slows it, until it stalls")));
+        m_rpm->setToolTip(
+            brokenIntoLines(tr("Speed of the bur in revolutions per minute. Load slows it down until it stalls")));
         setAsked(m_asked);
         // The newest figures come with the next frame.
         m_sinceWords.invalidate();
@@ -339,7 +339,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     // The figure tells of a clamped force; a sentence would come and go many times a second.
     QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
     if (health.isEmpty() && servo.handpieceOnCrown && !servo.touching)
-        health = tr("The handpiece lies on the crown: the bur cannot reach deeper.");
+        health = tr("The handpiece touches the crown, so the bur cannot go deeper.");
     const bool lost = (servo.health & core::session::kDeviceLost) != 0;
     QPalette words = palette();
     words.setColor(QPalette::WindowText, lost ? tone.harmText : tone.attentionText);

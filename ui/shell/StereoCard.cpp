@@ -90,7 +90,7 @@ StereoCard::StereoCard(QWidget* parent)
         ready->setText(tr("Done"));
         off->setText(tr("Without stereo"));
         back->setText(tr("Cancel"));
-        back->setToolTip(tr("Leave everything as it was before (Esc)"));
+        back->setToolTip(tr("Discard the changes (Esc)"));
         if (isVisible())
             adjustSize();
     });

@@ -87,8 +87,8 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
         setTitle(tr("Choose a tooth"));
         m_take->setText(tr("Drill this tooth"));
         m_take->setAccessibleName(m_take->text());
-        m_take->setToolTip(tr("Put this tooth on the table (Enter)"));
-        scanHint->setText(tr("Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file "
+        m_take->setToolTip(tr("Practise on this tooth (Enter)"));
+        scanHint->setText(tr("Or drill your own tooth: a scan as an OBJ, STL or PLY file. You can also drop the file "
                              "anywhere on this window."));
         sayOther();
         describe(m_arches->selected());
@@ -166,9 +166,9 @@ void ToothChooser::showEvent(QShowEvent* event)
 void ToothChooser::describe(int fdi)
 {
     m_number->setText(fdi == 0 ? QStringLiteral("–") : QString::number(fdi));
-    m_name->setText(fdi == 0 ? tr("Nothing chosen") : text::capitalised(text::toothName(fdi)));
-    m_note->setText(fdi != 0 && fdi == m_present ? tr("On the table now. Taking it again gives you a whole one.")
-                                                 : tr("Click a tooth, or walk with the arrow keys."));
+    m_name->setText(fdi == 0 ? tr("No tooth selected") : text::capitalised(text::toothName(fdi)));
+    m_note->setText(fdi != 0 && fdi == m_present ? tr("In use. Choosing it again resets it.")
+                                                 : tr("Click a tooth, or use the arrow keys."));
     m_take->setEnabled(fdi != 0);
 }
 

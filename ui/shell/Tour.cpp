@@ -138,50 +138,50 @@ void Tour::begin(database::Role role)
     m_steps.clear();
     if (role == Role::Instructor) {
         add(Where::Classes, m_actions.classes, QT_TR_NOOP("Your classes"),
-            QT_TR_NOOP("Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, "
-                       "and write comments."));
+            QT_TR_NOOP("Here you see who needs help and how everybody is doing. Assign lessons, open attempts, replay "
+                       "them, and write comments."));
         add(Where::Lessons, m_pages.lessons.findChild<QListView*>(QStringLiteral("lessonList")),
             QT_TR_NOOP("All lessons"),
-            QT_TR_NOOP("Those that come with Cusp, and your own. The search takes a word or the number of a tooth."));
+            QT_TR_NOOP("The lessons that come with Cusp, and your own. Search for a word or the number of a tooth."));
         add(Where::Lessons, m_actions.editLesson, QT_TR_NOOP("Change a lesson"),
-            QT_TR_NOOP("Change what a lesson asks for and how it marks, and see what that makes of earlier attempts."));
+            QT_TR_NOOP("Change the goal and the rubric of a lesson, and see the effect on earlier attempts."));
         addDrilling(QT_TR_NOOP("Try it yourself"));
         add(Where::Room, m_actions.grade, QT_TR_NOOP("The grade"),
-            QT_TR_NOOP("The work is measured, and the score card shows every lost point, where it was lost and when."));
+            QT_TR_NOOP("Your work is measured, and the score card shows where and when each point was lost."));
     } else if (role == Role::Admin) {
         add(Where::School, m_actions.school, QT_TR_NOOP("The school"),
-            QT_TR_NOOP("Enter people, one by one or from a list, put them into classes, and look after backups and the "
-                       "audit."));
+            QT_TR_NOOP(
+                "Add people one by one or from a list, assign them to classes, and manage backups and the audit."));
         add(Where::School, m_actions.classes, QT_TR_NOOP("Classes"),
-            QT_TR_NOOP("How every class does at every lesson, as its teachers see it."));
+            QT_TR_NOOP("The results of every class in every lesson, as its teachers see them."));
         addDrilling(QT_TR_NOOP("Try it yourself"));
         add(Where::Room, m_pages.room.findChild<SidePanel*>(), QT_TR_NOOP("How it feels"),
-            QT_TR_NOOP("Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7)."));
+            QT_TR_NOOP("Burs, force and depth are here. The hardness presets (F7) set how hard teeth are."));
     } else {
         addDrilling(QT_TR_NOOP("The tooth"));
         if (role == Role::Student)
             add(Where::Lessons, m_pages.lessons.findChild<QListView*>(QStringLiteral("lessonList")),
                 QT_TR_NOOP("Lessons"),
-                QT_TR_NOOP("Choose here what to practise. What your class is to do comes first."));
+                QT_TR_NOOP("Choose here what to practise. Lessons assigned to your class come first."));
         else
             add(Where::Room, m_actions.lessons, QT_TR_NOOP("Lessons"),
-                QT_TR_NOOP("Choose here what to practise. Each lesson says what it asks and how it is marked."));
+                QT_TR_NOOP("Choose here what to practise. Each lesson states its goal and how it is graded."));
         add(Where::Room, m_pages.room.findChild<SidePanel*>(), QT_TR_NOOP("Bur, force and depth"),
-            QT_TR_NOOP("Take another bur, set how hard the mouse presses, and read force and depth while you drill."));
+            QT_TR_NOOP("Change the bur, set how hard the mouse presses, and read force and depth while you drill."));
         add(Where::Room, m_actions.section, QT_TR_NOOP("Seeing inside"),
-            QT_TR_NOOP("A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it."));
+            QT_TR_NOOP("A live section through the bur shows enamel, dentin and pulp, where the lesson allows it."));
         add(Where::Room, m_actions.grade, QT_TR_NOOP("The grade"),
-            QT_TR_NOOP("The work is measured, and the score card shows every lost point, where it was lost and when."));
+            QT_TR_NOOP("Your work is measured, and the score card shows where and when each point was lost."));
         if (role == Role::Student)
             add(Where::Lessons, m_actions.attempts, QT_TR_NOOP("My attempts"),
-                QT_TR_NOOP("How your scores went, what your instructor says, and every attempt to be played again."));
+                QT_TR_NOOP("See how your scores develop, read your instructor's comments, and replay every attempt."));
     }
     if (role != Role::Student)
-        add(Where::Room, m_actions.account, QT_TR_NOOP("Your place"),
-            role == Role::Guest ? QT_TR_NOOP("Who logs in keeps the grades. Without that, nothing is kept.")
-                                : QT_TR_NOOP("Lock your place when you leave it, or let somebody else log in."));
+        add(Where::Room, m_actions.account, QT_TR_NOOP("Your account"),
+            role == Role::Guest ? QT_TR_NOOP("Log in to save your grades. Without a login, nothing is saved.")
+                                : QT_TR_NOOP("Lock the window when you leave, or switch user."));
     add(Where::Room, m_actions.help, QT_TR_NOOP("Every key"),
-        QT_TR_NOOP("All keys are listed here. From there you can take this tour again."));
+        QT_TR_NOOP("All keys are listed here. You can also start this tour again from there."));
     if (m_steps.empty())
         return;
     m_step = 0;

@@ -116,7 +116,7 @@ QToolButton* ViewMenu::makeButton(QWidget* parent)
     button->setMenu(m_menu);
     text::inEveryLanguage(button, [button] {
         button->setText(tr("View"));
-        button->setToolTip(tr("What is shown of the tooth, and how"));
+        button->setToolTip(tr("Choose what the view shows"));
         button->setAccessibleName(button->text());
         button->setAccessibleDescription(button->toolTip());
     });

@@ -59,12 +59,12 @@ QString ConductNotes::factsOf(const core::grading::Process& process, std::uint8_
 {
     QStringList facts;
     //: Two times in minutes and seconds
-    facts << tr("%1 in all, %2 of it cutting").arg(text::duration(process.totalS), text::duration(process.cuttingS));
+    facts << tr("%1 in total, %2 of it cutting").arg(text::duration(process.totalS), text::duration(process.cuttingS));
     if (process.force)
-        facts << tr("force %1 N on the mean, %2 N at most")
+        facts << tr("force: mean %1 N, maximum %2 N")
                      .arg(text::number(process.force->meanN, 1), text::number(process.force->largestN, 1));
     if (process.undos > 0)
-        facts << tr("%n step(s) taken back", nullptr, process.undos);
+        facts << tr("%n step(s) undone", nullptr, process.undos);
     facts << text::aidWords(aids);
     return facts.join(QStringLiteral(" · "));
 }
@@ -130,7 +130,7 @@ void ConductNotes::fillBreaches()
         return chip;
     };
     for (const core::grading::Infraction& infraction : shown) {
-        QPushButton* chip = add(breachWords(infraction), tr("See it happen: play the attempt from here"));
+        QPushButton* chip = add(breachWords(infraction), tr("Replay the attempt from this moment"));
         connect(chip, &QPushButton::clicked, this, [this, at = infraction.seconds] { emit momentWanted(at); });
     }
     if (shown.size() < m_infractions.size()) {

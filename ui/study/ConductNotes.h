@@ -28,7 +28,7 @@ public:
 
     /// "2 breaches of the rules".
     [[nodiscard]] static QString countWords(const std::vector<core::grading::Infraction>& infractions);
-    /// "The pulp is open at 0:37".
+    /// "The pulp is exposed at 0:37".
     [[nodiscard]] static QString breachWords(const core::grading::Infraction& infraction);
 
 signals:

@@ -69,16 +69,16 @@ QString momentWords(const Moment& moment, const ::lessons::Criterion& criterion)
     if (moment.kind == Moment::Kind::Never) {
         if (criterion.isTooEarly)
             //: %1: points of a score that is earned only when enough of the work is done
-            return CriterionRow::tr("%1 too little done").arg(lost);
+            return CriterionRow::tr("%1 work incomplete").arg(lost);
         if (!criterion.measured)
             //: %1: points of a score. What could not be measured earns nothing
             return CriterionRow::tr("%1 not measured").arg(lost);
         if (criterion.measure.starts_with("time_"))
             //: %1: points of a score, for something that was done later than asked
             return CriterionRow::tr("%1 too late").arg(lost);
-        return isOfWhatIsLeft(criterion.measure) ? CriterionRow::tr("%1 never removed").arg(lost)
+        return isOfWhatIsLeft(criterion.measure) ? CriterionRow::tr("%1 not removed").arg(lost)
                                                  //: Of a criterion that was not fulfilled at any time
-                                                 : CriterionRow::tr("%1 never earned").arg(lost);
+                                                 : CriterionRow::tr("%1 not achieved").arg(lost);
     }
     const QString at = text::duration(std::floor(moment.seconds));
     //: %1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur
@@ -115,8 +115,8 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     if (criterion.measure == "sound_overcut_mm3")
         measured->setToolTip(brokenIntoLines(text::soundTissueCounted()));
     if (criterion.measure == "pulp_exposed_mm2")
-        measured->setToolTip(brokenIntoLines(tr("The area that lies open, seen from above. The volume that was cut "
-                                                "away stands beside the tooth, in mm³.")));
+        measured->setToolTip(
+            brokenIntoLines(tr("The exposed area, seen from above. The side panel shows the removed volume, in mm³.")));
     m_slot->addWidget(measured, 0, 1);
     auto* lost = new TabularLabel(this);
     // What cost nothing takes no more room than its name.
@@ -129,7 +129,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     lost->setObjectName(QStringLiteral("lost_") + id);
     //: Tooltip on the points of one criterion
     lost->setToolTip(criterion.critical
-                         ? tr("Fails the attempt and takes all points that are left")
+                         ? tr("The attempt fails and all remaining points are lost")
                          : tr("At most %1 points can be lost here").arg(text::points(criterion.weightTenths)));
     m_slot->addWidget(lost, 0, 2);
     m_advice = words({}, kBody, QFont::Normal, QPalette::WindowText, this);
@@ -147,7 +147,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
 
     //: A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost
     setAccessibleName(tr("%1: %2, %3 points").arg(text::criterionName(criterion), measured->text(), lost->text()));
-    setToolTip(tr("Show where this was worst"));
+    setToolTip(tr("Show the worst place"));
 }
 
 void CriterionRow::setAdvice(const QString& words)
@@ -213,8 +213,8 @@ void CriterionRow::fillMoments(bool all)
     for (const Moment& moment : shown) {
         const bool isNever = moment.kind == Moment::Kind::Never;
         QPushButton* chip =
-            add(momentWords(moment, m_criterion), isNever ? tr("No stroke caused this: see how the attempt ended")
-                                                          : tr("See it happen: play the attempt from here"));
+            add(momentWords(moment, m_criterion), isNever ? tr("No stroke caused this. Show the end of the attempt")
+                                                          : tr("Replay the attempt from this moment"));
         connect(chip, &QPushButton::clicked, this, [this, at = moment.seconds] { emit momentWanted(at); });
     }
     if (isMore) {

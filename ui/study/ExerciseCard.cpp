@@ -145,7 +145,7 @@ QWidget* ExerciseCard::makeChoices()
                 choice->setText(text::capitalised(text::materialName(kTissues[k])));
                 //: %1 is "Left", "Middle" or "Right", %2 a tissue
                 choice->setAccessibleName(tr("%1: %2").arg(padName(pad), choice->text()));
-                choice->setToolTip(tr("Say that this pad is made of this; you can change it until you are graded"));
+                choice->setToolTip(tr("Choose this material for the pad; you can change it until you are graded"));
             });
             choice->setObjectName(QStringLiteral("pad%1%2").arg(pad).arg(idOf(kTissues[k])));
             m_pads[pad]->addButton(choice, idOf(kTissues[k]));
@@ -277,8 +277,8 @@ void ExerciseCard::showProgress()
         m_time->setText(text::number(isAllDone ? held->longestS : held->nowS, 1),
                         tr("of %1 s").arg(text::number(asked.seconds, 0)));
     } else {
-        m_title->setText(m_isConcluded ? tr("This is what they are made of")
-                         : isAllDone   ? tr("Every pad has its name")
+        m_title->setText(m_isConcluded ? tr("The materials of the pads")
+                         : isAllDone   ? tr("Every pad has an answer")
                                        : tr("What is each pad made of?"));
     }
     m_grade->setVisible(isAllDone && !m_isConcluded);
@@ -295,17 +295,17 @@ void ExerciseCard::showAdvice()
     const bool mustChange = m_drillIsOn == shallRest && !isDone(m_practised);
     QString advice;
     if (m_isConcluded)
-        advice = tr("Graded. F2 leads to the next lesson.");
+        advice = tr("Graded. Press F2 for the next lesson.");
     else if (isDone(m_practised))
-        advice = shallRest ? tr("Well done. See how it is marked.") : tr("Sure? Then see how it is marked.");
+        advice = shallRest ? tr("Well done. Press G for your grade.") : tr("Sure? Then press G for your grade.");
     else if (mustChange)
-        advice = shallRest ? tr("The bur is turning: stop it with the space bar. Here nothing is to be cut.")
-                           : tr("Let the bur turn with the space bar: at rest all three feel the same.");
+        advice = shallRest ? tr("The bur is turning. Stop it with the space bar: this exercise needs no cutting.")
+                           : tr("Start the bur with the space bar: while it is stopped, all three feel the same.");
     else if (const auto* held = std::get_if<Held>(&m_practised); held != nullptr && held->longestS > 0.0)
         //: %1 is a time in seconds
         advice = tr("Longest so far: %1 s").arg(text::number(held->longestS, 1));
     else if (shallRest && std::holds_alternative<Touched>(m_practised))
-        advice = tr("Any order. Rings become discs.");
+        advice = tr("Any order. A ring becomes a disc when touched.");
     else if (shallRest)
         advice = tr("Anywhere on the tooth.");
     else

@@ -43,9 +43,9 @@ void FeedbackCard::setNews(int attempts, const QString& lesson, const QString& a
 void FeedbackCard::tell()
 {
     //: %1: a teacher; %2: a lesson
-    const QString one = tr("%1 has written about your attempt: %2").arg(m_author, m_lesson);
+    const QString one = tr("%1 commented on your attempt: %2").arg(m_author, m_lesson);
     m_words->setText(m_attempts == 1 ? one : tr("%n of your attempts have new feedback", nullptr, m_attempts));
-    m_read->setText(m_attempts == 1 ? tr("Read it") : tr("My attempts"));
+    m_read->setText(m_attempts == 1 ? tr("Read") : tr("My attempts"));
     m_read->setAccessibleName(m_read->text());
     m_read->setAccessibleDescription(m_words->text());
 }

@@ -91,7 +91,7 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, pare
         m_show->setAccessibleName(m_show->text());
     });
     m_show->setProperty("kind", "filled");
-    text::inEveryLanguage(m_show, [this] { m_show->setToolTip(tr("See how the work was marked (Enter)")); });
+    text::inEveryLanguage(m_show, [this] { m_show->setToolTip(tr("Show how your work was graded (Enter)")); });
     m_show->setAutoDefault(true);
     m_show->setObjectName(QStringLiteral("showScore"));
     column->addSpacing(kSpace2);
@@ -114,7 +114,7 @@ void Forecast::speak()
         return;
     //: %1 is a lesson, %2 the mark that is needed
     m_mark->setText(
-        tr("%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.")
+        tr("%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.")
             .arg(m_work, text::points(m_rubric.passMarkTenths)));
     const QList<QAbstractButton*> answers = m_worst->buttons();
     for (qsizetype k = 0; k < answers.size(); ++k) {

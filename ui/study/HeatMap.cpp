@@ -96,10 +96,12 @@ HeatMap::HeatMap(QWidget* parent) : QWidget(parent)
 
 void HeatMap::speak()
 {
-    setAccessibleName(tr("The tooth from above, coloured by what is too deep and what is still to go"));
-    setToolTip(m_isPinnable ? brokenIntoLines(tr("Click on the tooth, or use the arrow keys, to mark the place that a "
-                                                 "comment is about; Delete takes the mark away."))
-                            : QString());
+    setAccessibleName(tr("The tooth from above, coloured by what is too deep and what is still to cut"));
+    setToolTip(
+        m_isPinnable
+            ? brokenIntoLines(
+                  tr("To mark the place of a comment, click the tooth or use the arrow keys. Delete removes the mark."))
+            : QString());
 }
 
 void HeatMap::setWork(const ScoredWork& work)
@@ -458,12 +460,12 @@ void HeatMap::paintLegend(QPainter& painter, const QRectF& area) const
         const QString mm = text::number(std::abs(above), 2);
         painter.setPen(QColor(kBright));
         painter.drawText(words, Qt::AlignCenter,
-                         std::abs(above) <= kToldFromMm ? tr("as it ought to be")
+                         std::abs(above) <= kToldFromMm ? tr("as it should be")
                          : above < 0.0                  ? tr("%1 mm too deep").arg(mm)
-                                                        : tr("%1 mm still to go").arg(mm));
+                                                        : tr("%1 mm still to cut").arg(mm));
         painter.setPen(wordColour());
     } else {
-        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, tr("still to go"));
+        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, tr("still to cut"));
         painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, tr("too deep"));
     }
     const QRectF feet(area.left(), bar.bottom() + 1.0, area.width(), 15.0);

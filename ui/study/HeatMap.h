@@ -13,7 +13,7 @@
 
 namespace ui::study {
 
-/// The tooth from above, coloured by how far it is off the ideal: vermilion where it was cut too deep, blue where
+/// The tooth from above, coloured by its deviation from the ideal: vermilion where it was cut too deep, blue where
 /// something is still to go, with a legend in millimetres; in the palette for every eye with a pattern on each. The
 /// pointer reads the depth under it. Dark in either theme, like the room with the tooth.
 class HeatMap final : public QWidget
@@ -92,7 +92,8 @@ private:
     std::optional<std::size_t> m_probed;
 };
 
-/// The colour of so many millimetres off the ideal, negative too deep, on either end's scale of render::kIdealScaleMm.
+/// The colour of a deviation from the ideal in millimetres, negative if too deep, on either end's scale of
+/// render::kIdealScaleMm.
 [[nodiscard]] QRgb heatColour(double aboveMm);
 
 }  // namespace ui::study

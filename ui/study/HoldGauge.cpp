@@ -41,7 +41,7 @@ void HoldGauge::setAsked(const core::grading::ForceToHold& asked)
 void HoldGauge::sayBand()
 {
     setAccessibleName(
-        tr("Force against the band from %1 to %2 N")
+        tr("Force in relation to the range from %1 to %2 N")
             .arg(text::number(m_asked.forceN - m_asked.withinN, 1), text::number(m_asked.forceN + m_asked.withinN, 1)));
 }
 

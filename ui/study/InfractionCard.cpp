@@ -32,21 +32,21 @@ QString breachName(const core::grading::Infraction& infraction)
     const QString limit = text::number(infraction.limit, 2);
     switch (infraction.breach) {
     case Breach::PulpExposed:
-        return QCoreApplication::translate("Breach", "The pulp is open");
+        return QCoreApplication::translate("Breach", "The pulp is exposed");
     case Breach::Perforated:
-        return QCoreApplication::translate("Breach", "There is a hole through the tooth");
+        return QCoreApplication::translate("Breach", "The tooth is perforated");
     case Breach::TooDeep:
         return QCoreApplication::translate("Breach", "Deeper than %1 mm").arg(limit);
     case Breach::RidgeCut:
         return QCoreApplication::translate("Breach", "The marginal ridge is thinner than %1 mm").arg(limit);
     case Breach::WrongPlace:
-        return QCoreApplication::translate("Breach", "Cut where nothing was to be cut");
+        return QCoreApplication::translate("Breach", "Cut outside the target area");
     case Breach::TooMuchForce:
-        return QCoreApplication::translate("Breach", "Pressed with %1 N, allowed are %2 N").arg(value, limit);
+        return QCoreApplication::translate("Breach", "Pressed with %1 N; the limit is %2 N").arg(value, limit);
     case Breach::BurInAir:
-        return QCoreApplication::translate("Breach", "The bur has run in the air for %1 s").arg(limit);
+        return QCoreApplication::translate("Breach", "The bur ran without contact for %1 s").arg(limit);
     case Breach::NeighbourHit:
-        return QCoreApplication::translate("Breach", "The tooth beside was touched by the turning bur");
+        return QCoreApplication::translate("Breach", "The running bur touched the adjacent tooth");
     case Breach::WrongBur:
         break;
     }
@@ -58,36 +58,35 @@ QString breachReason(Breach breach)
     switch (breach) {
     case Breach::PulpExposed:
         return QCoreApplication::translate("Breach",
-                                           "An open pulp mostly dies: odontoblasts that are cut do not come "
-                                           "back. Look at the section, and keep half a millimetre of dentin.");
+                                           "An exposed pulp usually dies, because cut odontoblasts do not recover. "
+                                           "Watch the section and leave half a millimetre of dentin.");
     case Breach::Perforated:
         return QCoreApplication::translate("Breach",
-                                           "A perforated tooth is mostly lost. Watch the depth in the section.");
+                                           "A perforated tooth is usually lost. Watch the depth in the section.");
     case Breach::TooDeep:
-        return QCoreApplication::translate("Breach", "What is deeper than needed weakens the tooth and comes near the "
-                                                     "pulp. The section shows how deep you are.");
+        return QCoreApplication::translate("Breach", "Cutting deeper than necessary weakens the tooth and comes close "
+                                                     "to the pulp. The section shows how deep you are.");
     case Breach::RidgeCut:
         return QCoreApplication::translate("Breach",
                                            "A thin marginal ridge breaks under load. Stop the bur's outer edge "
                                            "earlier.");
     case Breach::WrongPlace:
-        return QCoreApplication::translate("Breach", "Sound tissue does not grow again. The broken line in the section "
-                                                     "shows what is to be cut.");
+        return QCoreApplication::translate(
+            "Breach", "Sound tissue does not grow back. The dashed line in the section shows what to cut.");
     case Breach::TooMuchForce:
         return QCoreApplication::translate("Breach", "About 1 N cuts best; more heats the pulp, stalls the turbine and "
                                                      "slips. Let the bur do the work.");
     case Breach::BurInAir:
-        return QCoreApplication::translate("Breach",
-                                           "A bur that turns unwatched hurts lips and cheeks. Stop it when you "
-                                           "do not cut.");
+        return QCoreApplication::translate(
+            "Breach", "A running bur can injure lips and cheeks. Stop it when you are not cutting.");
     case Breach::NeighbourHit:
-        return QCoreApplication::translate("Breach", "A nick in the neighbour holds plaque and decays. Stay inside the "
-                                                     "outline; N shows the teeth beside.");
+        return QCoreApplication::translate("Breach", "A nick in the adjacent tooth collects plaque and decays. Stay "
+                                                     "inside the outline; N shows the adjacent teeth.");
     case Breach::WrongBur:
         break;
     }
-    return QCoreApplication::translate("Breach",
-                                       "Another shape leaves another cavity. Choose a bur that the lesson names.");
+    return QCoreApplication::translate(
+        "Breach", "The shape of the bur determines the shape of the cavity. Choose a bur that the lesson lists.");
 }
 
 InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
@@ -114,16 +113,16 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     m_buttons->setSpacing(kSpace2);
     m_takeBack = new QPushButton(this);
     text::inEveryLanguage(m_takeBack, [this] {
-        m_takeBack->setText(tr("Take it back"));
+        m_takeBack->setText(tr("Undo"));
         m_takeBack->setAccessibleName(m_takeBack->text());
-        m_takeBack->setToolTip(tr("Put the tooth back to before it happened; it can be redone (Enter)"));
+        m_takeBack->setToolTip(tr("Restore the tooth as it was before this; you can redo it (Enter)"));
     });
     m_takeBack->setProperty("kind", "filled");
     m_takeBack->setObjectName(QStringLiteral("takeBack"));
     m_goOnButton = new QPushButton(this);
     text::inEveryLanguage(m_goOnButton, [this] {
-        m_goOnButton->setText(tr("Go on"));
-        m_goOnButton->setToolTip(tr("Leave it as it is and work on (Esc)"));
+        m_goOnButton->setText(tr("Continue"));
+        m_goOnButton->setToolTip(tr("Keep the tooth as it is and continue (Esc)"));
         m_goOnButton->setAccessibleName(m_goOnButton->text());
     });
     m_goOnButton->setObjectName(QStringLiteral("goOn"));

@@ -123,7 +123,7 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
         pill(QCoreApplication::translate("Lesson", "exam"), true);
     if (index.data(CardMarked).toBool())
         //: On the card of the lesson that is being worked on
-        pill(QCoreApplication::translate("Lesson", "on the table"), false);
+        pill(QCoreApplication::translate("Lesson", "in progress"), false);
 
     if (index.data(CardIsUsedUp).toBool())
         //: On the card of a lesson

@@ -107,7 +107,7 @@ void LessonPicture::paintEvent(QPaintEvent*)
         painter.setPen(QColor(0xFF, 0xFF, 0xFF, 0xB0));
         painter.setFont(shell::typeface(shell::kBody));
         painter.drawText(left, Qt::AlignCenter | Qt::TextWordWrap,
-                         m_cannot ? tr("This tooth cannot be made.") : tr("The tooth is being made …"));
+                         m_cannot ? tr("This tooth cannot be created.") : tr("Creating the tooth …"));
         return;
     }
     paintFromAbove(painter, left, *m_scene, hasSection);

@@ -44,8 +44,8 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
         button->setFocusPolicy(Qt::TabFocus);
         return button;
     };
-    m_before = arrow(QStringLiteral("back"), QT_TR_NOOP("The step before"));
-    m_next = arrow(QStringLiteral("forward"), QT_TR_NOOP("The next step"));
+    m_before = arrow(QStringLiteral("back"), QT_TR_NOOP("Previous step"));
+    m_next = arrow(QStringLiteral("forward"), QT_TR_NOOP("Next step"));
     m_number = new QLabel(this);
     m_number->setForegroundRole(QPalette::PlaceholderText);
     m_text = new QLabel(this);
@@ -120,10 +120,11 @@ void LessonStrip::showStep()
     const bool hasHint = count > 0 && !m_lesson.steps[m_step].hint.empty();
     m_hint->setVisible(hasHint);
     const bool showsHint = hasHint && m_hint->isChecked();
-    const QString over = m_ending == Ending::Refused ? begunElsewhereWords()
-                         : m_mayBeginAgain ? tr("The exam is over, and nothing more can be cut. G shows the score; R "
-                                                "begins another attempt.")
-                                           : tr("The exam is over, and nothing more can be cut. G shows the score.");
+    const QString over =
+        m_ending == Ending::Refused ? begunElsewhereWords()
+        : m_mayBeginAgain
+            ? tr("The exam is over and cutting is disabled. Press G for the score or R for another attempt.")
+            : tr("The exam is over and cutting is disabled. Press G for the score.");
     const QString step = m_isConcluded ? over : count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
     m_text->setToolTip(QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
@@ -153,7 +154,7 @@ void LessonStrip::setTime(double workedS)
     const double limitS = m_lesson.minutes * kSecondsAMinute;
     if (limitS <= 0.0) {
         m_time->setText(text::duration(workedS));
-        m_time->setToolTip(tr("Time worked"));
+        m_time->setToolTip(tr("Working time"));
         return;
     }
     const double leftS = limitS - workedS;
@@ -162,7 +163,7 @@ void LessonStrip::setTime(double workedS)
                     : m_lesson.exam ? text::duration(0.0)
                                     : QChar(0x2212) + text::duration(-leftS));
     m_time->setColour(leftS < 0.0 ? tone.harmText : leftS < kSoonS ? tone.attentionText : QColor());
-    m_time->setToolTip(tr("Time left of %1").arg(timeWords(m_lesson)));
+    m_time->setToolTip(tr("Remaining time of %1").arg(timeWords(m_lesson)));
     if (leftS < 0.0 && !std::exchange(m_overSaid, true))
         emit timeOver();
 }

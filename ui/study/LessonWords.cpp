@@ -72,13 +72,14 @@ QString said(const ::lessons::LocalText& text)
 QString begunElsewhereWords()
 {
     return QCoreApplication::translate(
-        "Lesson", "Your last attempt at this exam was begun in another window. What was cut here does not count.");
+        "Lesson",
+        "Your last attempt at this exam was started in another window. The work in this window does not count.");
 }
 
 QString usedUpWords()
 {
-    return QCoreApplication::translate(
-        "Lesson", "You have used up your attempts at this lesson. Your teacher can give you more.");
+    return QCoreApplication::translate("Lesson",
+                                       "You have no attempts left at this lesson. Your teacher can give you more.");
 }
 
 QString groupName(Task task)
@@ -152,7 +153,7 @@ QString aidWords(const ::lessons::Aids& aids)
     add(aids.section, QT_TRANSLATE_NOOP("Lesson", "section"));
     add(aids.depthGauge, QT_TRANSLATE_NOOP("Lesson", "depth gauge"));
     add(aids.radiograph, QT_TRANSLATE_NOOP("Lesson", "X-ray"));
-    add(aids.heatMap, QT_TRANSLATE_NOOP("Lesson", "colours of depth"));
+    add(aids.heatMap, QT_TRANSLATE_NOOP("Lesson", "depth colours"));
     add(aids.mirror, QT_TRANSLATE_NOOP("Lesson", "mirror"));
     add(aids.ideal, QT_TRANSLATE_NOOP("Lesson", "ideal preparation"));
     add(aids.burColour, QT_TRANSLATE_NOOP("Lesson", "bur that changes colour"));
@@ -190,16 +191,16 @@ QString ruleWords(const ::lessons::CriterionRule& rule)
     QString words;
     if (rule.side == ::lessons::Side::Both)
         //: %1: a target; %2: how far off it one may be at no cost
-        words = QCoreApplication::translate("Lesson", "%1, give or take %2, costs nothing")
+        words = QCoreApplication::translate("Lesson", "%1 ± %2 costs nothing")
                     .arg(figure(rule.target), figure(rule.tolerance));
     else
-        words = (isUnder ? QCoreApplication::translate("Lesson", "From %1 up costs nothing")
+        words = (isUnder ? QCoreApplication::translate("Lesson", "%1 or more costs nothing")
                          : QCoreApplication::translate("Lesson", "Up to %1 costs nothing"))
                     .arg(figure(free));
     if (rule.allowance)
         words += QCoreApplication::translate("Lesson", " (more, where the decay is larger)");
     if (rule.once)
-        //: %1: what has to be done before points are earned: "50 % of the decay is out"
+        //: %1: what has to be done before points are earned: "50 % of the decay is removed"
         words += QCoreApplication::translate("Lesson", " as soon as %1").arg(text::onceWords(*rule.once));
     words += QStringLiteral("; ");
     if (rule.critical)

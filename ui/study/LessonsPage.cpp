@@ -120,7 +120,7 @@ QWidget* LessonsPage::makeList()
     text::inEveryLanguage(m_tooth, [this] {
         m_tooth->setText(tr("Tooth …"));
         m_tooth->setAccessibleName(tr("Lessons on one tooth"));
-        m_tooth->setToolTip(tr("Pick a tooth in the arch, to see the lessons on it"));
+        m_tooth->setToolTip(tr("Choose a tooth in the arch to see its lessons"));
     });
     connect(m_tooth, &QPushButton::clicked, this, &LessonsPage::pickTooth);
     find->addWidget(m_search, 1);
@@ -165,7 +165,7 @@ QWidget* LessonsPage::makeList()
     auto* folder = new QPushButton(side);
     text::inEveryLanguage(folder, [folder] {
         folder->setText(tr("Your own lessons …"));
-        folder->setToolTip(tr("Open the folder that a teacher's lessons are read from"));
+        folder->setToolTip(tr("Open the folder for lessons that teachers add"));
         folder->setAccessibleName(tr("Open the folder of your own lessons"));
     });
     folder->setAutoDefault(true);
@@ -238,7 +238,7 @@ QWidget* LessonsPage::makeContinue(QWidget* parent)
     m_discard->setAutoDefault(true);
     text::inEveryLanguage(m_discard, [this] {
         m_discard->setText(tr("Discard"));
-        m_discard->setAccessibleName(tr("Discard the attempt that was not finished"));
+        m_discard->setAccessibleName(tr("Discard the unfinished attempt"));
     });
     row->addWidget(m_discard);
     row->addWidget(m_goOn);
@@ -316,7 +316,7 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     m_start->setProperty("kind", "filled");
     text::inEveryLanguage(m_start, [this] {
         m_start->setAccessibleName(tr("Start this lesson"));
-        m_start->setToolTip(tr("Put the tooth of this lesson on the table (Enter)"));
+        m_start->setToolTip(tr("Load the tooth of this lesson (Enter)"));
     });
     m_start->setObjectName(QStringLiteral("startLesson"));
     m_start->setAutoDefault(true);
@@ -406,11 +406,10 @@ void LessonsPage::tellContinue()
     m_discard->setVisible(static_cast<bool>(m_unfinished));
     if (m_unfinished) {
         //: %1: a lesson or a tooth; %2: a time of today, or a day and a time
-        m_continueWords->setText(
-            tr("Continue where I stopped: %1, begun %2").arg(m_unfinished(), text::shortWhen(m_unfinishedBegun)));
+        m_continueWords->setText(tr("Continue %1, started %2").arg(m_unfinished(), text::shortWhen(m_unfinishedBegun)));
     } else if (last != nullptr) {
         //: %1: a lesson; %2: points
-        m_continueWords->setText(tr("Tried last: %1, best so far %2")
+        m_continueWords->setText(tr("Last attempt: %1, best so far %2")
                                      .arg(said(last->read.lesson->title), text::points(standingOf(*last)->bestTenths)));
         m_goOn->setText(tr("Try again"));
     }
@@ -449,7 +448,7 @@ void LessonsPage::tellFeedback()
                             QString::fromStdString(newest.author));
 }
 
-/// A teacher's own lesson may lie on his computer only.
+/// A teacher's own lesson may be on that teacher's computer only.
 void LessonsPage::tellMissing()
 {
     QStringList missing;
@@ -458,7 +457,7 @@ void LessonsPage::tellMissing()
                 return entry.read.lesson && entry.read.lesson->id == id;
             }))
             missing << QString::fromStdString(id);
-    m_missing->setText(tr("Given to you, but not on this computer: %1. Ask your teacher for the file.")
+    m_missing->setText(tr("Assigned to you, but not on this computer: %1. Ask your teacher for the file.")
                            .arg(missing.join(QStringLiteral(", "))));
     m_missing->setVisible(!missing.isEmpty() && !m_entries.empty());
 }
@@ -510,7 +509,7 @@ bool LessonsPage::isWanted(const CatalogEntry& entry) const
 void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
 {
     const auto& lesson = entry.read.lesson;
-    QStringList notes{lesson ? toothWords(*lesson) : tr("Cannot be given")};
+    QStringList notes{lesson ? toothWords(*lesson) : tr("Invalid file")};
     if (m_unsaved.contains(entry.read.file))
         //: Of a lesson in a list: in the editor
         notes.prepend(tr("changed, not saved"));
@@ -554,7 +553,7 @@ QString LessonsPage::searchedWords(const CatalogEntry& entry) const
 {
     const auto& lesson = entry.read.lesson;
     if (!lesson)
-        return nameOf(entry) + u' ' + tr("Cannot be given");
+        return nameOf(entry) + u' ' + tr("Invalid file");
     QStringList words{nameOf(entry), toothWords(*lesson), groupName(lesson->task), said(lesson->goal),
                       QString::fromStdString(lesson->id)};
     if (lesson->exam)
@@ -590,9 +589,9 @@ void LessonsPage::fillList()
         auto item = std::make_unique<QStandardItem>(nameOf(entry));
         item->setData(static_cast<int>(k), CardEntry);
         fillCard(*item, entry);
-        const QString heading = isToDo(entry) ? tr("Given to you")
+        const QString heading = isToDo(entry) ? tr("Assigned to you")
                                 : lesson      ? groupName(lesson->task)
-                                              : tr("Cannot be given");
+                                              : tr("Invalid file");
         if (heading != group) {
             auto* head = new QStandardItem(heading);
             head->setFlags(Qt::NoItemFlags);
@@ -647,14 +646,14 @@ void LessonsPage::describe()
     m_edit->setVisible(isSound && m_mayEdit);
     const bool isSearched = !m_search->text().trimmed().isEmpty();
     const bool isEmpty = m_entries.empty();  // some are shipped: they are not read yet
-    m_title->setText(isEmpty            ? tr("The lessons are being read …")
-                     : entry == nullptr ? tr("No lesson fits")
+    m_title->setText(isEmpty            ? tr("Loading the lessons …")
+                     : entry == nullptr ? tr("No matching lessons")
                                         : nameOf(*entry));
     m_goal->setText(isEmpty      ? QString()
                     : isSound    ? said(entry->read.lesson->goal)
-                    : entry      ? tr("This file cannot be given as a lesson. The others work.")
+                    : entry      ? tr("This file is not a valid lesson. The other lessons work.")
                     : isSearched ? tr("Search for another word, or show all lessons.")
-                                 : tr("There is none of these now. Show all lessons."));
+                                 : tr("There are no such lessons now. Show all lessons."));
     int row = 0;
     const auto fact = [&](const QString& name, const QString& value) {
         grid->addWidget(label(name, kBody, QFont::Normal, QPalette::PlaceholderText, m_facts), row, 0, Qt::AlignTop);
@@ -686,17 +685,16 @@ void LessonsPage::describe()
                             (left.isEmpty() ? QString() : QStringLiteral(", ") + left);
             }
             what.removeAll({});
-            fact(tr("Given to"), what.join(u'\n'));
+            fact(tr("Assigned to"), what.join(u'\n'));
         }
         fact(tr("Tooth"), toothWords(lesson));
-        fact(tr("Kind"), lesson.exam
-                             ? tr("Exam: faults are noted, nothing is said until the end, and no step is taken back")
-                             : tr("Practice: you are told what goes wrong"));
+        fact(tr("Kind"), lesson.exam ? tr("Exam: mistakes are recorded and reported at the end; undo is disabled")
+                                     : tr("Practice: mistakes are reported at once"));
         fact(tr("Time"), timeWords(lesson));
         fact(tr("Burs"), burWords(lesson));
         fact(tr("Aids"), aidWords(lesson.aids));
         //: %1 is the name of a rubric, %2 the mark that is needed
-        fact(tr("Marked by"),
+        fact(tr("Rubric"),
              tr("%1, passed from %2").arg(said(lesson.rubric.title), text::points(lesson.rubric.passMarkTenths)) +
                  u'\n' + criteriaWords(lesson.rubric).join(u'\n'));
         if (!lesson.notModelled.empty())
@@ -709,7 +707,7 @@ void LessonsPage::describe()
     }
     if (entry != nullptr)
         for (const ::lessons::Fault& fault : entry->read.faults)
-            fact(fault.grave ? tr("Wrong") : tr("Note"), text::faultWords(fault));
+            fact(fault.grave ? tr("Error") : tr("Note"), text::faultWords(fault));
 }
 
 void LessonsPage::start()

@@ -95,9 +95,9 @@ QString expectation(int expectedTenths, int totalTenths)
     const int gap = expectedTenths - totalTenths;
     const QString expected = text::points(expectedTenths);
     if (gap == 0)
-        return ScorePage::tr("You expected %1 points: exactly so.").arg(expected);
-    return (gap > 0 ? ScorePage::tr("You expected %1 points: %2 too many.")
-                    : ScorePage::tr("You expected %1 points: %2 too few."))
+        return ScorePage::tr("You expected %1 points, which is exactly right.").arg(expected);
+    return (gap > 0 ? ScorePage::tr("You expected %1 points. You overestimated by %2 points.")
+                    : ScorePage::tr("You expected %1 points. You underestimated by %2 points."))
         .arg(expected, text::points(std::abs(gap)));
 }
 
@@ -109,13 +109,13 @@ QString expectedWorst(const std::string& expected, const ::lessons::ScoreSheet& 
     const auto said = std::find_if(sheet.criteria.begin(), sheet.criteria.end(),
                                    [&](const ::lessons::Criterion& criterion) { return criterion.id == expected; });
     if (worst == sheet.criteria.end() || worst->lostTenths == 0)
-        return said == sheet.criteria.end() ? QString() : ScorePage::tr("Nothing cost you a point.");
+        return said == sheet.criteria.end() ? QString() : ScorePage::tr("You lost no points.");
     const QString name = text::criterionName(*worst);
     if (said == sheet.criteria.end())
-        return ScorePage::tr("Most points went to: %1.").arg(name);
+        return ScorePage::tr("Your biggest loss: %1.").arg(name);
     if (said->lostTenths == worst->lostTenths)
-        return ScorePage::tr("What cost most you knew: %1.").arg(text::criterionName(*said));
-    return ScorePage::tr("You thought that most points went to \"%1\"; they went to \"%2\".")
+        return ScorePage::tr("You named your biggest loss correctly: %1.").arg(text::criterionName(*said));
+    return ScorePage::tr("You expected \"%1\" to be your biggest loss; it was \"%2\".")
         .arg(text::criterionName(*said), name);
 }
 
@@ -127,9 +127,9 @@ QString padWords(const core::grading::PadsToName& asked, const core::grading::Na
         const core::terrain::Material is = asked.madeOf.at(pad);
         const auto said = named.saidToBe.at(pad);
         //: %1 is "Left", "Middle" or "Right", %2 and %3 are tissues
-        pads << (!said         ? ScorePage::tr("%1: %2, not named").arg(padName(pad), text::materialName(is))
-                 : *said == is ? ScorePage::tr("%1: %2, as you said").arg(padName(pad), text::materialName(is))
-                               : ScorePage::tr("%1: %2, you said %3")
+        pads << (!said         ? ScorePage::tr("%1: %2, no answer").arg(padName(pad), text::materialName(is))
+                 : *said == is ? ScorePage::tr("%1: %2, correct").arg(padName(pad), text::materialName(is))
+                               : ScorePage::tr("%1: %2, your answer: %3")
                                      .arg(padName(pad), text::materialName(is), text::materialName(*said)));
     }
     return pads.join(QStringLiteral(" · "));
@@ -145,13 +145,13 @@ QString practisedWords(const ScoredWork& work)
         return padWords(*pads, std::get<Named>(*work.measured.practised));
     if (const auto* force = std::get_if<ForceToHold>(&*work.exercise)) {
         const Held& held = std::get<Held>(*work.measured.practised);
-        return ScorePage::tr("Held for %1 of %2 s, %3 N off on the average")
+        return ScorePage::tr("Held for %1 of %2 s, mean deviation %3 N")
             .arg(text::number(held.longestS, 1), text::number(force->seconds, 0), text::number(held.meanErrorN, 2));
     }
     const Touched& touched = std::get<Touched>(*work.measured.practised);
     if (touched.count() == touched.atS.size())
         return ScorePage::tr("All points were touched");
-    return ScorePage::tr("%1 of %2 points touched; the ring marks one that was not")
+    return ScorePage::tr("%1 of %2 points touched; the ring marks a missed point")
         .arg(touched.count())
         .arg(touched.atS.size());
 }
@@ -181,8 +181,8 @@ QString rubricWords(const ::lessons::ScoreSheet& sheet)
     const QString name =
         QString::fromStdString(::lessons::inLanguage(sheet.rubricTitle, QLocale().name().toStdString()));
     //: %1 is the name of a rubric, %2 its version, %3 the beginning of its hash
-    return ScorePage::tr("Marked by \"%1\", version %2, content %3. Undercuts and walls past 90° are not measured: the "
-                         "model is a height field.")
+    return ScorePage::tr("Rubric \"%1\", version %2, content %3. Undercuts and walls past 90° are not measured, "
+                         "because the model is a height field.")
         .arg(name, QString::number(sheet.rubricVersion),
              QString::fromStdString(sheet.rubricHash.substr(0, kShownHash)));
 }
@@ -377,7 +377,7 @@ QWidget* ScorePage::makeCriteria()
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
     QLabel* title = scoreLabel({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
-    text::inEveryLanguage(title, [title] { title->setText(tr("Where the points went")); });
+    text::inEveryLanguage(title, [title] { title->setText(tr("Lost points")); });
     title->setContentsMargins(kSpace2, 0, 0, 0);
     column->addWidget(title);
     m_criteriaSlot = new QVBoxLayout;
@@ -471,12 +471,6 @@ QWidget* ScorePage::makeDetails()
     m_noise->setAlignment(Qt::AlignRight);
     m_noise->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_noise->setObjectName(QStringLiteral("noise"));
-    text::inEveryLanguage(m_noise, [this] {
-        m_noise->setToolTip(brokenIntoLines(
-            tr("The finished tooth is measured again with half and with double the number of columns along "
-               "a side. That tells how far the number hangs on the grid. It tells nothing about the hand, "
-               "or about what you would do on another day.")));
-    });
     column->addWidget(m_noise);
     return box;
 }
@@ -529,7 +523,7 @@ QWidget* ScorePage::makeHistory()
     m_keep->setObjectName(QStringLiteral("keepGrade"));
     m_keep->setAutoDefault(true);
     text::inEveryLanguage(m_keep, [this] {
-        m_keep->setText(tr("Log in and keep it"));
+        m_keep->setText(tr("Log in and save"));
         m_keep->setAccessibleName(m_keep->text());
     });
     connect(m_keep, &QPushButton::clicked, this, &ScorePage::keepWanted);
@@ -582,7 +576,7 @@ QWidget* ScorePage::makeReport()
     button->setMenu(menu);
     text::inEveryLanguage(button, [button, menu, pdf, print] {
         button->setText(tr("Report"));
-        button->setAccessibleName(tr("Score card on paper"));
+        button->setAccessibleName(tr("Save or print the score card"));
         menu->setAccessibleName(button->accessibleName());
         pdf->setText(tr("Save as PDF …"));
         print->setText(tr("Print …"));
@@ -663,10 +657,10 @@ void ScorePage::setGiven(std::optional<int> tenths)
 QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)
 {
     if (givenTenths)
-        return *givenTenths >= sheet.passMarkTenths ? tr("Passed, as the teacher decided")
-                                                    : tr("Not passed, as the teacher decided");
+        return *givenTenths >= sheet.passMarkTenths ? tr("Passed (teacher's decision)")
+                                                    : tr("Not passed (teacher's decision)");
     return sheet.passed()             ? tr("Passed")
-           : sheet.failedCritically() ? tr("Not passed: harm done")
+           : sheet.failedCritically() ? tr("Not passed: critical error")
                                       : tr("Not passed yet");
 }
 
@@ -674,7 +668,7 @@ QString ScorePage::sumWords(const ::lessons::ScoreSheet& sheet, std::optional<in
 {
     const QString sum = text::scoreSum(sheet);
     //: %1: a sum of points
-    return givenTenths ? tr("The machine's score: %1").arg(sum) : sum;
+    return givenTenths ? tr("Automatic score: %1").arg(sum) : sum;
 }
 
 /// All that is known of the score, in the language of today.
@@ -690,7 +684,7 @@ void ScorePage::speak()
     const int total = m_given.value_or(m_sheet.totalTenths);
     m_expected->setVisible(m_expectation.has_value());
     if (m_expectation && !m_person.isEmpty())
-        m_expected->setText(tr("Expected by the student: %1 points.").arg(text::points(m_expectation->tenths)));
+        m_expected->setText(tr("The student expected %1 points.").arg(text::points(m_expectation->tenths)));
     else if (m_expectation)
         m_expected->setText(
             (expectation(m_expectation->tenths, total) + u' ' + expectedWorst(m_expectation->worst, m_sheet))
@@ -732,8 +726,8 @@ void ScorePage::speak()
 void ScorePage::tellUnrecorded()
 {
     m_unrecorded->setVisible(m_talks && !m_scored);
-    m_unrecorded->setText(tr("This attempt has no recording that can be read: it cannot be replayed, and no picture of "
-                             "the tooth is shown. The score and what cost points are as they were kept."));
+    m_unrecorded->setText(tr("This attempt has no readable recording. It cannot be replayed, and the tooth is not "
+                             "shown. The score and the lost points are shown as they were saved."));
 }
 
 void ScorePage::setNoise(const ::lessons::GridNoise& noise)
@@ -749,14 +743,17 @@ void ScorePage::tellNoise()
         return;
     const ::lessons::GridNoise& noise = *m_noiseNow;
     const QString half = text::points(noise.half.totalTenths);
-    QString words = noise.twice
-                        //: %1 and %2 are points; the grid is that on which the tooth is measured
-                        ? tr("At half the grid %1, at double %2.").arg(half, text::points(noise.twice->totalTenths))
-                        : tr("At half the grid %1.").arg(half);
-    words += u' ';
-    words += noise.isUncertain() ? tr("The pass mark lies between: this result is within the noise.")
-                                 : tr("Not within the noise of the pass mark.");
-    m_noise->setText(words);
+    m_noise->setText(noise.isUncertain() ? tr("Result is close to the pass mark.")
+                                         : tr("Result is clear of the pass mark."));
+    const QString sums = noise.twice
+                             //: %1 and %2 are points; the grid is that on which the tooth is measured
+                             ? tr("Score at half the grid: %1, at double the grid: %2.")
+                                   .arg(half, text::points(noise.twice->totalTenths))
+                             : tr("Score at half the grid: %1.").arg(half);
+    m_noise->setToolTip(brokenIntoLines(
+        sums + u' ' +
+        tr("The tooth is measured again with half and with double the number of grid columns. The result is clear of "
+           "the pass mark if all scores lie on the same side of it. This says nothing about another attempt.")));
     QPalette colours = palette();
     if (noise.isUncertain())
         colours.setColor(QPalette::WindowText, tones(palette()).attentionText);
@@ -840,7 +837,7 @@ void ScorePage::fillCriteria()
         chosen->setChecked(true);
 }
 
-/// Where this criterion is worst; where it has no place, where the work is farthest off the ideal.
+/// The worst place of this criterion. For a criterion without a place, the largest deviation from the ideal.
 void ScorePage::showPlace(const CriterionRow& row)
 {
     m_chosen = row.criterion().id;
@@ -857,17 +854,17 @@ void ScorePage::showPlace(const CriterionRow& row)
         const QString done = isDoing ? practisedWords(*m_scored) : QString();
         m_place->setText(done.isEmpty() ? tr("%1 has no place on the tooth").arg(name) : done);
     } else if (!node) {
-        m_place->setText(tr("The work is everywhere as it ought to be"));
+        m_place->setText(tr("No deviation from the ideal"));
     } else {
         const double above = static_cast<double>(aboveIdeal(*m_scored, *node));
         const QString mm = text::number(std::abs(above), 2);
-        const QString off = above < 0.0 ? tr("%1 mm too deep").arg(mm) : tr("%1 mm still to go").arg(mm);
+        const QString off = above < 0.0 ? tr("%1 mm too deep").arg(mm) : tr("%1 mm still to cut").arg(mm);
         //: %1 a criterion of a score
-        m_place->setText(own && isAcross(measure->id) ? tr("%1: the worst place").arg(name)
-                         //: %1 a criterion of a score, %2 how far the tooth is off the ideal there: "0.42 mm too deep"
-                         : own ? tr("%1: the worst place, %2").arg(name, off)
+        m_place->setText(own && isAcross(measure->id) ? tr("%1: worst place").arg(name)
+                         //: %1 a criterion of a score, %2 the deviation from the ideal there: "0.42 mm too deep"
+                         : own ? tr("%1: worst place, %2").arg(name, off)
                                //: The same for a criterion like time, which has no place on the tooth
-                               : tr("%1 has no place; farthest off the ideal: %2").arg(name, off));
+                               : tr("%1 has no place on the tooth; largest deviation: %2").arg(name, off));
     }
     const core::imaging::SectionPlane plane =
         node ? planeThrough(*m_scored, *node) : core::imaging::SectionPlane{m_scored->tooth->grid().middleMm(), 0.0};
@@ -894,13 +891,13 @@ void ScorePage::tellClass()
                              .arg(text::number(*standing.percentBelow, 0)));
     else if (standing.people <= 1)
         //: %1 is a number of people
-        m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and "
-                            "yours is the only one here.")
+        m_class->setText(tr("No comparison with a class: to keep results anonymous it needs %1 people, and yours is "
+                            "the only result.")
                              .arg(::lessons::kFewestPeople));
     else
         //: %1 is a number of people
-        m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and here "
-                            "are the results of %n person(s).",
+        m_class->setText(tr("No comparison with a class: to keep results anonymous it needs %1 people, and there are "
+                            "results of %n person(s).",
                             "", standing.people)
                              .arg(::lessons::kFewestPeople));
 }
@@ -1023,19 +1020,20 @@ void ScorePage::tellKeeping()
     const auto words = [this]() -> QString {
         switch (m_keeping) {
         case Keeping::Nowhere:
-            return tr("This grade is not kept: it will not be here next time.");
+            return tr("This grade is not saved and will not be here next time.");
         case Keeping::Refused:
-            return tr("This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room "
-                      "on the disk.");
+            return tr(
+                "This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.");
         case Keeping::Guest:
-            return tr("You are not logged in, so this grade is not kept.");
+            return tr("You are not logged in, so this grade is not saved.");
         case Keeping::Waiting:
-            return tr("This grade is kept on this computer. The school's database gets it when it can be reached.");
+            return tr("This grade is saved on this computer. It is sent to the school's database when the connection "
+                      "is back.");
         case Keeping::Pending:
             break;
         case Keeping::Kept:
             if (m_history.size() == 1)
-                return tr("This is the first grade here.");
+                return tr("No earlier grades.");
         }
         return {};
     };

@@ -29,7 +29,7 @@ struct ScoredWork
 /// How far a column ends above the ideal, mm: negative where it was cut too deep. 0 outside the tooth.
 [[nodiscard]] float aboveIdeal(const ScoredWork& work, std::size_t k);
 
-/// The column that is farthest off the ideal; nothing if all are right.
+/// The column with the largest deviation from the ideal; empty if there is none.
 [[nodiscard]] std::optional<std::size_t> farthestOff(const ScoredWork& work);
 
 }  // namespace ui::study

@@ -32,7 +32,7 @@ private:
     inside::SectionScene m_scene;
 };
 
-/// The upright plane through a column, along x or along y, in which the tooth is farther off the ideal.
+/// The vertical plane through a column, along x or y, in which the tooth deviates more from the ideal.
 [[nodiscard]] core::imaging::SectionPlane planeThrough(const ScoredWork& work, std::size_t node);
 
 }  // namespace ui::study

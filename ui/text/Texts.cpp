@@ -166,8 +166,8 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "It was made on another tooth, or with another decay, than this "
                                                     "lesson's. Ask who made the lesson.");
     case core::ErrorCode::Busy:
-        return QCoreApplication::translate("Error",
-                                           "Another program is writing to the school's data. Try again in a moment.");
+        return QCoreApplication::translate(
+            "Error", "Another program is writing to the school's database. Try again in a moment.");
     case core::ErrorCode::OpenElsewhere:
         return QCoreApplication::translate(
             "Error",
@@ -197,7 +197,7 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error",
                                            "This is the last admin who can log in. Make somebody else an admin first.");
     case core::ErrorCode::WrongLogin:
-        return QCoreApplication::translate("Error", "Name or password is wrong.");
+        return QCoreApplication::translate("Error", "Wrong username or password.");
     case core::ErrorCode::TooSoon:
         return QCoreApplication::translate("Error", "Too many logins have failed. Wait a moment and try again.");
     case core::ErrorCode::NewPassword:
@@ -222,14 +222,14 @@ QString errorText(const core::Error& error, Failed failed)
         return QCoreApplication::translate("Error", "The scan cannot be opened. %1").arg(reason(error.code, failed));
     case Failed::MakingTooth:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "The tooth cannot be made. %1").arg(reason(error.code, failed));
+        return QCoreApplication::translate("Error", "The tooth cannot be created. %1").arg(reason(error.code, failed));
     case Failed::OpeningLesson:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "The lesson cannot be given; what was on the table still is. %1")
+        return QCoreApplication::translate("Error", "The lesson cannot be started; your work is unchanged. %1")
             .arg(reason(error.code, failed));
     case Failed::Marking:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "The work cannot be marked; it is as it was. %1")
+        return QCoreApplication::translate("Error", "The work cannot be graded; it is unchanged. %1")
             .arg(reason(error.code, failed));
     case Failed::OpeningRecording:
         //: %1: why, and what to do
@@ -245,18 +245,15 @@ QString errorText(const core::Error& error, Failed failed)
         return QCoreApplication::translate("Error", "The reference was not saved. %1").arg(reason(error.code, failed));
     case Failed::KeepingGrades:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error",
-                                           "Grades will not be kept; drilling and grading work all the same. %1")
+        return QCoreApplication::translate("Error", "Grades will not be saved; drilling and grading still work. %1")
             .arg(reason(error.code, failed));
     case Failed::KeepingGrade:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error",
-                                           "This grade is not kept yet; it is tried again as long as Cusp runs. %1")
+        return QCoreApplication::translate("Error", "This grade is not saved yet; Cusp tries again while it runs. %1")
             .arg(reason(error.code, failed));
     case Failed::ReadingSchool:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error",
-                                           "What the school keeps cannot be shown now; what you do is kept. %1")
+        return QCoreApplication::translate("Error", "The school's data cannot be shown now; your work is saved. %1")
             .arg(reason(error.code, failed));
     case Failed::ChangingSchool:
         //: %1: why, and what to do
@@ -267,10 +264,9 @@ QString errorText(const core::Error& error, Failed failed)
         return QCoreApplication::translate("Error", "Nothing was written: what stands on it is read anew for it. %1")
             .arg(reason(error.code, failed));
     case Failed::SendingAttempt:
-        return QCoreApplication::translate(
-            "Error",
-            "An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. "
-            "All else is kept as ever.");
+        return QCoreApplication::translate("Error",
+                                           "An attempt that was to be sent to the school is damaged. It was moved to "
+                                           "the folder “outbox/damaged”. Everything else is saved as usual.");
     case Failed::KeepingAttempt:
     case Failed::KeepingExam:
         if (error.code == core::ErrorCode::FileUnwritable && failed == Failed::KeepingExam)
@@ -286,7 +282,7 @@ QString errorText(const core::Error& error, Failed failed)
             .arg(reason(error.code, failed));
     case Failed::ResumingAttempt:
         //: %1: why, and what to do
-        return QCoreApplication::translate("Error", "An attempt that was not finished cannot be taken up again. %1")
+        return QCoreApplication::translate("Error", "An unfinished attempt cannot be resumed. %1")
             .arg(reason(error.code, failed));
     }
     return QString::fromStdString(error.detail);
@@ -296,8 +292,8 @@ QString loginFault(const core::Error& error)
 {
     switch (error.code) {
     case core::ErrorCode::WrongLogin:
-        return QCoreApplication::translate("Login", "Name or password is wrong. Try again, or ask an admin for a "
-                                                    "one-time code.");
+        return QCoreApplication::translate(
+            "Login", "Wrong username or password. Try again, or ask an admin for a one-time code.");
     case core::ErrorCode::TooSoon: {
         // The sentence has one number.
         static const QRegularExpression kNumber(QStringLiteral("\\d+"));
@@ -306,17 +302,17 @@ QString loginFault(const core::Error& error)
                                            nullptr, seconds);
     }
     case core::ErrorCode::OutOfRange:
-        return QCoreApplication::translate("Login",
-                                           "A password has eight characters or more, does not hold the name, and is "
-                                           "none that everybody tries first, such as \"password1\".");
+        return QCoreApplication::translate("Login", "A password has at least eight characters, does not contain the "
+                                                    "username and is not a common one such as \"password1\".");
     case core::ErrorCode::NotAllowed:
-        return QCoreApplication::translate("Login", "Somebody has been entered here meanwhile. Log in as an admin.");
+        return QCoreApplication::translate("Login", "A user was added here in the meantime. Log in as an admin.");
     case core::ErrorCode::ConnectionLost:
         return QCoreApplication::translate("Login", "The school's server does not answer. Try again, or practise "
                                                     "without a login.");
     case core::ErrorCode::Busy:
-        return QCoreApplication::translate("Login", "Another program is writing to the school's data, and nobody can "
-                                                    "be let in meanwhile. Try again in a moment.");
+        return QCoreApplication::translate(
+            "Login",
+            "Another program is writing to the school's database, so nobody can log in. Try again in a moment.");
     default:
         return errorText(error, Failed::KeepingGrades);
     }
@@ -567,21 +563,20 @@ QString handpieceName(std::string_view name)
 QString healthText(std::uint32_t health)
 {
     if ((health & core::session::kDeviceLost) != 0)
-        return QCoreApplication::translate("Health", "The handpiece is gone: no force. Plug it in again.");
+        return QCoreApplication::translate("Health", "The handpiece is disconnected: no force. Plug it in again.");
     if ((health & core::session::kRecordGap) != 0)
         return QCoreApplication::translate("Health", "The computer was too slow: the recording has a gap.");
     if ((health & core::session::kPatchQueueFull) != 0)
         return QCoreApplication::translate("Health", "The computer is slow: the picture lags behind.");
     if ((health & core::session::kBegunInside) != 0)
-        return QCoreApplication::translate("Health", "The bur is inside the tooth: lift it out, then it works.");
+        return QCoreApplication::translate("Health", "The bur is inside the tooth. Lift it out to continue.");
     if ((health & core::session::kHeldInside) != 0)
-        return QCoreApplication::translate("Health", "The outline holds your hand: Q lets it go.");
+        return QCoreApplication::translate("Health", "The outline holds your hand. Press Q to release it.");
     if ((health & core::session::kLedHome) != 0)
         return QCoreApplication::translate(
-            "Health", "The handpiece leads your hand back over the tooth. Hold it back, and it lets go.");
+            "Health", "The handpiece guides your hand back over the tooth. Push against it to stop.");
     if ((health & core::session::kLoopIsSlow) != 0)
-        return QCoreApplication::translate("Health",
-                                           "The handpiece answers late: the tooth is made softer to the hand.");
+        return QCoreApplication::translate("Health", "The handpiece responds late: the tooth feels softer.");
     if ((health & core::session::kForceClamped) != 0)
         return QCoreApplication::translate("Health", "Force at its limit");
     return {};
@@ -598,7 +593,7 @@ QString onceWords(const lessons::Once& once)
     const QString reaches = QStringLiteral("%1 %2").arg(QLocale().toString(once.reaches, 'g', 4), unitName(once.unit));
     if (once.measure == "caries_removed_percent")
         //: %1: a share: "50 %"
-        return QCoreApplication::translate("Criterion", "%1 of the decay is out").arg(reaches);
+        return QCoreApplication::translate("Criterion", "%1 of the decay is removed").arg(reaches);
     if (once.measure == "ideal_cut_percent")
         return QCoreApplication::translate("Criterion", "%1 of the ideal is cut").arg(reaches);
     if (once.measure == "target_removed_percent")
@@ -610,9 +605,8 @@ QString onceWords(const lessons::Once& once)
 
 QString soundTissueCounted()
 {
-    return QCoreApplication::translate("Criterion",
-                                       "Enamel and dentin beside the decay and below it. What lies straight "
-                                       "above the decay has to go and is not counted.");
+    return QCoreApplication::translate("Criterion", "Enamel and dentin beside and below the decay. Tissue directly "
+                                                    "above the decay must be removed and is not counted.");
 }
 
 QString criterionMeasured(const lessons::Criterion& criterion)
@@ -663,16 +657,16 @@ QString freeRange(const lessons::Criterion& criterion)
 QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict)
 {
     if (criterion.measure.empty())
-        return QCoreApplication::translate("Criterion", "The value that was measured here is not stored");
+        return QCoreApplication::translate("Criterion", "The measured value was not saved");
     if (criterion.isTooEarly && criterion.lostTenths > 0)
-        //: %1: points of a score, %2: what has to be done: "50 % of the decay is out"
+        //: %1: points of a score, %2: what has to be done: "50 % of the decay is removed"
         return QCoreApplication::translate("Criterion", "None of its %1 points are earned before %2")
             .arg(points(verdict == lessons::Verdict::WorstError ? lessons::kFullTenths : criterion.weightTenths),
                  onceWords(*criterion.once));
     if (!criterion.measured)
         return criterion.critical
-                   ? QCoreApplication::translate("Criterion",
-                                                 "Not measured, so the attempt fails: %1 points that were left")
+                   ? QCoreApplication::translate(
+                         "Criterion", "Not measured, so the attempt fails and the remaining %1 points are lost")
                          .arg(points(criterion.lostTenths))
                    : QCoreApplication::translate("Criterion", "Not measured, so it earns none of its %1 points")
                          .arg(points(criterion.weightTenths));
@@ -681,11 +675,11 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
     if (criterion.critical)
         //: %1 is a range: "up to 0.00 mm²"
         return QCoreApplication::translate("Criterion",
-                                           "Allowed is %1; it fails the attempt and takes the %2 points left")
+                                           "Allowed: %1. The attempt fails and the remaining %2 points are lost")
             .arg(freeRange(criterion), points(criterion.lostTenths));
     const int weight = verdict == lessons::Verdict::WorstError ? lessons::kFullTenths : criterion.weightTenths;
     if (verdict == lessons::Verdict::WorstError && criterion.lostTenths == 0)
-        return QCoreApplication::translate("Criterion", "%1 %2 too far off; a worse error decides")
+        return QCoreApplication::translate("Criterion", "%1 %2 outside the limit; a more serious error decides")
             .arg(number(criterion.error, 2), unitName(criterion.unit));
     if (criterion.span <= 0.0)
         return QCoreApplication::translate("Criterion", "%1; beyond it all of its %2 points are lost")
@@ -694,7 +688,7 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
         QCoreApplication::translate("Criterion", "(%1) / %2 %3 × %4 points")
             .arg(errorWorked(criterion), number(criterion.span, 2), unitName(criterion.unit), points(weight));
     return criterion.share < 1.0 ? worked + QStringLiteral(" = %1").arg(points(criterion.lostTenths))
-                                 : QCoreApplication::translate("Criterion", "%1, no more than all of them").arg(worked);
+                                 : QCoreApplication::translate("Criterion", "%1, at most all of them").arg(worked);
 }
 
 QString scoreSum(const lessons::ScoreSheet& sheet)
@@ -763,13 +757,13 @@ QString aidWords(std::uint64_t aids)
     add(kSectionAid, QCoreApplication::translate("TimeLine", "section"));
     add(kDepthGaugeAid, QCoreApplication::translate("TimeLine", "depth gauge"));
     add(kRadiographAid, QCoreApplication::translate("TimeLine", "X-ray"));
-    add(kHeatMapAid, QCoreApplication::translate("TimeLine", "colours of depth"));
+    add(kHeatMapAid, QCoreApplication::translate("TimeLine", "depth colours"));
     add(kMirrorAid, QCoreApplication::translate("TimeLine", "mirror"));
     add(kIdealAid, QCoreApplication::translate("TimeLine", "ideal"));
     add(kBurColourAid, QCoreApplication::translate("TimeLine", "colour of the bur"));
-    add(kFixtureAid, QCoreApplication::translate("TimeLine", "held within the outline"));
+    add(kFixtureAid, QCoreApplication::translate("TimeLine", "guided hand"));
     return used.isEmpty()
-               ? QCoreApplication::translate("TimeLine", "No aid in use")
+               ? QCoreApplication::translate("TimeLine", "No aids in use")
                : QCoreApplication::translate("TimeLine", "Aids in use: %1").arg(used.join(QStringLiteral(", ")));
 }
 

@@ -80,7 +80,7 @@ enum class Failed {
 
 /// "Decay left": what the rubric calls it in the user's language; the measure's own name where it says nothing.
 [[nodiscard]] QString criterionName(const lessons::Criterion& criterion);
-/// "50 % of the decay is out": what has to be done before a criterion earns anything.
+/// "50 % of the decay is removed": what has to be done before a criterion earns anything.
 [[nodiscard]] QString onceWords(const lessons::Once& once);
 /// What "sound_tissue" counts, two sentences: the same beside the tooth and in the grade.
 [[nodiscard]] QString soundTissueCounted();

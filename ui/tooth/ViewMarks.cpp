@@ -91,7 +91,7 @@ QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointM
     //: %1 is a length: the tooth is cut deeper than it should be
     return below > 0.0 ? QCoreApplication::translate("ViewMarks", "%1 too deep").arg(millimetres(below))
                        //: %1 is a length: so much is still to be taken away
-                       : QCoreApplication::translate("ViewMarks", "%1 to go").arg(millimetres(below));
+                       : QCoreApplication::translate("ViewMarks", "%1 to cut").arg(millimetres(below));
 }
 
 void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how)
@@ -102,11 +102,11 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     painter.setFont(wordsFont(painter));
     const QFontMetricsF words(painter.font());
     //: Titles of a scale of colours: how deep a cut is, and how far from the ideal
-    const QString title = aboutIdeal ? QCoreApplication::translate("ViewMarks", "off the ideal, mm")
+    const QString title = aboutIdeal ? QCoreApplication::translate("ViewMarks", "deviation, mm")
                                      : QCoreApplication::translate("ViewMarks", "depth, mm");
     // Beyond an end the colour stays.
     const QString end = QStringLiteral("\u2265\u2009") + QLocale().toString(endMm, 'f', 1);
-    const QString first = aboutIdeal ? QCoreApplication::translate("ViewMarks", "%1 to go").arg(end)
+    const QString first = aboutIdeal ? QCoreApplication::translate("ViewMarks", "%1 to cut").arg(end)
                                      : QLocale().toString(beginMm, 'f', 1);
     const QString last = aboutIdeal ? QCoreApplication::translate("ViewMarks", "%1 too deep").arg(end) : end;
     const double wide =
