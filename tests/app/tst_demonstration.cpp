@@ -17,6 +17,9 @@ private slots:
         QTest::addColumn<QString>("lesson");
         QTest::newRow("Class I") << "class1-24";
         QTest::newRow("Class II, beside a neighbour") << "class2-36-distal";
+        QTest::newRow("Class II on a lower molar, mesial") << "class2-36-mesial";
+        QTest::newRow("Class II on a lower premolar") << "class2-35-distal";
+        QTest::newRow("Class II on an upper molar") << "class2-26-mesial";
         QTest::newRow("a block") << "block-line";
         QTest::newRow("decay") << "decay-36-small";
     }
