@@ -22,6 +22,10 @@ private slots:
         QTest::newRow("Class II on an upper molar") << "class2-26-mesial";
         QTest::newRow("a block") << "block-line";
         QTest::newRow("decay") << "decay-36-small";
+        QTest::newRow("exam, decay on a lower molar") << "exam-36-decay";
+        QTest::newRow("exam, decay on an upper molar") << "exam-26-decay";
+        QTest::newRow("exam, Class I") << "exam-36-class1";
+        QTest::newRow("exam, Class II") << "exam-36-class2";
     }
 
     /// Nearly full marks, and twice the same attempt, made for the lesson.
