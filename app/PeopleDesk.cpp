@@ -273,7 +273,7 @@ void PeopleDesk::readLessons(const std::function<void()>& then)
             m_catalog = std::move(entries);
             std::stable_sort(m_catalog.begin(), m_catalog.end(), [](const auto& a, const auto& b) {
                 const auto place = [](const lessons::CatalogEntry& entry) {
-                    return entry.isFaulty() ? INT_MAX : ui::study::groupPlace(entry.read.lesson->task);
+                    return entry.isFaulty() ? INT_MAX : ui::study::groupPlace(*entry.read.lesson);
                 };
                 return place(a) < place(b);
             });
@@ -298,7 +298,7 @@ void PeopleDesk::tellLessons()
         const QString title = ui::study::said(one.title);
         m_titles[QString::fromStdString(one.id)] = title;
         const QString file = entry.isShipped ? QString() : entry.pack.isEmpty() ? entry.read.file : entry.pack;
-        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task), file});
+        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one), file});
     }
     m_window.historyPage().setLessonTitles(m_titles);
     m_window.historyPage().setCriterionNames(criteria);

@@ -3,7 +3,7 @@
 
 namespace lessons {
 
-/// Which aids to seeing a lesson allows. All of them unless it says otherwise; an exam allows none.
+/// Which aids to seeing a lesson allows. All of them unless it says otherwise; the exams that we ship allow none.
 struct Aids
 {
     bool section = true;     ///< the live cross-section through the bur

@@ -1878,6 +1878,10 @@
         <translation>Übungsblock</translation>
     </message>
     <message>
+        <source>Exams</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
         <source>Ideal preparations</source>
         <translation>Ideale Präparationen</translation>
     </message>

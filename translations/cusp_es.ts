@@ -1878,6 +1878,10 @@
         <translation>Bloque de práctica</translation>
     </message>
     <message>
+        <source>Exams</source>
+        <translation>Exámenes</translation>
+    </message>
+    <message>
         <source>Ideal preparations</source>
         <translation>Preparaciones ideales</translation>
     </message>

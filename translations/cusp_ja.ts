@@ -1876,6 +1876,10 @@
         <translation>練習ブロック</translation>
     </message>
     <message>
+        <source>Exams</source>
+        <translation>試験</translation>
+    </message>
+    <message>
         <source>Ideal preparations</source>
         <translation>理想的な窩洞形成</translation>
     </message>

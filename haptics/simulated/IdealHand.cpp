@@ -21,6 +21,7 @@ constexpr float kBelowToothMm = 0.1F;
 constexpr std::size_t kFewShare = 10;  ///< of the columns to be cut: fewer that do not yield are let be
 constexpr double kReachedMm = 0.01;
 constexpr double kClearMm = 0.3;     ///< over what stands in the way
+constexpr double kApartMm = 0.1;     ///< from a neighbour: on a steep wall the bur slides so far beside its aim
 constexpr double kLeadMm = 0.6;      ///< the hand goes so far ahead of the bur into what is to be cut
 constexpr double kSinkMm = 0.8;      ///< and at most so far below it
 constexpr double kPress = 4.0;       ///< times what is missing sideways: a bur cuts from a threshold of force on
@@ -77,7 +78,7 @@ void IdealHand::findLowest(std::span<const float> idealTop, std::span<const Foot
 void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::drilling::Bur& bur)
 {
     const core::terrain::Grid& other = beside.grid;
-    const int span = static_cast<int>(bur.headRadiusMm / other.cellMm) + 1;
+    const int span = static_cast<int>((bur.headRadiusMm + kApartMm) / other.cellMm) + 1;
     for (std::size_t k = 0; k < m_grid.count(); ++k) {
         const glm::dvec2 place = nodeMm(k);
         const glm::ivec2 at(glm::floor(other.latticeOf(place) + 0.5));
@@ -86,7 +87,7 @@ void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::dri
                 if (!other.contains(i, j))
                     continue;
                 const glm::dvec2 way = other.nodeMm(i, j) - place;
-                const double radius = std::sqrt(glm::dot(way, way));
+                const double radius = std::max(0.0, std::sqrt(glm::dot(way, way)) - kApartMm);
                 const float top = beside.top[other.index(i, j)];
                 if (radius > bur.headRadiusMm || !(top > beside.bottom[other.index(i, j)]))
                     continue;

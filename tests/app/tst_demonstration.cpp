@@ -17,8 +17,15 @@ private slots:
         QTest::addColumn<QString>("lesson");
         QTest::newRow("Class I") << "class1-24";
         QTest::newRow("Class II, beside a neighbour") << "class2-36-distal";
+        QTest::newRow("Class II on a lower molar, mesial") << "class2-36-mesial";
+        QTest::newRow("Class II on a lower premolar") << "class2-35-distal";
+        QTest::newRow("Class II on an upper molar") << "class2-26-mesial";
         QTest::newRow("a block") << "block-line";
         QTest::newRow("decay") << "decay-36-small";
+        QTest::newRow("exam, decay on a lower molar") << "exam-36-decay";
+        QTest::newRow("exam, decay on an upper molar") << "exam-26-decay";
+        QTest::newRow("exam, Class I") << "exam-36-class1";
+        QTest::newRow("exam, Class II") << "exam-36-class2";
     }
 
     /// Nearly full marks, and twice the same attempt, made for the lesson.

@@ -6,11 +6,13 @@
 #include <QTest>
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <set>
 
 #include "core/drilling/Reach.h"
 #include "core/grading/MeasureTable.h"
+#include "core/grading/Referee.h"
 #include "core/preparation/ToothDesign.h"
 #include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
@@ -223,7 +225,8 @@ private slots:
         const auto row = [](const char* id, const char* what, Slip slip) {
             QTest::addRow("%s, %s", id, what) << QString::fromLatin1(id) << static_cast<int>(slip);
         };
-        for (const char* id : {"class1-36", "class1-24", "class1-26", "class2-36-distal", "access-36", "access-21"}) {
+        for (const char* id : {"class1-36", "class1-24", "class1-26", "class2-36-distal", "class2-36-mesial",
+                               "class2-35-distal", "class2-26-mesial", "access-36", "access-21"}) {
             row(id, "floor too deep", Slip::FloorTooDeep);
             row(id, "gouge beside", Slip::GougeBeside);
             row(id, "quarter ground off", Slip::QuarterGroundOff);
@@ -266,6 +269,45 @@ private slots:
         const Mark marked = mark(assignment, tooth).value();
         QCOMPARE(marked.measured.measures.perforatedMm2, 0.0);
         QVERIFY(!marked.sheet.failedCritically());
+    }
+
+    void everyBoxHasItsNeighbour_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const Lesson& lesson : withIdeal())
+            if (lesson.ideal && lesson.ideal->kind.starts_with("class2"))
+                QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
+    }
+
+    /// The box is open towards the next tooth: a bur that goes on outwards touches it, and one inside the box does not.
+    void everyBoxHasItsNeighbour()
+    {
+        QFETCH(QString, id);
+        const Assignment assignment = assigned(id.toStdString());
+        QVERIFY(assignment.neighbours != nullptr);
+        const double outwards = assignment.lesson->ideal->kind == "class2-mesial" ? -1.0 : 1.0;
+        const core::terrain::Grid& grid = assignment.anatomy->grid;
+        glm::dvec2 edge(-outwards * 100.0, 0.0);
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i)
+                if (const glm::dvec2 node = grid.nodeMm(i, j);
+                    assignment.ideal->parts[grid.index(i, j)] != core::grading::Part::Keep &&
+                    outwards * (node.x - edge.x) > 0.0)
+                    edge = node;
+        core::grading::Rules rules;
+        rules.neighbours = assignment.neighbours;
+        const core::terrain::Tooth tooth(assignment.anatomy);
+        core::grading::Referee referee(rules, assignment.anatomy, nullptr);
+        core::session::ServoState state;
+        state.drillOn = true;
+        state.burIndex = static_cast<std::uint8_t>(core::drilling::findBur("330").value());
+        const auto hitsAt = [&](double beyondMm) {
+            state.anchorMm = {edge.x + outwards * beyondMm, edge.y, -3.0};
+            const auto found = referee.look(state, {}, tooth, std::chrono::milliseconds(1));
+            return found.size() == 1 && found.front().breach == core::grading::Breach::NeighbourHit;
+        };
+        QVERIFY(!hitsAt(-0.6));
+        QVERIFY(hitsAt(0.9));
     }
 
     void tooDeepCostsDepthAlone()

@@ -105,7 +105,24 @@ private slots:
             const double decayMm3 = assigned->report.layersMm3[0];
             QVERIFY2(decayMm3 > 0.1, qPrintable(QStringLiteral("%1: %2 mm3").arg(shipped.id.c_str()).arg(decayMm3)));
         }
-        QCOMPARE(decays, 48);
+        QCOMPARE(decays, 50);
+    }
+
+    /// An exam is marked as the practice is, in limited time and without aids, steps or hints.
+    void shippedExamsAllowNoAid()
+    {
+        QStringList exams;
+        for (const CatalogEntry& entry : readCatalog({})) {
+            if (!entry.read.lesson->exam)
+                continue;
+            const Lesson& exam = *entry.read.lesson;
+            exams << QString::fromStdString(exam.id + ' ' + exam.rubric.id);
+            QVERIFY2(exam.aids == Aids::none(), exam.id.c_str());
+            QVERIFY2(exam.steps.empty() && exam.minutes > 0.0 && !exam.expert, exam.id.c_str());
+            QVERIFY2(inLanguage(exam.title, "en").starts_with("Exam: "), exam.id.c_str());
+        }
+        QCOMPARE(exams, (QStringList{"exam-36-decay decay_removal", "exam-26-decay decay_removal",
+                                     "exam-36-class1 class1", "exam-36-class2 class2"}));
     }
 
     void tellsEachFaultByFileAndKey_data()

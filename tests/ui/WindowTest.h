@@ -66,7 +66,8 @@ inline const lessons::Assignment& assigned(const std::string& id)
 
 inline const lessons::Assignment& assigned(lessons::Task task)
 {
-    return assigned(shippedWhere([&](const lessons::Lesson& lesson) { return lesson.task == task; }).lesson->id);
+    return assigned(
+        shippedWhere([&](const lessons::Lesson& lesson) { return lesson.task == task && !lesson.exam; }).lesson->id);
 }
 
 inline lessons::Assignment exam(const std::string& id = "class1-36")

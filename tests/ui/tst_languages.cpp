@@ -89,7 +89,8 @@ lessons::ScoreSheet sheet()
 
 const lessons::ReadLesson& cutIdeal()
 {
-    return support::shippedWhere([](const lessons::Lesson& lesson) { return lesson.task == Task::CutIdeal; });
+    return support::shippedWhere(
+        [](const lessons::Lesson& lesson) { return lesson.task == Task::CutIdeal && !lesson.exam; });
 }
 
 core::grading::Infraction breach()

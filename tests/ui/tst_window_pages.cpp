@@ -282,7 +282,12 @@ private slots:
         QCOMPARE(cards().size(), all);
         QCOMPARE(shown("To do"), (QStringList{"Class I on 36", "Class I on 26"}));
         QCOMPARE(shown("Passed"), QStringList{"Class I on 37"});
-        QCOMPARE(shown("Exams"), QStringList{"Class I on 24"});
+        const QStringList exams{"Exam: decay on 36", "Exam: decay on 26", "Exam: Class I on 36",
+                                "Exam: Class II box on 36, mesial", "Class I on 24"};
+        QCOMPARE(shown("Exams"), exams);
+        // They are the last group of the list.
+        QCOMPARE(shown("All").mid(all - exams.size()), exams);
+        QCOMPARE(shown("Exams"), exams);
         QVERIFY(filter("Exams")->isChecked() && !filter("All")->isChecked());
         // Beside what is searched for.
         search()->setText("class1-36");

@@ -294,6 +294,39 @@ private slots:
         QVERIFY(mayCut() && actions().undo->isEnabled() && actions().reload->isEnabled());
     }
 
+    /// The exams that are shipped allow no aid, and tell so. Practice, which allows them, leaves some of them on.
+    void aShippedExamLocksTheAids()
+    {
+        spoil();
+        const QList<QAction*> aids{actions().section,      actions().turnSection, actions().radiograph,
+                                   actions().depthColours, actions().mirror,      actions().burColour,
+                                   actions().fixture};
+        const auto tips = [&] {
+            QStringList all;
+            for (const QAction* aid : aids)
+                all << aid->toolTip();
+            return all;
+        };
+        beginLesson(assigned("class1-36"));
+        QVERIFY(actions().section->isEnabled() && actions().radiograph->isEnabled());
+        const QStringList allowed = tips();
+        for (const char* id : {"exam-36-decay", "exam-26-decay", "exam-36-class1", "exam-36-class2"}) {
+            actions().section->setChecked(true);
+            actions().mirror->setChecked(true);
+            beginLesson(assigned(id));
+            record(30.0, 0.5, true);
+            const QStringList locked = tips();
+            for (qsizetype k = 0; k < aids.size(); ++k)
+                QVERIFY2(!aids[k]->isEnabled() && locked[k] != allowed[k], qPrintable(id + (": " + allowed[k])));
+            press(Qt::Key_X);
+            press(Qt::Key_F);
+            QVERIFY(child<PracticeRoom>()->isVisible() && !child<SectionView>()->isVisible());
+            QVERIFY(!actions().expert->isVisible() && !actions().undo->isEnabled());
+            beginLesson(assigned("class1-36"));
+            QCOMPARE(tips(), allowed);
+        }
+    }
+
     /// One's own attempt, saved and played while the exam goes on, would tell what went wrong.
     void anExamTellsNothingByAReplay()
     {

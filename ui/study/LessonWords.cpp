@@ -82,9 +82,11 @@ QString usedUpWords()
                                        "You have no attempts left at this lesson. Your teacher can give you more.");
 }
 
-QString groupName(Task task)
+QString groupName(const Lesson& lesson)
 {
-    switch (task) {
+    if (lesson.exam)
+        return QCoreApplication::translate("Lesson", "Exams");
+    switch (lesson.task) {
     case Task::TraceShape:
         return QCoreApplication::translate("Lesson", "Practice block");
     case Task::CutIdeal:
@@ -99,9 +101,11 @@ QString groupName(Task task)
     return QCoreApplication::translate("Lesson", "Removing decay");
 }
 
-int groupPlace(Task task)
+int groupPlace(const Lesson& lesson)
 {
-    switch (task) {
+    if (lesson.exam)
+        return 4;
+    switch (lesson.task) {
     case Task::TouchPoints:
     case Task::HoldForce:
     case Task::TellLayers:

@@ -13,10 +13,10 @@ namespace ui::study {
 
 /// A text of the lesson's own in the language of the program.
 [[nodiscard]] QString said(const ::lessons::LocalText& text);
-/// The heading that lessons of this task stand under: "Removing decay".
-[[nodiscard]] QString groupName(::lessons::Task task);
-/// Groups stand in this order: what comes first is done first.
-[[nodiscard]] int groupPlace(::lessons::Task task);
+/// The heading of a lesson's group: "Removing decay". Exams have a group of their own, whatever their task.
+[[nodiscard]] QString groupName(const ::lessons::Lesson& lesson);
+/// The order of the groups: easier work first, exams last.
+[[nodiscard]] int groupPlace(const ::lessons::Lesson& lesson);
 /// "Lower left first molar (36)", "Practice block", a scan's file name.
 [[nodiscard]] QString toothWords(const ::lessons::Lesson& lesson);
 /// Those words where they are too long: the kind is cut short, and not the number behind it.

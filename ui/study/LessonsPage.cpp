@@ -343,7 +343,7 @@ void LessonsPage::setLessons(std::vector<CatalogEntry> entries, std::map<std::st
             if (entry.isFaulty())
                 return std::pair(kLast, qint64{0});
             if (!isToDo(entry))
-                return std::pair(groupPlace(entry.read.lesson->task), qint64{0});
+                return std::pair(groupPlace(*entry.read.lesson), qint64{0});
             const QDateTime due = givenOf(entry)->due;
             return std::pair(-1, due.isValid() ? due.toMSecsSinceEpoch() : std::numeric_limits<qint64>::max());
         };
@@ -554,7 +554,7 @@ QString LessonsPage::searchedWords(const CatalogEntry& entry) const
     const auto& lesson = entry.read.lesson;
     if (!lesson)
         return nameOf(entry) + u' ' + tr("Invalid file");
-    QStringList words{nameOf(entry), toothWords(*lesson), groupName(lesson->task), said(lesson->goal),
+    QStringList words{nameOf(entry), toothWords(*lesson), groupName(*lesson), said(lesson->goal),
                       QString::fromStdString(lesson->id)};
     if (lesson->exam)
         words << tr("exam");
@@ -590,7 +590,7 @@ void LessonsPage::fillList()
         item->setData(static_cast<int>(k), CardEntry);
         fillCard(*item, entry);
         const QString heading = isToDo(entry) ? tr("Assigned to you")
-                                : lesson      ? groupName(lesson->task)
+                                : lesson      ? groupName(*lesson)
                                               : tr("Invalid file");
         if (heading != group) {
             auto* head = new QStandardItem(heading);
