@@ -444,16 +444,6 @@
 </context>
 <context>
     <name>Chart</name>
-    <message>
-        <source>d MMM</source>
-        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
-        <translation>d MMM</translation>
-    </message>
-    <message>
-        <source>MMM yyyy</source>
-        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
-        <translation>MMM yyyy</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <extracomment>Bars of a chart that there is no room for</extracomment>
@@ -4551,10 +4541,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Attempt</source>
         <translation>Intento</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Fecha</translation>
     </message>
     <message>
         <source>The newest %1 of %2 attempts</source>
@@ -9378,7 +9364,6 @@ sin guardar</translation>
     </message>
     <message>
         <source>%1 / %2 mm</source>
-        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
         <translation>%1 / %2 mm</translation>
     </message>
     <message>

@@ -443,16 +443,6 @@
 </context>
 <context>
     <name>Chart</name>
-    <message>
-        <source>d MMM</source>
-        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
-        <translation>M月d日</translation>
-    </message>
-    <message>
-        <source>MMM yyyy</source>
-        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
-        <translation>yyyy年M月</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <extracomment>Bars of a chart that there is no room for</extracomment>
@@ -4517,10 +4507,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Attempt</source>
         <translation>試行</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日付</translation>
     </message>
     <message>
         <source>The newest %1 of %2 attempts</source>
@@ -9310,7 +9296,6 @@ unsaved</source>
     </message>
     <message>
         <source>%1 / %2 mm</source>
-        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
         <translation>%1 / %2 mm</translation>
     </message>
     <message>
