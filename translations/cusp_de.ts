@@ -9156,6 +9156,10 @@ ungesichert</translation>
         <source>This grade is not kept: it will not be here next time.</source>
         <translation>Diese Bewertung wird nicht aufbewahrt: Beim nächsten Mal ist sie nicht mehr da.</translation>
     </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Nächste Lektion</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

@@ -9156,6 +9156,10 @@ sin guardar</translation>
         <source>This grade is not kept: it will not be here next time.</source>
         <translation>Esta calificación no se conserva: no estará aquí la próxima vez.</translation>
     </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Siguiente lección</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

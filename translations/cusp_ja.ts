@@ -9092,6 +9092,10 @@ unsaved</source>
         <source>This grade is not kept: it will not be here next time.</source>
         <translation>この成績は保存されません。次回はここに表示されません。</translation>
     </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>次のレッスン</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

@@ -394,6 +394,39 @@ private slots:
         QVERIFY2(isInRoom(), "the next step is one key away");
     }
 
+    void afterAPassTheNextLessonIsOffered()
+    {
+        QSignalSpy chosen(m_window.get(), &MainWindow::lessonChosen);
+        auto* next = child<QPushButton>("nextLesson");
+        const auto nextAfter = [&](const std::string& lesson, const lessons::ScoreSheet& score) {
+            beginLesson(support::assigned(lesson));
+            m_window->showScore(score, {});
+            if (!next->isVisible())
+                return QString();
+            press(Qt::Key_Return);
+            return chosen.isEmpty() ? QString("none")
+                                    : QString::fromStdString(chosen.takeLast().front().value<lessons::Lesson>().id);
+        };
+        const lessons::ScoreSheet pass = sheet(0, 0, 0);
+        m_window->setLessons(support::catalog(), {});
+        QCOMPARE(nextAfter("class1-36", sheet(40, 30, 0)), QString());
+        QCOMPARE(nextAfter("class1-36", pass), QString("class1-37"));
+        QVERIFY(isInRoom());
+        // Assigned lessons that are not passed come first, each once.
+        const ui::study::Given given{"Year 1", {}, {}};
+        const ui::study::Given usedUp{"Year 1", {}, 0};
+        m_window->setLessons(support::catalog(), {},
+                             {{"class1-36", given}, {"class1-34", usedUp}, {"class1-27", given}});
+        QCOMPARE(nextAfter("class1-36", pass), QString("class1-27"));
+        QCOMPARE(nextAfter("class1-27", pass), QString("class1-35"));
+        // A grade without a lesson, and one that is looked at again, offer none.
+        beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
+        m_window->showScore(pass, {});
+        QVERIFY(!next->isVisible());
+        m_window->showOldScore([] { return QString("Class I on 36"); }, pass, {}, {}, {});
+        QVERIFY(!next->isVisible());
+    }
+
     void theFirstWindowFitsTheScreen()
     {
         for (const auto& [screen, size] : {std::pair(QSize(1024, 560), QSize(1016, 520)),

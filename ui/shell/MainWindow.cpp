@@ -225,6 +225,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
+    connect(m_scorePage, &study::ScorePage::nextWanted, m_lessonsPage, &study::LessonsPage::startNext);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
@@ -2107,6 +2108,10 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
             return isLesson ? study::said(title) : tooth != nullptr ? text::toothTitle(*tooth) : QString();
         },
         sheet, history, expected, scored);
+    if (lesson != nullptr) {
+        m_lessonsPage->takeScore(sheet.totalTenths, sheet.passed());
+        m_scorePage->setNext(m_lessonsPage->next());
+    }
     m_behindScore = m_room;
     goTo(m_scorePage);
 }

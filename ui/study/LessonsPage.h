@@ -75,6 +75,13 @@ public:
     void forget();
     /// What is chosen in the list; null for none.
     [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
+    /// The present lesson was graded. Counts until setLessons() brings the same from the database.
+    void takeScore(int tenths, bool passed);
+    /// The lesson to do after the present one: the first assigned lesson that is not passed yet, or else the next
+    /// lesson of the same group in the order of the catalog; null for none.
+    [[nodiscard]] const ::lessons::Lesson* next() const;
+    /// Chooses next(), if there is one.
+    void startNext();
 
 signals:
     void lessonChosen(const ::lessons::Lesson& lesson);
