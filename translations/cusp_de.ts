@@ -2049,6 +2049,18 @@
         <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
         <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
     </message>
+    <message>
+        <source>In an exam, the expert&apos;s attempt is not shown.</source>
+        <translation>In einer Prüfung wird der Versuch des Experten nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Only lessons have an expert&apos;s attempt. Press F2 to choose one.</source>
+        <translation>Den Versuch eines Experten gibt es nur bei Lektionen. F2 öffnet die Auswahl.</translation>
+    </message>
+    <message>
+        <source>This exercise has no expert&apos;s attempt.</source>
+        <translation>Zu dieser Übung gibt es keinen Versuch eines Experten.</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -6582,10 +6594,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Röntgen</translation>
     </message>
     <message>
-        <source>Show X-ray pictures of the tooth, before and now</source>
-        <translation>Röntgenbilder des Zahns zeigen, vorher und jetzt</translation>
-    </message>
-    <message>
         <source>This lesson does not allow it.</source>
         <translation>Diese Lektion erlaubt das nicht.</translation>
     </message>
@@ -6836,6 +6844,18 @@ ungesichert</translation>
     <message>
         <source>Read again</source>
         <translation>Neu einlesen</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now, or close them</source>
+        <translation>Röntgenbilder des Zahns zeigen, vorher und jetzt, oder schließen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search on this page, or among the lessons</source>
+        <translation>Auf dieser Seite suchen, oder unter den Lektionen</translation>
     </message>
 </context>
 <context>

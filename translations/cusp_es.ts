@@ -2049,6 +2049,18 @@
         <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
         <translation>Su último intento en este examen se empezó en otra ventana. Lo que se cortó aquí no cuenta.</translation>
     </message>
+    <message>
+        <source>In an exam, the expert&apos;s attempt is not shown.</source>
+        <translation>En un examen no se muestra el intento del experto.</translation>
+    </message>
+    <message>
+        <source>Only lessons have an expert&apos;s attempt. Press F2 to choose one.</source>
+        <translation>Solo las lecciones tienen un intento del experto. Pulse F2 para elegir una.</translation>
+    </message>
+    <message>
+        <source>This exercise has no expert&apos;s attempt.</source>
+        <translation>Este ejercicio no tiene un intento del experto.</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -6582,10 +6594,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Radiografía</translation>
     </message>
     <message>
-        <source>Show X-ray pictures of the tooth, before and now</source>
-        <translation>Mostrar radiografías del diente, antes y ahora</translation>
-    </message>
-    <message>
         <source>This lesson does not allow it.</source>
         <translation>Esta lección no lo permite.</translation>
     </message>
@@ -6836,6 +6844,18 @@ sin guardar</translation>
     <message>
         <source>Read again</source>
         <translation>Leer de nuevo</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now, or close them</source>
+        <translation>Mostrar radiografías del diente, antes y ahora, o cerrarlas</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search on this page, or among the lessons</source>
+        <translation>Buscar en esta página o entre las lecciones</translation>
     </message>
 </context>
 <context>

@@ -2046,6 +2046,18 @@
         <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
         <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
     </message>
+    <message>
+        <source>In an exam, the expert&apos;s attempt is not shown.</source>
+        <translation>試験では、エキスパートの試行は表示されません。</translation>
+    </message>
+    <message>
+        <source>Only lessons have an expert&apos;s attempt. Press F2 to choose one.</source>
+        <translation>エキスパートの試行があるのはレッスンだけです。F2を押してレッスンを選んでください。</translation>
+    </message>
+    <message>
+        <source>This exercise has no expert&apos;s attempt.</source>
+        <translation>この練習にはエキスパートの試行がありません。</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -6489,10 +6501,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>X線</translation>
     </message>
     <message>
-        <source>Show X-ray pictures of the tooth, before and now</source>
-        <translation>歯のX線画像（術前と現在）を表示します</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>表示</translation>
     </message>
@@ -6786,6 +6794,18 @@ unsaved</source>
     <message>
         <source>Read again</source>
         <translation>再読み込み</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now, or close them</source>
+        <translation>歯のX線画像（術前と現在）を表示、または閉じます</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Search on this page, or among the lessons</source>
+        <translation>このページ、またはレッスンを検索します</translation>
     </message>
 </context>
 <context>

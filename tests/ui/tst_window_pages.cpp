@@ -51,6 +51,46 @@ private slots:
         }
     }
 
+    void theKeyThatOpenedTheXrayClosesIt()
+    {
+        for (const char* shown : {"ui::inside::XrayPage", "ui::shell::PracticeRoom"}) {
+            press(Qt::Key_F);
+            QCOMPARE(m_window->page()->metaObject()->className(), shown);
+        }
+        QVERIFY(m_window->view().hasFocus());
+    }
+
+    void escapeClosesWhatLiesOverTheTooth()
+    {
+        const auto* panel = child<QWidget>("historyPanel");
+        const auto* plots = child<ui::console::WatchPanel>();
+        child<ui::console::Console>()->execute(QStringLiteral("watch force.stiffness"));
+        press(Qt::Key_U);
+        QVERIFY(panel->isVisible());
+        press(Qt::Key_Escape);
+        QVERIFY(!panel->isVisible() && !actions().history->isChecked() && m_window->view().hasFocus());
+        QVERIFY2(!plots->names().isEmpty(), "one at a time");
+        press(Qt::Key_Escape);
+        QVERIFY(plots->names().isEmpty());
+    }
+
+    void controlFSearchesThePageOrTheLessons()
+    {
+        m_window->setLessons(support::catalog(), {});
+        press(Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(child<LessonsPage>()->isVisible() && search()->hasFocus());
+        QTest::keyClicks(search(), "36");
+        child<QListView>("lessonList")->setFocus();
+        press(Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(search()->hasFocus());
+        QCOMPARE(search()->selectedText(), QString("36"));
+        press(Qt::CTRL | Qt::Key_Comma);
+        press(Qt::Key_F, Qt::ControlModifier);
+        QCOMPARE(m_window->page()->metaObject()->className(), "ui::settings::SettingsPage");
+        QVERIFY(m_window->page()->isAncestorOf(QApplication::focusWidget()));
+        QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
+    }
+
     void aRefusedPasswordIsTypedAnew()
     {
         m_window->askWho(Door::NewSchool);

@@ -379,6 +379,20 @@ private slots:
         QCOMPARE(isOffered(), std::optional(true));
     }
 
+    void theKeyOfTheExpertSaysWhyThereIsNone()
+    {
+        lessons::Assignment exercise = assigned(Task::HoldForce);
+        exercise.lesson->expert.reset();
+        for (const auto& [assignment, words] :
+             {std::pair(lessons::practiceOn(support::syntheticMolar()).value(), "Only lessons"),
+              {exercise, "exercise"},
+              {support::exam(), "exam"}}) {
+            beginLesson(assignment);
+            press(Qt::Key_Y);
+            QVERIFY2(message().contains(words), qPrintable(message()));
+        }
+    }
+
     void unsavedWorkIsAskedAbout_data()
     {
         support::rows<QString, QString>("leave", {"tooth", "scan", "window"}, "answer", {"save", "discard", "cancel"});

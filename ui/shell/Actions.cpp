@@ -6,6 +6,7 @@
 #include <QActionGroup>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QToolButton>
 
 #include "core/drilling/Bur.h"
@@ -100,6 +101,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                         {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
     expert = add("expert", QT_TR_NOOP("The expert's attempt"),
                  QT_TR_NOOP("Watch how an expert does it; in a replay, beside this attempt"), {Qt::Key_Y});
+    auto* missing = new QShortcut(expert->shortcut(), window);
+    missing->setEnabled(false);
+    connect(expert, &QAction::enabledChanged, missing, [missing](bool enabled) { missing->setEnabled(!enabled); });
+    connect(missing, &QShortcut::activated, this, &Actions::expertMissing);
 
     m_groups.push_back({QT_TR_NOOP("Replay"), {}});
     pauseReplay = add("pause", [this] { return m_isReplayPaused ? tr("Resume the replay") : tr("Pause the replay"); },
@@ -129,8 +134,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     section->setCheckable(true);
     turnSection = add("view", QT_TR_NOOP("Turn the section"), QT_TR_NOOP("Turn the cut about the bur by 15 degrees"),
                       {Qt::SHIFT | Qt::Key_X});
-    radiograph =
-        add("film", QT_TR_NOOP("X-ray"), QT_TR_NOOP("Show X-ray pictures of the tooth, before and now"), {Qt::Key_F});
+    radiograph = add("film", QT_TR_NOOP("X-ray"),
+                     QT_TR_NOOP("Show X-ray pictures of the tooth, before and now, or close them"), {Qt::Key_F});
 
     m_groups.push_back({QT_TR_NOOP("View"), {}});
     resetView = add("view", QT_TR_NOOP("View from the start"), QT_TR_NOOP("Turn the tooth back to where it began"),
@@ -191,6 +196,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                   QT_TR_NOOP("Log in; lock this place, change your password or the language"), {});
     lock = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : tr("Lock, or let another log in"); },
                QT_TR_NOOP("Your work stays; who comes back or logs in says who he is"), {Qt::CTRL | Qt::Key_L});
+    search = add("search", QT_TR_NOOP("Search"), QT_TR_NOOP("Search on this page, or among the lessons"),
+                 {Qt::CTRL | Qt::Key_F});
     fullScreen = add("fullscreen", QT_TR_NOOP("Full screen"), QT_TR_NOOP("Fill the whole screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     help = add("help", QT_TR_NOOP("Keys and mouse"), QT_TR_NOOP("Show what every key does"), {Qt::Key_F1});

@@ -62,6 +62,7 @@ public:
     QAction* school = nullptr;     ///< hidden for who is no admin
     QAction* classes = nullptr;    ///< hidden for who has none
     QAction* readAgain = nullptr;  ///< on the page of classes
+    QAction* search = nullptr;     ///< on a page without a search field it opens the lessons
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;
@@ -112,6 +113,10 @@ public:
     QAction* tour = nullptr;
     QAction* back = nullptr;
     QAction* quit = nullptr;
+
+signals:
+    /// Emitted when the key of `expert` is pressed while that action is disabled.
+    void expertMissing();
 
 private:
     /// @param text, tip  marked for translation; said again in every language

@@ -385,7 +385,19 @@ void MainWindow::connectActions()
         enableActions();
     });
     on(m_actions->turnSection, [this] { m_room->section().turn(); });
-    on(m_actions->radiograph, [this] { showXray(); });
+    on(m_actions->radiograph, [this] { toggleXray(); });
+    on(m_actions->search, [this] {
+        const auto* page = qobject_cast<Page*>(m_pages->currentWidget());
+        if (page != nullptr && page->focusSearch())
+            return;
+        if (m_actions->lessons->isEnabled())
+            m_actions->lessons->trigger();
+        static_cast<void>(m_lessonsPage->focusSearch());
+    });
+    connect(m_actions, &Actions::expertMissing, this, [this] {
+        if (m_pages->currentWidget() == m_room && !m_busy->isWorking())
+            showMessage(study::noExpertWords(lessonShown(), isExamRunning()));
+    });
     on(m_actions->panel, [this](bool visible) {
         m_room->setPanelVisible(visible);
         memory().setValue(kPanel, visible);
@@ -1340,8 +1352,12 @@ void MainWindow::restBur()
     }
 }
 
-void MainWindow::showXray()
+void MainWindow::toggleXray()
 {
+    if (m_pages->currentWidget() == m_xray) {
+        goTo(pageBehind());
+        return;
+    }
     const core::terrain::Tooth* tooth = m_view->tooth();
     if (tooth == nullptr)
         return;
@@ -1695,12 +1711,16 @@ void MainWindow::goBack()
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
         m_stereoCard->cancel();
-    } else if (m_room->history().list().hasFocus()) {
-        m_view->setFocus();
+    } else if (m_room->history().isVisible()) {
+        m_actions->history->trigger();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
         return;
+    } else if (m_room->isNoticeVisible()) {
+        m_room->hideNotice();
+    } else if (!m_watch->names().isEmpty()) {
+        m_watch->forget({});
     } else if (isFullScreen()) {
         m_actions->fullScreen->trigger();
     }
@@ -1733,7 +1753,8 @@ void MainWindow::enableActions()
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
     m_actions->turnSection->setEnabled(inRoom && m_aids.section && m_actions->section->isChecked());
-    m_actions->radiograph->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && m_aids.radiograph);
+    m_actions->radiograph->setEnabled((inRoom || m_pages->currentWidget() == m_xray) && m_tooth != nullptr &&
+                                      !m_busy->isWorking() && m_aids.radiograph);
     const bool inEditor = m_pages->currentWidget() == m_editor;
     m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
@@ -1746,6 +1767,7 @@ void MainWindow::enableActions()
     const bool isTrial = !m_replaying && m_trialCard->isVisibleTo(m_room);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && !isTrial && !m_examIsRefused);
     m_actions->lessons->setEnabled(!m_busy->isWorking());
+    m_actions->search->setEnabled(true);
     m_actions->console->setEnabled(inRoom);
     m_actions->settings->setEnabled(!m_busy->isWorking());
     m_actions->presets->setEnabled(!m_busy->isWorking());

@@ -490,7 +490,7 @@ private:
     [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
     [[nodiscard]] std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> replayedPoints() const;
     void setDrillFor(lessons::Task task);
-    void showXray();
+    void toggleXray();
     void connectPresets();
     void connectConsole();
     void registerParameters();

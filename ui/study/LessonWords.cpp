@@ -75,6 +75,15 @@ QString begunElsewhereWords()
         "Lesson", "Your last attempt at this exam was begun in another window. What was cut here does not count.");
 }
 
+QString noExpertWords(const Lesson* lesson, bool isExamRunning)
+{
+    if (isExamRunning || (lesson != nullptr && lesson->exam))
+        return QCoreApplication::translate("Lesson", "In an exam, the expert's attempt is not shown.");
+    return lesson == nullptr
+               ? QCoreApplication::translate("Lesson", "Only lessons have an expert's attempt. Press F2 to choose one.")
+               : QCoreApplication::translate("Lesson", "This exercise has no expert's attempt.");
+}
+
 QString usedUpWords()
 {
     return QCoreApplication::translate(
