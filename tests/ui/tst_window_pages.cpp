@@ -103,6 +103,34 @@ private slots:
     }
 
     /// Of a large file, or one whose disk has much to do; what takes a moment is not.
+    void aOneTimeCodeLeadsToTheFirstPasswordField()
+    {
+        spoil();
+        QSignalSpy code(m_window.get(), &MainWindow::codeWanted);
+        auto* username = child<QLineEdit>("username");
+        auto* password = child<QLineEdit>("password");
+        auto* again = child<QLineEdit>("passwordAgain");
+        for (const Door door : {Door::Login, Door::Locked}) {
+            if (door == Door::Locked)
+                m_window->setWho(school().student);
+            m_window->askWho(door);
+            const QString name = door == Door::Locked ? QString::fromStdString(school().student.username()) : "s1001";
+            username->setText(door == Door::Login ? name : QString());
+            password->setText("K7PM-2QXR");
+            click("logIn");
+            m_window->refuseLogin({core::ErrorCode::NewPassword, "the code is right"});
+            QVERIFY(password->hasFocus() && password->text().isEmpty());
+            QVERIFY2(!username->isVisible(), "neither name nor code is asked for again");
+            QTest::keyClicks(password, "a long password");
+            press(Qt::Key_Return);
+            QVERIFY(again->hasFocus());
+            QTest::keyClicks(again, "a long password");
+            press(Qt::Key_Return);
+            QCOMPARE(code.size(), 1);
+            QCOMPARE(code.takeFirst(), (QList<QVariant>{name, "K7PM-2QXR", "a long password"}));
+        }
+    }
+
     void whatIsWaitedForAtTheDoorIsTold()
     {
         m_window->askWho(Door::Login);
