@@ -8268,16 +8268,8 @@ ungesichert</translation>
         <translation>%1. Bestanden ist ab %2 von 100 Punkten. Eine Bewertung lehrt mehr, wenn Sie Ihre Arbeit vorher selbst beurteilt haben.</translation>
     </message>
     <message>
-        <source>Nothing in particular</source>
-        <translation>Nichts im Besonderen</translation>
-    </message>
-    <message>
         <source>Set the points that you expect.</source>
         <translation>Stellen Sie ein, wie viele Punkte Sie erwarten.</translation>
-    </message>
-    <message>
-        <source>Choose what cost you most.</source>
-        <translation>Wählen Sie, was Sie am meisten gekostet hat.</translation>
     </message>
 </context>
 <context>

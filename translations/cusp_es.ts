@@ -8268,16 +8268,8 @@ sin guardar</translation>
         <translation>%1. Se aprueba desde %2 de 100 puntos. Una puntuación enseña más cuando antes ha juzgado usted mismo su trabajo.</translation>
     </message>
     <message>
-        <source>Nothing in particular</source>
-        <translation>Nada en particular</translation>
-    </message>
-    <message>
         <source>Set the points that you expect.</source>
         <translation>Indique los puntos que espera.</translation>
-    </message>
-    <message>
-        <source>Choose what cost you most.</source>
-        <translation>Elija lo que más le costó.</translation>
     </message>
 </context>
 <context>

@@ -8210,16 +8210,8 @@ unsaved</source>
         <translation>%1。100点中%2点で合格です。先に自分の作業を評価してから得点を見ると、より多くを学べます。</translation>
     </message>
     <message>
-        <source>Nothing in particular</source>
-        <translation>特になし</translation>
-    </message>
-    <message>
         <source>Set the points that you expect.</source>
         <translation>予想する点数を設定してください。</translation>
-    </message>
-    <message>
-        <source>Choose what cost you most.</source>
-        <translation>最も失点したと思うものを選んでください。</translation>
     </message>
 </context>
 <context>

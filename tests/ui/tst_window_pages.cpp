@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSlider>
 
 #include "tests/support/Suite.h"
@@ -16,6 +17,7 @@
 #include "ui/people/LoginPage.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/ToothChooser.h"
+#include "ui/study/Expectation.h"
 #include "ui/study/LessonCards.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
@@ -387,18 +389,36 @@ private slots:
     void theForecastIsAnsweredWithTheKeys()
     {
         m_window->setAssignment(support::assigned("class1-36"));
-        m_window->askForecast();
         QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
-        press(Qt::Key_Right);
-        press(Qt::Key_Tab);
-        auto* show = child<QPushButton>("showScore");
+        const auto* show = child<QPushButton>("showScore");
+        const auto worst = [&] { return given.takeLast().front().value<ui::study::Expectation>().worst; };
+        m_window->askForecast();
         QVERIFY(!show->isEnabled());
+        press(Qt::Key_Right);
+        QVERIFY(show->isEnabled());
+        press(Qt::Key_Tab);
         press(Qt::Key_Down);
         press(Qt::Key_Return);
-        QVERIFY2(show->isEnabled(), "the answer is chosen");
-        QCOMPARE(given.size(), 0);
+        QVERIFY2(given.isEmpty(), "the answer is chosen first");
         press(Qt::Key_Return);
         QCOMPARE(given.size(), 1);
+        QCOMPARE(worst(), std::string("outline"));
+        // What cost most may be left open.
+        m_window->askForecast();
+        press(Qt::Key_Right);
+        press(Qt::Key_Return);
+        QCOMPARE(given.size(), 1);
+        QCOMPARE(worst(), std::string());
+    }
+
+    void theForecastOffersThreeCriteriaAndItsButtonIsInSight()
+    {
+        m_window->resize(1280, 800);
+        m_window->setAssignment(support::assigned("class2-36-distal"));
+        m_window->askForecast();
+        QCOMPARE(m_window->page()->findChildren<QRadioButton*>().size(), 3);
+        const auto* show = child<QPushButton>("showScore");
+        QTRY_COMPARE(show->visibleRegion().boundingRect(), show->rect());
     }
 
     void anotherToothIsChosen()
