@@ -878,6 +878,54 @@
     </message>
 </context>
 <context>
+    <name>ExamWords</name>
+    <message>
+        <source>undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>earlier attempts</source>
+        <translation>frühere Versuche</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <extracomment>%1: &quot;8 min&quot;, or that there is no limit</extracomment>
+        <translation>Zeit: %1</translation>
+    </message>
+    <message>
+        <source>Attempts: %1</source>
+        <extracomment>%1: &quot;2 attempts left, 1 graded so far&quot;</extracomment>
+        <translation>Versuche: %1</translation>
+    </message>
+    <message>
+        <source>Passed from: %1 of 100 points</source>
+        <extracomment>%1: points</extracomment>
+        <translation>Bestanden ab: %1 von 100 Punkten</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <extracomment>%1: a list</extracomment>
+        <translation>Gesperrt: %1</translation>
+    </message>
+    <message>
+        <source>The clock starts when you begin, and also runs while you are on another page. Faults are shown after the grade.</source>
+        <translation>Die Uhr läuft, sobald Sie beginnen, auch während Sie auf einer anderen Seite sind. Fehler werden nach der Bewertung gezeigt.</translation>
+    </message>
+    <message>
+        <source>Exam: %1</source>
+        <extracomment>%1: a lesson</extracomment>
+        <translation>Prüfung: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Begin exam</source>
+        <translation>Prüfung &amp;beginnen</translation>
+    </message>
+</context>
+<context>
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
@@ -8838,6 +8886,15 @@ ungesichert</translation>
     <message>
         <source>no score yet</source>
         <translation>noch keine Punktzahl</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>%1 graded so far</source>
+        <extracomment>Of attempts at a lesson; follows &quot;2 attempts left, &quot;</extracomment>
+        <translation>%1 bisher bewertet</translation>
     </message>
 </context>
 <context>

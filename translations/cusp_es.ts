@@ -878,6 +878,54 @@
     </message>
 </context>
 <context>
+    <name>ExamWords</name>
+    <message>
+        <source>undo</source>
+        <translation>deshacer</translation>
+    </message>
+    <message>
+        <source>expert&apos;s attempt</source>
+        <translation>intento del experto</translation>
+    </message>
+    <message>
+        <source>earlier attempts</source>
+        <translation>intentos anteriores</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <extracomment>%1: &quot;8 min&quot;, or that there is no limit</extracomment>
+        <translation>Tiempo: %1</translation>
+    </message>
+    <message>
+        <source>Attempts: %1</source>
+        <extracomment>%1: &quot;2 attempts left, 1 graded so far&quot;</extracomment>
+        <translation>Intentos: %1</translation>
+    </message>
+    <message>
+        <source>Passed from: %1 of 100 points</source>
+        <extracomment>%1: points</extracomment>
+        <translation>Se aprueba con: %1 de 100 puntos</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <extracomment>%1: a list</extracomment>
+        <translation>Bloqueado: %1</translation>
+    </message>
+    <message>
+        <source>The clock starts when you begin, and also runs while you are on another page. Faults are shown after the grade.</source>
+        <translation>El tiempo corre desde que empieza, también mientras está en otra página. Los errores se muestran después de la calificación.</translation>
+    </message>
+    <message>
+        <source>Exam: %1</source>
+        <extracomment>%1: a lesson</extracomment>
+        <translation>Examen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Begin exam</source>
+        <translation>Empezar el &amp;examen</translation>
+    </message>
+</context>
+<context>
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
@@ -8838,6 +8886,15 @@ sin guardar</translation>
     <message>
         <source>no score yet</source>
         <translation>aún sin puntuación</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>%1 graded so far</source>
+        <extracomment>Of attempts at a lesson; follows &quot;2 attempts left, &quot;</extracomment>
+        <translation>calificados hasta ahora: %1</translation>
     </message>
 </context>
 <context>

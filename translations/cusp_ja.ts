@@ -876,6 +876,54 @@
     </message>
 </context>
 <context>
+    <name>ExamWords</name>
+    <message>
+        <source>undo</source>
+        <translation>取り消し</translation>
+    </message>
+    <message>
+        <source>expert&apos;s attempt</source>
+        <translation>エキスパートの試行</translation>
+    </message>
+    <message>
+        <source>earlier attempts</source>
+        <translation>以前の試行</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <extracomment>%1: &quot;8 min&quot;, or that there is no limit</extracomment>
+        <translation>時間：%1</translation>
+    </message>
+    <message>
+        <source>Attempts: %1</source>
+        <extracomment>%1: &quot;2 attempts left, 1 graded so far&quot;</extracomment>
+        <translation>試行：%1</translation>
+    </message>
+    <message>
+        <source>Passed from: %1 of 100 points</source>
+        <extracomment>%1: points</extracomment>
+        <translation>合格：100点中%1点以上</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <extracomment>%1: a list</extracomment>
+        <translation>使用不可：%1</translation>
+    </message>
+    <message>
+        <source>The clock starts when you begin, and also runs while you are on another page. Faults are shown after the grade.</source>
+        <translation>時計は開始と同時に動き、ほかのページを開いている間も止まりません。誤りは採点のあとに表示されます。</translation>
+    </message>
+    <message>
+        <source>Exam: %1</source>
+        <extracomment>%1: a lesson</extracomment>
+        <translation>試験：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Begin exam</source>
+        <translation>試験を開始(&amp;B)</translation>
+    </message>
+</context>
+<context>
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
@@ -8776,6 +8824,15 @@ unsaved</source>
     <message>
         <source>no score yet</source>
         <translation>まだ得点なし</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>%1 graded so far</source>
+        <extracomment>Of attempts at a lesson; follows &quot;2 attempts left, &quot;</extracomment>
+        <translation>これまでに%1回採点</translation>
     </message>
 </context>
 <context>

@@ -369,6 +369,35 @@ private slots:
         QCOMPARE(cards().size(), all);
     }
 
+    void anExamBeginsWithOneCard()
+    {
+        std::vector<lessons::CatalogEntry> entries = support::catalog();
+        for (lessons::CatalogEntry& entry : entries)
+            if (entry.read.lesson->id == "class1-24") {
+                entry.read.lesson->exam = true;
+                entry.read.lesson->minutes = 8.0;
+                entry.read.lesson->aids = {};
+                entry.read.lesson->aids.section = false;
+            }
+        m_window->setLessons(entries, {{"class1-24", {1, 603, false, "2026-11-20T10:00:00Z"}}},
+                             {{"class1-24", {"Year 1", {}, 2}}});
+        actions().lessons->trigger();
+        search()->setText("class1-24");
+        QSignalSpy chosen(m_window.get(), &MainWindow::lessonChosen);
+        click("startLesson");
+        QVERIFY(question("examQuestion") != nullptr);
+        const QString said = child<QLabel>("questionDetail")->text();
+        for (const char* words : {"8 min", "2 attempts left, 1 graded so far", "undo", "section"})
+            QVERIFY2(said.contains(words), words);
+        QVERIFY2(!said.contains("X-ray") && child<QPushButton>("questionDiscard") == nullptr, "nothing else is locked");
+        press(Qt::Key_Escape);
+        QVERIFY(chosen.isEmpty() && question("examQuestion") == nullptr && child<LessonsPage>()->isVisible());
+        click("startLesson");
+        press(Qt::Key_Return);
+        QCOMPARE(chosen.size(), 1);
+        QVERIFY(isInRoom());
+    }
+
     void usedUpAttemptsAreToldBeforeTheStart()
     {
         QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);

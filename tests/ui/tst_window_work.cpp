@@ -275,6 +275,7 @@ private slots:
             QVERIFY(!mayCut() && !actions().undo->isEnabled() && !actions().history->isEnabled());
             QVERIFY(actions().saveRecording->isEnabled());
             actions().reload->trigger();
+            click("questionSave");
             QCOMPARE(again.count(), byTime ? 1 : 2);
             // It begins as the first did, with the bur turning.
             static_cast<void>(sent());
@@ -287,6 +288,7 @@ private slots:
         record(overS, 0.0, true);
         QVERIFY2(message().contains("time of this exam is over"), qPrintable(message()));
         actions().reload->trigger();
+        click("questionSave");
         QCOMPARE(again.count(), 3);
         exam.lesson->exam = false;
         beginLesson(exam);

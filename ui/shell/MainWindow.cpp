@@ -68,6 +68,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/shell/ViewMenu.h"
+#include "ui/study/ExamQuestion.h"
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
 #include "ui/study/InfractionCard.h"
@@ -197,8 +198,10 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_lessonsPage, &study::LessonsPage::lessonChosen, this, [this](const lessons::Lesson& lesson) {
-        goTo(m_room);
-        leaveWork([this, lesson] { emit lessonChosen(lesson); });
+        beginLesson(lesson, [this, lesson] {
+            goTo(m_room);
+            leaveWork([this, lesson] { emit lessonChosen(lesson); });
+        });
     });
     connect(m_lessonsPage, &study::LessonsPage::resumeWanted, this, &MainWindow::resumeUnfinished);
     connect(m_lessonsPage, &study::LessonsPage::feedbackWanted, this, &MainWindow::feedbackWanted);
@@ -426,7 +429,9 @@ void MainWindow::startAgain()
     if (m_examIsOver && !m_isGraded && hasWork) {
         goTo(m_room);
         showMessage(tr("This exam is over, but has no grade yet. Press G for it."));
-    } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
+    } else if (isExam()) {
+        beginLesson(*m_assignment->lesson, [this] { emit attemptAgainWanted(); });
+    } else if (m_exerciseCard->isVisibleTo(m_room)) {
         emit attemptAgainWanted();
     } else if (m_isGraded) {
         leaveWork([this] { emit attemptAgainWanted(); });
@@ -438,6 +443,15 @@ void MainWindow::startAgain()
                              send(core::session::Undo{});
                          }});
     }
+}
+
+/// An exam begins with a card. Its clock starts when its tooth is there.
+void MainWindow::beginLesson(const lessons::Lesson& lesson, const std::function<void()>& begin)
+{
+    if (lesson.exam)
+        ask("examQuestion", study::examQuestion(lesson, m_lessonsPage->attemptsWords(lesson.id), begin));
+    else
+        begin();
 }
 
 void MainWindow::showBegunAnew()

@@ -25,6 +25,8 @@ namespace ui::study {
 [[nodiscard]] QString burWords(const ::lessons::Lesson& lesson);
 /// The aids that are allowed; "none", "all".
 [[nodiscard]] QString aidWords(const ::lessons::Aids& aids);
+/// The aids that are not allowed.
+[[nodiscard]] QStringList lockedAids(const ::lessons::Aids& aids);
 /// "8 minutes", or that there is no limit.
 [[nodiscard]] QString timeWords(const ::lessons::Lesson& lesson);
 /// That no attempt is left to who has been given it.

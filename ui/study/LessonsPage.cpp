@@ -625,6 +625,24 @@ const CatalogEntry* LessonsPage::chosen() const
     return entry.isValid() ? &m_entries[static_cast<std::size_t>(entry.toInt())] : nullptr;
 }
 
+QString LessonsPage::attemptsWords(const std::string& lessonId) const
+{
+    const auto given = m_given.find(lessonId);
+    const auto standing = m_standings.find(lessonId);
+    const auto left = given != m_given.end() ? given->second.attemptsLeft : std::nullopt;
+    QString words = left ? tr("%n attempt(s) left", nullptr, *left) : tr("no limit");
+    if (standing != m_standings.end())
+        //: Of attempts at a lesson; follows "2 attempts left, "
+        words += QStringLiteral(", ") + tr("%1 graded so far").arg(QLocale().toString(standing->second.attempts));
+    return words;
+}
+
+void LessonsPage::setAttemptsLeft(const std::string& lessonId, std::optional<int> left)
+{
+    if (const auto given = m_given.find(lessonId); given != m_given.end())
+        given->second.attemptsLeft = left;
+}
+
 void LessonsPage::takeScore(int tenths, bool passed)
 {
     Standing& standing = m_standings[m_present];
