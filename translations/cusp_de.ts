@@ -7760,6 +7760,11 @@ ungesichert</translation>
         <source>beyond the ideal</source>
         <translation>über das Ideal hinaus</translation>
     </message>
+    <message>
+        <source>Block</source>
+        <extracomment>What a practice block is made of, in place of &quot;Enamel&quot;</extracomment>
+        <translation>Block</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::StereoCard</name>

@@ -7760,6 +7760,11 @@ sin guardar</translation>
         <source>beyond the ideal</source>
         <translation>fuera del ideal</translation>
     </message>
+    <message>
+        <source>Block</source>
+        <extracomment>What a practice block is made of, in place of &quot;Enamel&quot;</extracomment>
+        <translation>Bloque</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::StereoCard</name>

@@ -7708,6 +7708,11 @@ unsaved</source>
         <source>beyond the ideal</source>
         <translation>理想形の外側</translation>
     </message>
+    <message>
+        <source>Block</source>
+        <extracomment>What a practice block is made of, in place of &quot;Enamel&quot;</extracomment>
+        <translation>ブロック</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::StereoCard</name>

@@ -117,7 +117,7 @@ private slots:
 
     void anExerciseHasNoFiguresOfACut()
     {
-        const std::array ofACut{"decayFigure", "marginFigure", "overcut", "depthFigure"};
+        const std::array ofACut{"decayFigure", "overcut", "depthFigure"};
         const auto told = [this](const char* name) { return child<TabularLabel>(name)->isVisible(); };
         QVERIFY(std::all_of(ofACut.begin(), ofACut.end(), told));
         for (const Task task : {Task::TouchPoints, Task::HoldForce}) {

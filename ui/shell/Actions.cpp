@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/Actions.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <QActionGroup>
@@ -253,6 +255,20 @@ void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)
                                        : whyNot);
 }
 
+bool Actions::isRefused(const QAction* aid)
+{
+    const QVariant own = aid->property(kOwnTip);
+    return own.isValid() && own.toString() != aid->toolTip();
+}
+
+void Actions::allowBurs(const std::vector<std::string>& ids)
+{
+    for (qsizetype k = 0; k < burs.size(); ++k) {
+        const std::string_view id = core::drilling::burs()[static_cast<std::size_t>(k)].id;
+        setAllowed(burs[k], ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end());
+    }
+}
+
 QAction* Actions::add(const QString& drawing, std::function<QString()> text, const char* tip,
                       const QList<QKeySequence>& keys)
 {
@@ -279,13 +295,12 @@ void Actions::speak()
         const QString key = words.action->shortcut().toString(QKeySequence::NativeText);
         //: Tooltip: what it does, then its key
         const QString whole = key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key);
-        const QVariant own = words.action->property(kOwnTip);
-        const bool isRefused = own.isValid() && own.toString() != words.action->toolTip();
-        if (own.isValid())
+        const bool refused = isRefused(words.action);
+        if (words.action->property(kOwnTip).isValid())
             words.action->setProperty(kOwnTip, whole);
         words.action->setText(words.text());
         words.action->setStatusTip(tip);
-        if (!isRefused)  // why it is refused, the window says again
+        if (!refused)  // why it is refused, the window says again
             words.action->setToolTip(whole);
     }
 }

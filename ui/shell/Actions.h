@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <QAction>
 #include <QList>
@@ -44,6 +46,11 @@ public:
     /// An aid that the lesson does not allow says so in its tooltip, or why else it is not to be had. Whether it is
     /// enabled is the window's business.
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
+    /// Whether setAllowed() has refused it.
+    [[nodiscard]] static bool isRefused(const QAction* aid);
+    /// The same as setAllowed() for each bur.
+    /// @param ids  of the burs that the lesson names; empty: all
+    void allowBurs(const std::vector<std::string>& ids);
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;

@@ -125,6 +125,13 @@ SidePanel::Asked askedOf(const lessons::Lesson* lesson)
     return lessons::isExercise(lesson->task) ? SidePanel::Asked::Nothing : SidePanel::Asked::Ideal;
 }
 
+/// A block whose layers are not what is practised: it is called a block, and not enamel and dentin.
+bool isPracticeBlock(const lessons::Lesson* lesson)
+{
+    return lesson != nullptr && std::holds_alternative<lessons::Block>(lesson->tooth) &&
+           lesson->task != lessons::Task::TellLayers;
+}
+
 /// The direction from a place to the nearest column that is to be cut, seen from above; nothing where nothing is.
 std::optional<double> towardsIdeal(const core::terrain::ToothAnatomy& tooth, const std::vector<float>& ideal,
                                    const glm::dvec3& placeMm)
@@ -1228,6 +1235,8 @@ void MainWindow::setAids(const lessons::Aids& aids)
     Actions::setAllowed(m_actions->mirror, aids.mirror);
     Actions::setAllowed(m_actions->burColour, aids.burColour && aids.ideal);
     Actions::setAllowed(m_actions->fixture, aids.fixture);
+    m_actions->allowBurs(m_assignment && m_assignment->lesson ? m_assignment->lesson->burs
+                                                              : std::vector<std::string>{});
     m_room->panel().setTold(aids.depthGauge, aids.depthGauge && aids.radiograph);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
@@ -1748,7 +1757,7 @@ void MainWindow::enableActions()
     const bool mayGoBack = mine && !isExam();  // as in a clinic
     m_actions->drill->setEnabled(inRoom && mayCut);
     for (QAction* bur : m_actions->burs)
-        bur->setEnabled(inRoom && mayCut);
+        bur->setEnabled(inRoom && mayCut && !Actions::isRefused(bur));
     for (QAction* handpiece : m_actions->handpieces)
         handpiece->setEnabled(inRoom && mayCut && handpiece->isVisible());
     m_actions->otherHand->setEnabled(inRoom);
@@ -2230,7 +2239,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_messages->withdraw(MessageBar::Topic::Lesson);
     setUsedUp(false);
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
-    m_room->panel().setAsked(askedOf(lessonShown()));
+    m_room->panel().setAsked(askedOf(lessonShown()), isPracticeBlock(lessonShown()));
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
@@ -2276,7 +2285,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     m_replayIdeal = std::move(ideal);
     m_replayLesson = std::move(lesson);
     m_replayWhose = whose;
-    m_room->panel().setAsked(askedOf(lessonShown()));
+    m_room->panel().setAsked(askedOf(lessonShown()), isPracticeBlock(lessonShown()));
     m_replayCourse = {};
     showRemarks();
     if (replaying)
