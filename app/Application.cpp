@@ -1696,6 +1696,7 @@ void Application::tellHistory()
             if (found) {
                 m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
                 m_graded->standing = found->standing;
+                m_window->lessonsPage().setAttemptsLeft(m_graded->record.lessonId, found->attemptsLeft);
                 if (m_graded->generation == m_ownGeneration)
                     m_window->setUsedUp(m_who.role() == database::Role::Student && found->attemptsLeft == 0);
             } else {

@@ -444,16 +444,6 @@
 </context>
 <context>
     <name>Chart</name>
-    <message>
-        <source>d MMM</source>
-        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
-        <translation>d. MMM</translation>
-    </message>
-    <message>
-        <source>MMM yyyy</source>
-        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
-        <translation>MMM yyyy</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <extracomment>Bars of a chart that there is no room for</extracomment>
@@ -885,6 +875,54 @@
         <source>Nothing was written: what stands on it is read anew for it. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Nichts wurde geschrieben: Was darauf steht, wird dafür neu gelesen. %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExamWords</name>
+    <message>
+        <source>undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>earlier attempts</source>
+        <translation>frühere Versuche</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <extracomment>%1: &quot;8 min&quot;, or that there is no limit</extracomment>
+        <translation>Zeit: %1</translation>
+    </message>
+    <message>
+        <source>Attempts: %1</source>
+        <extracomment>%1: &quot;2 attempts left, 1 graded so far&quot;</extracomment>
+        <translation>Versuche: %1</translation>
+    </message>
+    <message>
+        <source>Passed from: %1 of 100 points</source>
+        <extracomment>%1: points</extracomment>
+        <translation>Bestanden ab: %1 von 100 Punkten</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <extracomment>%1: a list</extracomment>
+        <translation>Gesperrt: %1</translation>
+    </message>
+    <message>
+        <source>The clock starts when you begin, and also runs while you are on another page. Faults are shown after the grade.</source>
+        <translation>Die Uhr läuft, sobald Sie beginnen, auch während Sie auf einer anderen Seite sind. Fehler werden nach der Bewertung gezeigt.</translation>
+    </message>
+    <message>
+        <source>Exam: %1</source>
+        <extracomment>%1: a lesson</extracomment>
+        <translation>Prüfung: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Begin exam</source>
+        <translation>Prüfung &amp;beginnen</translation>
     </message>
 </context>
 <context>
@@ -2062,6 +2100,18 @@
     <message>
         <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
         <translation>Ihr letzter Versuch in dieser Prüfung wurde in einem anderen Fenster begonnen. Die Arbeit in diesem Fenster zählt nicht.</translation>
+    </message>
+    <message>
+        <source>In an exam, the expert&apos;s attempt is not shown.</source>
+        <translation>In einer Prüfung wird der Versuch des Experten nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Only lessons have an expert&apos;s attempt. Press F2 to choose one.</source>
+        <translation>Den Versuch eines Experten gibt es nur bei Lektionen. F2 öffnet die Auswahl.</translation>
+    </message>
+    <message>
+        <source>This exercise has no expert&apos;s attempt.</source>
+        <translation>Zu dieser Übung gibt es keinen Versuch eines Experten.</translation>
     </message>
 </context>
 <context>
@@ -4552,10 +4602,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Versuch</translation>
     </message>
     <message>
-        <source>Date</source>
-        <translation>Datum</translation>
-    </message>
-    <message>
         <source>The newest %1 of %2 attempts</source>
         <translation>Die neuesten %1 von %2 Versuchen</translation>
     </message>
@@ -6595,10 +6641,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Röntgen</translation>
     </message>
     <message>
-        <source>Show X-ray pictures of the tooth, before and now</source>
-        <translation>Röntgenbilder des Zahns zeigen, vorher und jetzt</translation>
-    </message>
-    <message>
         <source>This lesson does not allow it.</source>
         <translation>Diese Lektion erlaubt das nicht.</translation>
     </message>
@@ -6849,6 +6891,18 @@ ungesichert</translation>
     <message>
         <source>Reload</source>
         <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now, or close them</source>
+        <translation>Röntgenbilder des Zahns zeigen, vorher und jetzt, oder schließen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search on this page, or among the lessons</source>
+        <translation>Auf dieser Seite suchen, oder unter den Lektionen</translation>
     </message>
 </context>
 <context>
@@ -7705,6 +7759,11 @@ ungesichert</translation>
         <source>beyond the ideal</source>
         <translation>über das Ideal hinaus</translation>
     </message>
+    <message>
+        <source>Block</source>
+        <extracomment>What a practice block is made of, in place of &quot;Enamel&quot;</extracomment>
+        <translation>Block</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::StereoCard</name>
@@ -8376,16 +8435,8 @@ ungesichert</translation>
         <translation>%1. Bestanden ist ab %2 von 100 Punkten. Sie lernen mehr aus einer Bewertung, wenn Sie Ihre Arbeit zuerst selbst beurteilen.</translation>
     </message>
     <message>
-        <source>Nothing in particular</source>
-        <translation>Nichts im Besonderen</translation>
-    </message>
-    <message>
         <source>Set the points that you expect.</source>
         <translation>Stellen Sie ein, wie viele Punkte Sie erwarten.</translation>
-    </message>
-    <message>
-        <source>Choose what cost you most.</source>
-        <translation>Wählen Sie, was Sie am meisten gekostet hat.</translation>
     </message>
 </context>
 <context>
@@ -8955,6 +9006,15 @@ ungesichert</translation>
         <source>no score yet</source>
         <translation>noch keine Punktzahl</translation>
     </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>%1 graded so far</source>
+        <extracomment>Of attempts at a lesson; follows &quot;2 attempts left, &quot;</extracomment>
+        <translation>%1 bisher bewertet</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::RubricForm</name>
@@ -9304,6 +9364,10 @@ ungesichert</translation>
         <source>Show it at %1</source>
         <translation>Bei %1 zeigen</translation>
     </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Nächste Lektion</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>
@@ -9512,7 +9576,6 @@ ungesichert</translation>
     </message>
     <message>
         <source>%1 / %2 mm</source>
-        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
         <translation>%1 / %2 mm</translation>
     </message>
     <message>

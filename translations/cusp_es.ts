@@ -444,16 +444,6 @@
 </context>
 <context>
     <name>Chart</name>
-    <message>
-        <source>d MMM</source>
-        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
-        <translation>d MMM</translation>
-    </message>
-    <message>
-        <source>MMM yyyy</source>
-        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
-        <translation>MMM yyyy</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <extracomment>Bars of a chart that there is no room for</extracomment>
@@ -885,6 +875,54 @@
         <source>Nothing was written: what stands on it is read anew for it. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>No se escribió nada: para ello se vuelve a leer lo que contiene. %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExamWords</name>
+    <message>
+        <source>undo</source>
+        <translation>deshacer</translation>
+    </message>
+    <message>
+        <source>expert&apos;s attempt</source>
+        <translation>intento del experto</translation>
+    </message>
+    <message>
+        <source>earlier attempts</source>
+        <translation>intentos anteriores</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <extracomment>%1: &quot;8 min&quot;, or that there is no limit</extracomment>
+        <translation>Tiempo: %1</translation>
+    </message>
+    <message>
+        <source>Attempts: %1</source>
+        <extracomment>%1: &quot;2 attempts left, 1 graded so far&quot;</extracomment>
+        <translation>Intentos: %1</translation>
+    </message>
+    <message>
+        <source>Passed from: %1 of 100 points</source>
+        <extracomment>%1: points</extracomment>
+        <translation>Se aprueba con: %1 de 100 puntos</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <extracomment>%1: a list</extracomment>
+        <translation>Bloqueado: %1</translation>
+    </message>
+    <message>
+        <source>The clock starts when you begin, and also runs while you are on another page. Faults are shown after the grade.</source>
+        <translation>El tiempo corre desde que empieza, también mientras está en otra página. Los errores se muestran después de la calificación.</translation>
+    </message>
+    <message>
+        <source>Exam: %1</source>
+        <extracomment>%1: a lesson</extracomment>
+        <translation>Examen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Begin exam</source>
+        <translation>Empezar el &amp;examen</translation>
     </message>
 </context>
 <context>
@@ -2062,6 +2100,18 @@
     <message>
         <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
         <translation>Su último intento en este examen se empezó en otra ventana. El trabajo de esta ventana no cuenta.</translation>
+    </message>
+    <message>
+        <source>In an exam, the expert&apos;s attempt is not shown.</source>
+        <translation>En un examen no se muestra el intento del experto.</translation>
+    </message>
+    <message>
+        <source>Only lessons have an expert&apos;s attempt. Press F2 to choose one.</source>
+        <translation>Solo las lecciones tienen un intento del experto. Pulse F2 para elegir una.</translation>
+    </message>
+    <message>
+        <source>This exercise has no expert&apos;s attempt.</source>
+        <translation>Este ejercicio no tiene un intento del experto.</translation>
     </message>
 </context>
 <context>
@@ -4552,10 +4602,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Intento</translation>
     </message>
     <message>
-        <source>Date</source>
-        <translation>Fecha</translation>
-    </message>
-    <message>
         <source>The newest %1 of %2 attempts</source>
         <translation>Los %1 intentos más recientes de %2</translation>
     </message>
@@ -6595,10 +6641,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Radiografía</translation>
     </message>
     <message>
-        <source>Show X-ray pictures of the tooth, before and now</source>
-        <translation>Mostrar radiografías del diente, antes y ahora</translation>
-    </message>
-    <message>
         <source>This lesson does not allow it.</source>
         <translation>Esta lección no lo permite.</translation>
     </message>
@@ -6849,6 +6891,18 @@ sin guardar</translation>
     <message>
         <source>Reload</source>
         <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now, or close them</source>
+        <translation>Mostrar radiografías del diente, antes y ahora, o cerrarlas</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search on this page, or among the lessons</source>
+        <translation>Buscar en esta página o entre las lecciones</translation>
     </message>
 </context>
 <context>
@@ -7705,6 +7759,11 @@ sin guardar</translation>
         <source>beyond the ideal</source>
         <translation>fuera del ideal</translation>
     </message>
+    <message>
+        <source>Block</source>
+        <extracomment>What a practice block is made of, in place of &quot;Enamel&quot;</extracomment>
+        <translation>Bloque</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::StereoCard</name>
@@ -8376,16 +8435,8 @@ sin guardar</translation>
         <translation>%1. Se aprueba con %2 de 100 puntos. Se aprende más de una puntuación si antes se autoevalúa el trabajo.</translation>
     </message>
     <message>
-        <source>Nothing in particular</source>
-        <translation>Nada en particular</translation>
-    </message>
-    <message>
         <source>Set the points that you expect.</source>
         <translation>Indique los puntos que espera.</translation>
-    </message>
-    <message>
-        <source>Choose what cost you most.</source>
-        <translation>Elija lo que más le costó.</translation>
     </message>
 </context>
 <context>
@@ -8955,6 +9006,15 @@ sin guardar</translation>
         <source>no score yet</source>
         <translation>aún sin puntuación</translation>
     </message>
+    <message>
+        <source>no limit</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>%1 graded so far</source>
+        <extracomment>Of attempts at a lesson; follows &quot;2 attempts left, &quot;</extracomment>
+        <translation>calificados hasta ahora: %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::RubricForm</name>
@@ -9304,6 +9364,10 @@ sin guardar</translation>
         <source>Show it at %1</source>
         <translation>Mostrar en %1</translation>
     </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Siguiente lección</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>
@@ -9512,7 +9576,6 @@ sin guardar</translation>
     </message>
     <message>
         <source>%1 / %2 mm</source>
-        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
         <translation>%1 / %2 mm</translation>
     </message>
     <message>

@@ -443,16 +443,6 @@
 </context>
 <context>
     <name>Chart</name>
-    <message>
-        <source>d MMM</source>
-        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
-        <translation>M月d日</translation>
-    </message>
-    <message>
-        <source>MMM yyyy</source>
-        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
-        <translation>yyyy年M月</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <extracomment>Bars of a chart that there is no room for</extracomment>
@@ -883,6 +873,54 @@
         <source>Nothing was written: what stands on it is read anew for it. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>何も書き出されませんでした。書き出す内容はそのつど読み直されます。%1</translation>
+    </message>
+</context>
+<context>
+    <name>ExamWords</name>
+    <message>
+        <source>undo</source>
+        <translation>取り消し</translation>
+    </message>
+    <message>
+        <source>expert&apos;s attempt</source>
+        <translation>エキスパートの試行</translation>
+    </message>
+    <message>
+        <source>earlier attempts</source>
+        <translation>以前の試行</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <extracomment>%1: &quot;8 min&quot;, or that there is no limit</extracomment>
+        <translation>時間：%1</translation>
+    </message>
+    <message>
+        <source>Attempts: %1</source>
+        <extracomment>%1: &quot;2 attempts left, 1 graded so far&quot;</extracomment>
+        <translation>試行：%1</translation>
+    </message>
+    <message>
+        <source>Passed from: %1 of 100 points</source>
+        <extracomment>%1: points</extracomment>
+        <translation>合格：100点中%1点以上</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <extracomment>%1: a list</extracomment>
+        <translation>使用不可：%1</translation>
+    </message>
+    <message>
+        <source>The clock starts when you begin, and also runs while you are on another page. Faults are shown after the grade.</source>
+        <translation>時計は開始と同時に動き、ほかのページを開いている間も止まりません。誤りは採点のあとに表示されます。</translation>
+    </message>
+    <message>
+        <source>Exam: %1</source>
+        <extracomment>%1: a lesson</extracomment>
+        <translation>試験：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Begin exam</source>
+        <translation>試験を開始(&amp;B)</translation>
     </message>
 </context>
 <context>
@@ -2059,6 +2097,18 @@
     <message>
         <source>Your last attempt at this exam was started in another window. The work in this window does not count.</source>
         <translation>この試験の最後の試行は別のウィンドウで始められました。このウィンドウでの作業は数えられません。</translation>
+    </message>
+    <message>
+        <source>In an exam, the expert&apos;s attempt is not shown.</source>
+        <translation>試験では、エキスパートの試行は表示されません。</translation>
+    </message>
+    <message>
+        <source>Only lessons have an expert&apos;s attempt. Press F2 to choose one.</source>
+        <translation>エキスパートの試行があるのはレッスンだけです。F2を押してレッスンを選んでください。</translation>
+    </message>
+    <message>
+        <source>This exercise has no expert&apos;s attempt.</source>
+        <translation>この練習にはエキスパートの試行がありません。</translation>
     </message>
 </context>
 <context>
@@ -4518,10 +4568,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>試行</translation>
     </message>
     <message>
-        <source>Date</source>
-        <translation>日付</translation>
-    </message>
-    <message>
         <source>The newest %1 of %2 attempts</source>
         <translation>%2回の試行のうち最新の%1回</translation>
     </message>
@@ -6502,10 +6548,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>X線</translation>
     </message>
     <message>
-        <source>Show X-ray pictures of the tooth, before and now</source>
-        <translation>歯のX線画像（術前と現在）を表示します</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>表示</translation>
     </message>
@@ -6799,6 +6841,18 @@ unsaved</source>
     <message>
         <source>Reload</source>
         <translation>再読み込み</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now, or close them</source>
+        <translation>歯のX線画像（術前と現在）を表示、または閉じます</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Search on this page, or among the lessons</source>
+        <translation>このページ、またはレッスンを検索します</translation>
     </message>
 </context>
 <context>
@@ -7653,6 +7707,11 @@ unsaved</source>
         <source>beyond the ideal</source>
         <translation>理想形の外側</translation>
     </message>
+    <message>
+        <source>Block</source>
+        <extracomment>What a practice block is made of, in place of &quot;Enamel&quot;</extracomment>
+        <translation>ブロック</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::StereoCard</name>
@@ -8318,16 +8377,8 @@ unsaved</source>
         <translation>%1。100点中%2点で合格です。先に自分の作業を評価してから得点を見ると、より多くを学べます。</translation>
     </message>
     <message>
-        <source>Nothing in particular</source>
-        <translation>特になし</translation>
-    </message>
-    <message>
         <source>Set the points that you expect.</source>
         <translation>予想する点数を設定してください。</translation>
-    </message>
-    <message>
-        <source>Choose what cost you most.</source>
-        <translation>最も失点したと思うものを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -8893,6 +8944,15 @@ unsaved</source>
         <source>no score yet</source>
         <translation>まだ得点なし</translation>
     </message>
+    <message>
+        <source>no limit</source>
+        <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>%1 graded so far</source>
+        <extracomment>Of attempts at a lesson; follows &quot;2 attempts left, &quot;</extracomment>
+        <translation>これまでに%1回採点</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::RubricForm</name>
@@ -9240,6 +9300,10 @@ unsaved</source>
         <source>Show it at %1</source>
         <translation>%1の場面を見る</translation>
     </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>次のレッスン</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>
@@ -9444,7 +9508,6 @@ unsaved</source>
     </message>
     <message>
         <source>%1 / %2 mm</source>
-        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
         <translation>%1 / %2 mm</translation>
     </message>
     <message>

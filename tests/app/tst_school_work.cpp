@@ -393,7 +393,7 @@ private slots:
         startAs("sam");
         auto* const list = child<QListView>("lessonList");
         WAIT_FOR(list->model()->rowCount() > 2);
-        startAssigned();
+        startAssigned(true);
         QCOMPARE(count("exam_starts"), 0);
         drill(-2.0);
         WAIT_FOR_VALUE(count("exam_starts"), 1);
@@ -401,6 +401,7 @@ private slots:
             actions().lessons->trigger();
             WAIT_FOR(list->isVisible());
             click("startLesson");
+            click("questionSave");
             QVERIFY(child<QLabel>("questionDetail")->text().contains("counts as an attempt"));
             click("questionDiscard");
         };
@@ -654,11 +655,15 @@ private:
     void waitForWholeTooth() const { WAIT_FOR_VALUE(removed(), QString("0.00")); }
 
     /// Starts the first of the assigned lessons.
-    void startAssigned() const
+    void startAssigned(bool isExam = false) const
     {
         auto* const list = child<QListView>("lessonList");
         list->setCurrentIndex(list->model()->index(1, 0));
-        waitForNewTooth([this] { click("startLesson"); });
+        waitForNewTooth([this, isExam] {
+            click("startLesson");
+            if (isExam)
+                click("questionSave");
+        });
     }
 
     /// Begins to cut the lesson, and has it graded.

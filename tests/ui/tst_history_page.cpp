@@ -97,6 +97,21 @@ private slots:
         QCOMPARE(table()->model()->rowCount(), 1200);
     }
 
+    void everyAttemptHasAPlaceOfItsOwn()
+    {
+        // Three lessons on one morning: along a day they would lie on top of each other.
+        QList<AttemptRecord> some = attemptRecords(9);
+        for (AttemptRecord& one : some)
+            one.finishedUtc = "2026-09-01T09:00:00Z";
+        m_page->setHistory(some);
+        QList<double> places;
+        for (const ui::charts::Dot& dot : ui::charts::stopsOf(scores()))
+            places << dot.x;
+        QCOMPARE(places, (QList<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+        const auto x = ui::charts::axesOf(scores()).first;
+        QVERIFY(x.isWhole && x.low < 1.0 && x.high > 9.0 && x.high < 11.0);
+    }
+
     void aTableOfSeveralLessonsNamesThem()
     {
         m_page->setHistory(attemptRecords(3));

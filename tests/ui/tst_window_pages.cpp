@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSlider>
 
 #include "tests/support/Suite.h"
@@ -16,6 +17,7 @@
 #include "ui/people/LoginPage.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/ToothChooser.h"
+#include "ui/study/Expectation.h"
 #include "ui/study/LessonCards.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
@@ -51,6 +53,46 @@ private slots:
         }
     }
 
+    void theKeyThatOpenedTheXrayClosesIt()
+    {
+        for (const char* shown : {"ui::inside::XrayPage", "ui::shell::PracticeRoom"}) {
+            press(Qt::Key_F);
+            QCOMPARE(m_window->page()->metaObject()->className(), shown);
+        }
+        QVERIFY(m_window->view().hasFocus());
+    }
+
+    void escapeClosesWhatLiesOverTheTooth()
+    {
+        const auto* panel = child<QWidget>("historyPanel");
+        const auto* plots = child<ui::console::WatchPanel>();
+        child<ui::console::Console>()->execute(QStringLiteral("watch force.stiffness"));
+        press(Qt::Key_U);
+        QVERIFY(panel->isVisible());
+        press(Qt::Key_Escape);
+        QVERIFY(!panel->isVisible() && !actions().history->isChecked() && m_window->view().hasFocus());
+        QVERIFY2(!plots->names().isEmpty(), "one at a time");
+        press(Qt::Key_Escape);
+        QVERIFY(plots->names().isEmpty());
+    }
+
+    void controlFSearchesThePageOrTheLessons()
+    {
+        m_window->setLessons(support::catalog(), {});
+        press(Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(child<LessonsPage>()->isVisible() && search()->hasFocus());
+        QTest::keyClicks(search(), "36");
+        child<QListView>("lessonList")->setFocus();
+        press(Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(search()->hasFocus());
+        QCOMPARE(search()->selectedText(), QString("36"));
+        press(Qt::CTRL | Qt::Key_Comma);
+        press(Qt::Key_F, Qt::ControlModifier);
+        QCOMPARE(m_window->page()->metaObject()->className(), "ui::settings::SettingsPage");
+        QVERIFY(m_window->page()->isAncestorOf(QApplication::focusWidget()));
+        QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
+    }
+
     void aRefusedPasswordIsTypedAnew()
     {
         m_window->askWho(Door::NewSchool);
@@ -63,6 +105,34 @@ private slots:
     }
 
     /// Of a large file, or one whose disk has much to do; what takes a moment is not.
+    void aOneTimeCodeLeadsToTheFirstPasswordField()
+    {
+        spoil();
+        QSignalSpy code(m_window.get(), &MainWindow::codeWanted);
+        auto* username = child<QLineEdit>("username");
+        auto* password = child<QLineEdit>("password");
+        auto* again = child<QLineEdit>("passwordAgain");
+        for (const Door door : {Door::Login, Door::Locked}) {
+            if (door == Door::Locked)
+                m_window->setWho(school().student);
+            m_window->askWho(door);
+            const QString name = door == Door::Locked ? QString::fromStdString(school().student.username()) : "s1001";
+            username->setText(door == Door::Login ? name : QString());
+            password->setText("K7PM-2QXR");
+            click("logIn");
+            m_window->refuseLogin({core::ErrorCode::NewPassword, "the code is right"});
+            QVERIFY(password->hasFocus() && password->text().isEmpty());
+            QVERIFY2(!username->isVisible(), "neither name nor code is asked for again");
+            QTest::keyClicks(password, "a long password");
+            press(Qt::Key_Return);
+            QVERIFY(again->hasFocus());
+            QTest::keyClicks(again, "a long password");
+            press(Qt::Key_Return);
+            QCOMPARE(code.size(), 1);
+            QCOMPARE(code.takeFirst(), (QList<QVariant>{name, "K7PM-2QXR", "a long password"}));
+        }
+    }
+
     void whatIsWaitedForAtTheDoorIsTold()
     {
         m_window->askWho(Door::Login);
@@ -304,6 +374,35 @@ private slots:
         QCOMPARE(cards().size(), all);
     }
 
+    void anExamBeginsWithOneCard()
+    {
+        std::vector<lessons::CatalogEntry> entries = support::catalog();
+        for (lessons::CatalogEntry& entry : entries)
+            if (entry.read.lesson->id == "class1-24") {
+                entry.read.lesson->exam = true;
+                entry.read.lesson->minutes = 8.0;
+                entry.read.lesson->aids = {};
+                entry.read.lesson->aids.section = false;
+            }
+        m_window->setLessons(entries, {{"class1-24", {1, 603, false, "2026-11-20T10:00:00Z"}}},
+                             {{"class1-24", {"Year 1", {}, 2}}});
+        actions().lessons->trigger();
+        search()->setText("class1-24");
+        QSignalSpy chosen(m_window.get(), &MainWindow::lessonChosen);
+        click("startLesson");
+        QVERIFY(question("examQuestion") != nullptr);
+        const QString said = child<QLabel>("questionDetail")->text();
+        for (const char* words : {"8 min", "2 attempts left, 1 graded so far", "undo", "section"})
+            QVERIFY2(said.contains(words), words);
+        QVERIFY2(!said.contains("X-ray") && child<QPushButton>("questionDiscard") == nullptr, "nothing else is locked");
+        press(Qt::Key_Escape);
+        QVERIFY(chosen.isEmpty() && question("examQuestion") == nullptr && child<LessonsPage>()->isVisible());
+        click("startLesson");
+        press(Qt::Key_Return);
+        QCOMPARE(chosen.size(), 1);
+        QVERIFY(isInRoom());
+    }
+
     void usedUpAttemptsAreToldBeforeTheStart()
     {
         QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);
@@ -324,18 +423,36 @@ private slots:
     void theForecastIsAnsweredWithTheKeys()
     {
         m_window->setAssignment(support::assigned("class1-36"));
-        m_window->askForecast();
         QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
-        press(Qt::Key_Right);
-        press(Qt::Key_Tab);
-        auto* show = child<QPushButton>("showScore");
+        const auto* show = child<QPushButton>("showScore");
+        const auto worst = [&] { return given.takeLast().front().value<ui::study::Expectation>().worst; };
+        m_window->askForecast();
         QVERIFY(!show->isEnabled());
+        press(Qt::Key_Right);
+        QVERIFY(show->isEnabled());
+        press(Qt::Key_Tab);
         press(Qt::Key_Down);
         press(Qt::Key_Return);
-        QVERIFY2(show->isEnabled(), "the answer is chosen");
-        QCOMPARE(given.size(), 0);
+        QVERIFY2(given.isEmpty(), "the answer is chosen first");
         press(Qt::Key_Return);
         QCOMPARE(given.size(), 1);
+        QCOMPARE(worst(), std::string("outline"));
+        // What cost most may be left open.
+        m_window->askForecast();
+        press(Qt::Key_Right);
+        press(Qt::Key_Return);
+        QCOMPARE(given.size(), 1);
+        QCOMPARE(worst(), std::string());
+    }
+
+    void theForecastOffersThreeCriteriaAndItsButtonIsInSight()
+    {
+        m_window->resize(1280, 800);
+        m_window->setAssignment(support::assigned("class2-36-distal"));
+        m_window->askForecast();
+        QCOMPARE(m_window->page()->findChildren<QRadioButton*>().size(), 3);
+        const auto* show = child<QPushButton>("showScore");
+        QTRY_COMPARE(show->visibleRegion().boundingRect(), show->rect());
     }
 
     void anotherToothIsChosen()
@@ -397,6 +514,39 @@ private slots:
         QVERIFY(child<QLabel>("verdict")->text().startsWith("Not passed"));
         press(Qt::Key_Return);
         QVERIFY2(isInRoom(), "the next step is one key away");
+    }
+
+    void afterAPassTheNextLessonIsOffered()
+    {
+        QSignalSpy chosen(m_window.get(), &MainWindow::lessonChosen);
+        auto* next = child<QPushButton>("nextLesson");
+        const auto nextAfter = [&](const std::string& lesson, const lessons::ScoreSheet& score) {
+            beginLesson(support::assigned(lesson));
+            m_window->showScore(score, {});
+            if (!next->isVisible())
+                return QString();
+            press(Qt::Key_Return);
+            return chosen.isEmpty() ? QString("none")
+                                    : QString::fromStdString(chosen.takeLast().front().value<lessons::Lesson>().id);
+        };
+        const lessons::ScoreSheet pass = sheet(0, 0, 0);
+        m_window->setLessons(support::catalog(), {});
+        QCOMPARE(nextAfter("class1-36", sheet(40, 30, 0)), QString());
+        QCOMPARE(nextAfter("class1-36", pass), QString("class1-37"));
+        QVERIFY(isInRoom());
+        // Assigned lessons that are not passed come first, each once.
+        const ui::study::Given given{"Year 1", {}, {}};
+        const ui::study::Given usedUp{"Year 1", {}, 0};
+        m_window->setLessons(support::catalog(), {},
+                             {{"class1-36", given}, {"class1-34", usedUp}, {"class1-27", given}});
+        QCOMPARE(nextAfter("class1-36", pass), QString("class1-27"));
+        QCOMPARE(nextAfter("class1-27", pass), QString("class1-35"));
+        // A grade without a lesson, and one that is looked at again, offer none.
+        beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
+        m_window->showScore(pass, {});
+        QVERIFY(!next->isVisible());
+        m_window->showOldScore([] { return QString("Class I on 36"); }, pass, {}, {}, {});
+        QVERIFY(!next->isVisible());
     }
 
     void theFirstWindowFitsTheScreen()

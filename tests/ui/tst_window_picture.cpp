@@ -88,7 +88,9 @@ private slots:
         servo.toothGeneration = m_generation;
         // Deep in what is to be kept beside the decay.
         servo.anchorMm = {support::kLesionX + 3.0, support::kLesionY, -3.0};
-        const auto isShown = [this] { return figure("marginFigure").startsWith(QChar(0x2212)); };
+        const auto isShown = [this] {
+            return child<TabularLabel>("marginFigure")->isVisible() && figure("marginFigure").startsWith(QChar(0x2212));
+        };
         take(servo, {});
         QVERIFY(!isShown());
         press(Qt::Key_A);

@@ -13,6 +13,7 @@
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/shell/BurChooser.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/SidePanel.h"
@@ -303,6 +304,65 @@ private slots:
             take(servo, session);
             QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString(unit));
         }
+    }
+
+    void figuresWithoutAValueAreHidden()
+    {
+        ServoState servo;
+        servo.tick = 5;
+        const auto isShown = [&](const char* name) { return child<TabularLabel>(name)->isVisible(); };
+        const int depthPx = child<TabularLabel>("depthFigure")->width();
+        servo.anchorMm = {0.0, 0.0, -1.0};
+        servo.touching = servo.hasDepth = true;
+        take(servo, {});
+        QTRY_VERIFY(isShown("dentinFigure"));
+        QVERIFY(!isShown("marginFigure"));
+        servo.anchorMm = {100.0, 100.0, 5.0};
+        servo.touching = servo.hasDepth = false;
+        take(servo, {});
+        QTRY_VERIFY(!isShown("dentinFigure"));
+        QCOMPARE(child<TabularLabel>("depthFigure")->width(), depthPx);
+    }
+
+    void aPracticeBlockHasNoEnamel()
+    {
+        beginLesson(support::assigned(lessons::Task::TraceShape));
+        ServoState servo;
+        servo.tick = 5;
+        servo.touching = true;
+        servo.materialUnderBur = Material::Enamel;
+        SessionState session;
+        session.removedMm3 = {0.0, 2.0, 1.0, 0.0};
+        take(servo, session);
+        QTRY_COMPARE(figure("materialFigure"), QString("Block"));
+        QTRY_COMPARE(figure("enamelRemoved"), QString("3.00"));
+        QVERIFY(!child<TabularLabel>("dentinRemoved")->isVisible());
+        QVERIFY(!child<TabularLabel>("dentinFigure")->isVisible());
+        beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
+        take(servo, session);
+        QTRY_COMPARE(figure("materialFigure"), QString("Enamel"));
+        QVERIFY(child<TabularLabel>("dentinRemoved")->isVisible());
+    }
+
+    void bursThatTheLessonForbidsAreGrey()
+    {
+        const auto& lesson = support::assigned(lessons::Task::TraceShape);
+        const auto named = [&](QAction* bur) {
+            const auto& ids = lesson.lesson->burs;
+            return std::find(ids.begin(), ids.end(),
+                             core::drilling::burs()[static_cast<std::size_t>(actions().burs.indexOf(bur))].id) !=
+                   ids.end();
+        };
+        const auto tiles = child<BurChooser>()->findChildren<BurTile*>();
+        beginLesson(lesson);
+        for (qsizetype k = 0; k < tiles.size(); ++k) {
+            QCOMPARE(tiles[k]->isEnabled(), named(actions().burs[k]));
+            QCOMPARE(tiles[k]->toolTip().contains("does not allow"), !named(actions().burs[k]));
+        }
+        QVERIFY(std::any_of(tiles.begin(), tiles.end(), [](const BurTile* tile) { return !tile->isEnabled(); }));
+        beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
+        for (const BurTile* tile : tiles)
+            QVERIFY(tile->isEnabled() && !tile->toolTip().contains("does not allow"));
     }
 
     void harmIsToldWhenItHappens()

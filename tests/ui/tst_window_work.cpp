@@ -117,7 +117,7 @@ private slots:
 
     void anExerciseHasNoFiguresOfACut()
     {
-        const std::array ofACut{"decayFigure", "marginFigure", "overcut", "depthFigure"};
+        const std::array ofACut{"decayFigure", "overcut", "depthFigure"};
         const auto told = [this](const char* name) { return child<TabularLabel>(name)->isVisible(); };
         QVERIFY(std::all_of(ofACut.begin(), ofACut.end(), told));
         for (const Task task : {Task::TouchPoints, Task::HoldForce}) {
@@ -275,6 +275,7 @@ private slots:
             QVERIFY(!mayCut() && !actions().undo->isEnabled() && !actions().history->isEnabled());
             QVERIFY(actions().saveRecording->isEnabled());
             actions().reload->trigger();
+            click("questionSave");
             QCOMPARE(again.count(), byTime ? 1 : 2);
             // It begins as the first did, with the bur turning.
             static_cast<void>(sent());
@@ -287,6 +288,7 @@ private slots:
         record(overS, 0.0, true);
         QVERIFY2(message().contains("time for this exam is over"), qPrintable(message()));
         actions().reload->trigger();
+        click("questionSave");
         QCOMPARE(again.count(), 3);
         exam.lesson->exam = false;
         beginLesson(exam);
@@ -410,6 +412,20 @@ private slots:
         m_window->setAssignment(lessons::practiceOn(support::syntheticMolar()).value());
         m_window->setReplaying(true, 10.0, nullptr, lessons::Lesson());
         QCOMPARE(isOffered(), std::optional(true));
+    }
+
+    void theKeyOfTheExpertSaysWhyThereIsNone()
+    {
+        lessons::Assignment exercise = assigned(Task::HoldForce);
+        exercise.lesson->expert.reset();
+        for (const auto& [assignment, words] :
+             {std::pair(lessons::practiceOn(support::syntheticMolar()).value(), "Only lessons"),
+              {exercise, "exercise"},
+              {support::exam(), "exam"}}) {
+            beginLesson(assignment);
+            press(Qt::Key_Y);
+            QVERIFY2(message().contains(words), qPrintable(message()));
+        }
     }
 
     void unsavedWorkIsAskedAbout_data()

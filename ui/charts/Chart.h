@@ -16,7 +16,7 @@ namespace ui::charts {
 /// A value at which one can stop, with the pointer or the arrow keys.
 struct Dot
 {
-    double x = 0.0;  ///< on a time axis: milliseconds since 1970, UTC
+    double x = 0.0;
     double y = 0.0;
     QString words;        ///< the value as a sentence
     std::int64_t id = 0;  ///< what opens when it is chosen; 0: nothing
@@ -82,7 +82,6 @@ struct Axis
     QString title;
     double low = 0.0;
     double high = 1.0;
-    bool isTime = false;   ///< low and high as Dot::x
     bool isWhole = false;  ///< counts: no ticks between whole numbers
     double base = 0.0;     ///< of a logarithmic axis; 0: a linear one
     QStringList labels{};  ///< instead of numbers, at 0, 1, 2 ...

@@ -6,7 +6,6 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QFontMetricsF>
 #include <QImage>
 #include <QLocale>
@@ -39,7 +38,6 @@ constexpr int kMostTicks = 6;
 constexpr int kFewestRows = 3;
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
-constexpr qint64 kDayMs = 86'400'000;
 constexpr double kAloneHalf = 0.3;  ///< of an attempt
 
 QFontMetricsF metrics()
@@ -61,28 +59,9 @@ struct Tick
     QString words;
 };
 
-QList<Tick> ticksOfTime(const Axis& axis, int most)
-{
-    const double days = (axis.high - axis.low) / static_cast<double>(kDayMs);
-    const QString format = days < 2.0 ? QLocale().timeFormat(QLocale::ShortFormat)
-                           //: A day without its year, as QLocale::toString() takes it: "27 Nov". Japanese "M月d日"
-                           : days < 330.0 ? text::dayFormat(QCoreApplication::translate("Chart", "d MMM"))
-                                          //: A month, as QLocale::toString() takes it: "Nov 2024"
-                                          : QCoreApplication::translate("Chart", "MMM yyyy");
-    QList<Tick> ticks;
-    const int steps = std::clamp(most - 1, 1, 4);
-    for (int k = 0; k <= steps; ++k) {
-        const double at = axis.valueAt(static_cast<double>(k) / steps);
-        ticks << Tick{at, QLocale().toString(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(at)), format)};
-    }
-    return ticks;
-}
-
 QList<Tick> ticksOf(const Axis& axis, int most)
 {
     QList<Tick> ticks;
-    if (axis.isTime)
-        return ticksOfTime(axis, most);
     for (qsizetype k = 0; k < axis.labels.size(); ++k)
         ticks << Tick{static_cast<double>(k), axis.labels[k]};
     if (!ticks.isEmpty())

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QDateTime>
 
 namespace ui::charts {
 namespace {
@@ -44,13 +43,6 @@ QByteArray written(std::int64_t value)
     return QByteArray::number(static_cast<qlonglong>(value));
 }
 
-Cell place(const Axis& axis, double x)
-{
-    if (!axis.isTime)
-        return x;
-    return QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(x), Qt::UTC).toString(Qt::ISODate);
-}
-
 Table table(const Curve& curve)
 {
     Table made{{TableWords::tr("series"), curve.x.title, curve.y.title}, {}};
@@ -60,16 +52,15 @@ Table table(const Curve& curve)
         if (line.mark == Mark::None || isBand)
             continue;
         for (const Dot& dot : line.dots)
-            made.rows << QList<Cell>{line.name.isEmpty() ? curve.y.title : line.name, place(curve.x, dot.x), dot.y,
-                                     dot.of};
+            made.rows << QList<Cell>{line.name.isEmpty() ? curve.y.title : line.name, dot.x, dot.y, dot.of};
     }
     for (const Slice& slice : curve.band.slices) {
-        made.rows << QList<Cell>{TableWords::tr("class, lower quartile"), place(curve.x, slice.x), slice.low};
-        made.rows << QList<Cell>{TableWords::tr("class, median"), place(curve.x, slice.x), slice.middle};
-        made.rows << QList<Cell>{TableWords::tr("class, upper quartile"), place(curve.x, slice.x), slice.high};
+        made.rows << QList<Cell>{TableWords::tr("class, lower quartile"), slice.x, slice.low};
+        made.rows << QList<Cell>{TableWords::tr("class, median"), slice.x, slice.middle};
+        made.rows << QList<Cell>{TableWords::tr("class, upper quartile"), slice.x, slice.high};
     }
     for (const Limit& limit : curve.limits)
-        made.rows << (limit.isUpright ? QList<Cell>{limit.name, place(curve.x, limit.at), QString()}
+        made.rows << (limit.isUpright ? QList<Cell>{limit.name, limit.at, QString()}
                                       : QList<Cell>{limit.name, QString(), limit.at});
     for (QList<Cell>& row : made.rows)
         row.resize(curve.ofTitle.isEmpty() ? 3 : 4, QString());

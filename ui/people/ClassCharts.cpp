@@ -37,7 +37,7 @@ Chart distributionChart(const database::LessonResults& results, int passMarkTent
 {
     Histogram histogram;
     const auto people = static_cast<int>(results.bestTenths.size());
-    histogram.x = {Words::tr("Best score"), 0.0, kWholeScore, false, false};
+    histogram.x = {Words::tr("Best score"), 0.0, kWholeScore};
     if (people >= ::lessons::kFewestPeople) {
         int most = 0;
         for (int bin = 0; bin < kBins; ++bin) {
@@ -54,7 +54,7 @@ Chart distributionChart(const database::LessonResults& results, int passMarkTent
         }
         if (passMarkTenths > 0)
             histogram.limits << Limit{passMarkTenths / 10.0, true, Words::tr("Pass mark")};
-        histogram.count = {Words::tr("Students"), 0.0, std::max(4.0, most + 1.0), false, true};
+        histogram.count = {Words::tr("Students"), 0.0, std::max(4.0, most + 1.0), true};
     }
     return {Words::tr("Distribution"),
             people > 0 ? Words::tr("Best scores of %n student(s)", nullptr, people) : QString(), tooFew(), histogram};
@@ -67,8 +67,8 @@ Chart learningChart(const database::LessonResults& results, int passMarkTenths)
     double last = 5.0;
     for (const Slice& slice : curve.band.slices)
         last = std::max(last, slice.x);
-    curve.x = {Words::tr("Attempt"), 0.5, last + 0.5, false, true};
-    curve.y = {Words::tr("Points"), 0.0, kPointsEnd, false, false};
+    curve.x = {Words::tr("Attempt"), 0.5, last + 0.5, true};
+    curve.y = {Words::tr("Points"), 0.0, kPointsEnd};
     if (passMarkTenths > 0)
         curve.limits << Limit{passMarkTenths / 10.0, false, Words::tr("Pass mark")};
     // One attempt makes no area: it is a mark.
@@ -99,7 +99,7 @@ QString difficultyWords(const database::LessonDifficulty& difficulty)
 Chart difficultyChart(const database::LessonResults& results, const std::map<std::string, QString>& names)
 {
     Bars bars;
-    bars.value = {Words::tr("Lost, % of what it counts"), 0.0, kWholeScore, false, false};
+    bars.value = {Words::tr("Lost, % of what it counts"), 0.0, kWholeScore};
     bars.nameTitle = Words::tr("Criterion");
     const bool isShown = results.difficulty.people >= ::lessons::kFewestPeople;
     if (isShown)

@@ -24,19 +24,17 @@ struct HistoryWords
 constexpr qsizetype kCriteriaOver = 10;  ///< attempts
 constexpr double kMsPerMinute = 60'000.0;
 constexpr double kChartEnd = 103.0;  ///< so that a mark at 100 is whole
-constexpr double kDayMs = 86'400'000.0;
 
 double points(int tenths)
 {
     return 0.1 * tenths;
 }
 
-/// Where the attempt lies on the x axis: the how-manieth it is, or when it was.
+/// The number of the attempt, from 1 for the oldest. Each attempt has a place of its own on the x axis, however many
+/// were made on one day.
 double placeOf(const ChartedAttempts& attempts, qsizetype k)
 {
-    if (attempts.isOneLesson)
-        return static_cast<double>(attempts.newestFirst.size() - k);
-    return static_cast<double>(momentOf(attempts.newestFirst[k].finishedUtc).toMSecsSinceEpoch());
+    return static_cast<double>(attempts.newestFirst.size() - k);
 }
 
 /// Calls with each attempt that is charted, oldest first, its place and its beginning of a sentence:
@@ -69,10 +67,7 @@ Axis xAxis(const ChartedAttempts& attempts)
         return {};
     const double first = placeOf(attempts, shown - 1);
     const double last = placeOf(attempts, 0);
-    if (attempts.isOneLesson)
-        return {HistoryWords::tr("Attempt"), first - 0.5, std::max(last + 0.5, first + 4.5), false, true};
-    const double air = std::max(0.5 * kDayMs, 0.03 * (last - first));
-    return {HistoryWords::tr("Date"), first - air, last + air, true, false};
+    return {HistoryWords::tr("Attempt"), first - 0.5, std::max(last + 0.5, first + 4.5), true};
 }
 
 QString noteOf(const ChartedAttempts& attempts)
@@ -134,7 +129,7 @@ Chart scoreChart(const ChartedAttempts& attempts)
     Curve curve;
     curve.ofTitle = attempts.isOneLesson ? QString() : HistoryWords::tr("Lesson");
     curve.x = xAxis(attempts);
-    curve.y = {HistoryWords::tr("Points"), 0.0, kChartEnd, false, false};
+    curve.y = {HistoryWords::tr("Points"), 0.0, kChartEnd};
     Line way{HistoryWords::tr("Score"), {}, Mark::None, true};
     Line passed{HistoryWords::tr("Passed"), {}, Mark::Circle, false};
     Line failed{HistoryWords::tr("Not passed"), {}, Mark::HollowDiamond, false};
@@ -198,7 +193,7 @@ Chart criteriaChart(const ChartedAttempts& attempts)
         //: %1: a criterion; %2: a number
         bars.bars << Bars::Bar{name, lost, HistoryWords::tr("%1: %2 points lost").arg(name, text::number(lost, 1))};
     }
-    bars.value = {HistoryWords::tr("Points lost"), 0.0, roundEnd(std::max(1.0, most)), false, false};
+    bars.value = {HistoryWords::tr("Points lost"), 0.0, roundEnd(std::max(1.0, most))};
     std::stable_sort(bars.bars.begin(), bars.bars.end(),
                      [](const Bars::Bar& a, const Bars::Bar& b) { return a.value > b.value; });
     return {HistoryWords::tr("What costs points"),
@@ -221,7 +216,7 @@ Chart timeChart(const ChartedAttempts& attempts)
                             joined(which, HistoryWords::tr("%1 min").arg(clock(record.durationMs))), record.id,
                             lessonOf(attempts, record)};
     });
-    curve.y = {HistoryWords::tr("Minutes"), 0.0, end({minutes}), false, false};
+    curve.y = {HistoryWords::tr("Minutes"), 0.0, end({minutes})};
     minutes.name.clear();
     curve.lines << minutes;
     return {HistoryWords::tr("Time"), noteOf(attempts),
@@ -243,7 +238,7 @@ Chart forceChart(const ChartedAttempts& attempts)
         mean.dots << Dot{place, meanN, words, record.id, lessonOf(attempts, record)};
         peak.dots << Dot{place, peakN, words, record.id, lessonOf(attempts, record)};
     });
-    curve.y = {HistoryWords::tr("Newtons"), 0.0, end({mean, peak}), false, false};
+    curve.y = {HistoryWords::tr("Newtons"), 0.0, end({mean, peak})};
     curve.lines << mean << peak;
     return {HistoryWords::tr("Force while cutting"), noteOf(attempts),
             HistoryWords::tr("After the first graded attempt you see here how hard the bur was pressed."), curve};
@@ -270,8 +265,8 @@ Chart speedChart(const ChartedAttempts& attempts)
         curve.limits << Limit{minutes, true, HistoryWords::tr("Class median, time")}
                      << Limit{points(attempts.medians->tenths), false, HistoryWords::tr("Class median, points")};
     }
-    curve.x = {HistoryWords::tr("Minutes"), 0.0, roundEnd(1.02 * longest), false, false};
-    curve.y = {HistoryWords::tr("Points"), 0.0, kChartEnd, false, false};
+    curve.x = {HistoryWords::tr("Minutes"), 0.0, roundEnd(1.02 * longest)};
+    curve.y = {HistoryWords::tr("Points"), 0.0, kChartEnd};
     for (const Line& line : {passed, failed})
         if (!line.dots.isEmpty())
             curve.lines << line;

@@ -356,6 +356,14 @@ void HistoryPage::takeLesson()
         emit lessonChosen(QString::fromStdString(*chosenLesson));
 }
 
+bool HistoryPage::focusSearch() const
+{
+    if (!m_lessons->isVisible())
+        return false;
+    m_lessons->setFocus(Qt::ShortcutFocusReason);
+    return true;
+}
+
 std::int64_t HistoryPage::chosen() const
 {
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();

@@ -183,6 +183,8 @@ QLineEdit* LoginPage::field(const char* name, bool isPassword)
 
 void LoginPage::ask(Door door, bool isIn)
 {
+    if (door == Door::NewPassword && m_door == Door::Locked)
+        m_name->setText(m_lockedBy);  // the code is for this user
     m_door = door;
     m_isIn = isIn;
     if (door == Door::NewPassword)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/Actions.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <QActionGroup>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QToolButton>
 
 #include "core/drilling/Bur.h"
@@ -99,6 +102,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                         {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
     expert = add("expert", QT_TR_NOOP("The expert's attempt"),
                  QT_TR_NOOP("Watch how an expert does it; during a replay, beside this attempt"), {Qt::Key_Y});
+    auto* missing = new QShortcut(expert->shortcut(), window);
+    missing->setEnabled(false);
+    connect(expert, &QAction::enabledChanged, missing, [missing](bool enabled) { missing->setEnabled(!enabled); });
+    connect(missing, &QShortcut::activated, this, &Actions::expertMissing);
 
     m_groups.push_back({QT_TR_NOOP("Replay"), {}});
     pauseReplay = add("pause", [this] { return m_isReplayPaused ? tr("Resume the replay") : tr("Pause the replay"); },
@@ -128,8 +135,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     section->setCheckable(true);
     turnSection = add("view", QT_TR_NOOP("Turn the section"),
                       QT_TR_NOOP("Turn the section around the bur by 15 degrees"), {Qt::SHIFT | Qt::Key_X});
-    radiograph =
-        add("film", QT_TR_NOOP("X-ray"), QT_TR_NOOP("Show X-ray pictures of the tooth, before and now"), {Qt::Key_F});
+    radiograph = add("film", QT_TR_NOOP("X-ray"),
+                     QT_TR_NOOP("Show X-ray pictures of the tooth, before and now, or close them"), {Qt::Key_F});
 
     m_groups.push_back({QT_TR_NOOP("View"), {}});
     resetView = add("view", QT_TR_NOOP("Reset view"), QT_TR_NOOP("Return to the initial view"), {Qt::Key_V});
@@ -193,6 +200,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                   QT_TR_NOOP("Log in, lock this workstation, or change your password or the language"), {});
     lock = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : tr("Lock or switch user"); },
                QT_TR_NOOP("Your work stays open; a password is needed to continue"), {Qt::CTRL | Qt::Key_L});
+    search = add("search", QT_TR_NOOP("Search"), QT_TR_NOOP("Search on this page, or among the lessons"),
+                 {Qt::CTRL | Qt::Key_F});
     fullScreen = add("fullscreen", QT_TR_NOOP("Full screen"), QT_TR_NOOP("Fill the whole screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     help = add("help", QT_TR_NOOP("Keys and mouse"), QT_TR_NOOP("Show what every key does"), {Qt::Key_F1});
@@ -247,6 +256,20 @@ void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)
                                        : whyNot);
 }
 
+bool Actions::isRefused(const QAction* aid)
+{
+    const QVariant own = aid->property(kOwnTip);
+    return own.isValid() && own.toString() != aid->toolTip();
+}
+
+void Actions::allowBurs(const std::vector<std::string>& ids)
+{
+    for (qsizetype k = 0; k < burs.size(); ++k) {
+        const std::string_view id = core::drilling::burs()[static_cast<std::size_t>(k)].id;
+        setAllowed(burs[k], ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end());
+    }
+}
+
 QAction* Actions::add(const QString& drawing, std::function<QString()> text, const char* tip,
                       const QList<QKeySequence>& keys)
 {
@@ -273,13 +296,12 @@ void Actions::speak()
         const QString key = words.action->shortcut().toString(QKeySequence::NativeText);
         //: Tooltip: what it does, then its key
         const QString whole = key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key);
-        const QVariant own = words.action->property(kOwnTip);
-        const bool isRefused = own.isValid() && own.toString() != words.action->toolTip();
-        if (own.isValid())
+        const bool refused = isRefused(words.action);
+        if (words.action->property(kOwnTip).isValid())
             words.action->setProperty(kOwnTip, whole);
         words.action->setText(words.text());
         words.action->setStatusTip(tip);
-        if (!isRefused)  // why it is refused, the window says again
+        if (!refused)  // why it is refused, the window says again
             words.action->setToolTip(whole);
     }
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <QAction>
 #include <QList>
@@ -44,6 +46,11 @@ public:
     /// An aid that the lesson does not allow says so in its tooltip, or why else it is not to be had. Whether it is
     /// enabled is the window's business.
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
+    /// Whether setAllowed() has refused it.
+    [[nodiscard]] static bool isRefused(const QAction* aid);
+    /// The same as setAllowed() for each bur.
+    /// @param ids  of the burs that the lesson names; empty: all
+    void allowBurs(const std::vector<std::string>& ids);
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;
@@ -62,6 +69,7 @@ public:
     QAction* school = nullptr;     ///< hidden for who is no admin
     QAction* classes = nullptr;    ///< hidden for who has none
     QAction* readAgain = nullptr;  ///< on the page of classes
+    QAction* search = nullptr;     ///< on a page without a search field it opens the lessons
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;
@@ -112,6 +120,10 @@ public:
     QAction* tour = nullptr;
     QAction* back = nullptr;
     QAction* quit = nullptr;
+
+signals:
+    /// Emitted when the key of `expert` is pressed while that action is disabled.
+    void expertMissing();
 
 private:
     /// @param text, tip  marked for translation; said again in every language

@@ -40,7 +40,9 @@ BurTile::BurTile(const core::drilling::Bur& bur, QAction* action, QWidget* paren
     followWords(action, this, [this, action] {
         setText(action->text());
         setToolTip(
-            QStringLiteral("%1 (%2)").arg(action->text(), action->shortcut().toString(QKeySequence::NativeText)));
+            Actions::isRefused(action)
+                ? action->text() + u'\n' + action->toolTip()
+                : QStringLiteral("%1 (%2)").arg(action->text(), action->shortcut().toString(QKeySequence::NativeText)));
         setStatusTip(action->statusTip());
         setAccessibleName(action->text());
         setAccessibleDescription(action->toolTip());

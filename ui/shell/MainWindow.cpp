@@ -68,6 +68,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/shell/ViewMenu.h"
+#include "ui/study/ExamQuestion.h"
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
 #include "ui/study/InfractionCard.h"
@@ -122,6 +123,13 @@ SidePanel::Asked askedOf(const lessons::Lesson* lesson)
     if (lesson == nullptr || lesson->task == lessons::Task::RemoveDecay)
         return SidePanel::Asked::Decay;
     return lessons::isExercise(lesson->task) ? SidePanel::Asked::Nothing : SidePanel::Asked::Ideal;
+}
+
+/// A block whose layers are not what is practised: it is called a block, and not enamel and dentin.
+bool isPracticeBlock(const lessons::Lesson* lesson)
+{
+    return lesson != nullptr && std::holds_alternative<lessons::Block>(lesson->tooth) &&
+           lesson->task != lessons::Task::TellLayers;
 }
 
 /// The direction from a place to the nearest column that is to be cut, seen from above; nothing where nothing is.
@@ -197,8 +205,10 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_lessonsPage, &study::LessonsPage::lessonChosen, this, [this](const lessons::Lesson& lesson) {
-        goTo(m_room);
-        leaveWork([this, lesson] { emit lessonChosen(lesson); });
+        beginLesson(lesson, [this, lesson] {
+            goTo(m_room);
+            leaveWork([this, lesson] { emit lessonChosen(lesson); });
+        });
     });
     connect(m_lessonsPage, &study::LessonsPage::resumeWanted, this, &MainWindow::resumeUnfinished);
     connect(m_lessonsPage, &study::LessonsPage::feedbackWanted, this, &MainWindow::feedbackWanted);
@@ -225,6 +235,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
+    connect(m_scorePage, &study::ScorePage::nextWanted, m_lessonsPage, &study::LessonsPage::startNext);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
@@ -382,7 +393,19 @@ void MainWindow::connectActions()
         enableActions();
     });
     on(m_actions->turnSection, [this] { m_room->section().turn(); });
-    on(m_actions->radiograph, [this] { showXray(); });
+    on(m_actions->radiograph, [this] { toggleXray(); });
+    on(m_actions->search, [this] {
+        const auto* page = qobject_cast<Page*>(m_pages->currentWidget());
+        if (page != nullptr && page->focusSearch())
+            return;
+        if (m_actions->lessons->isEnabled())
+            m_actions->lessons->trigger();
+        static_cast<void>(m_lessonsPage->focusSearch());
+    });
+    connect(m_actions, &Actions::expertMissing, this, [this] {
+        if (m_pages->currentWidget() == m_room && !m_busy->isWorking())
+            showMessage(study::noExpertWords(lessonShown(), isExamRunning()));
+    });
     on(m_actions->panel, [this](bool visible) {
         m_room->setPanelVisible(visible);
         memory().setValue(kPanel, visible);
@@ -411,7 +434,9 @@ void MainWindow::startAgain()
     if (m_examIsOver && !m_isGraded && hasWork) {
         goTo(m_room);
         showMessage(tr("This exam is over but not graded yet. Press G to grade it."));
-    } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
+    } else if (isExam()) {
+        beginLesson(*m_assignment->lesson, [this] { emit attemptAgainWanted(); });
+    } else if (m_exerciseCard->isVisibleTo(m_room)) {
         emit attemptAgainWanted();
     } else if (m_isGraded) {
         leaveWork([this] { emit attemptAgainWanted(); });
@@ -423,6 +448,15 @@ void MainWindow::startAgain()
                              send(core::session::Undo{});
                          }});
     }
+}
+
+/// An exam begins with a card. Its clock starts when its tooth is there.
+void MainWindow::beginLesson(const lessons::Lesson& lesson, const std::function<void()>& begin)
+{
+    if (lesson.exam)
+        ask("examQuestion", study::examQuestion(lesson, m_lessonsPage->attemptsWords(lesson.id), begin));
+    else
+        begin();
 }
 
 void MainWindow::showBegunAnew()
@@ -1198,6 +1232,8 @@ void MainWindow::setAids(const lessons::Aids& aids)
     Actions::setAllowed(m_actions->mirror, aids.mirror);
     Actions::setAllowed(m_actions->burColour, aids.burColour && aids.ideal);
     Actions::setAllowed(m_actions->fixture, aids.fixture);
+    m_actions->allowBurs(m_assignment && m_assignment->lesson ? m_assignment->lesson->burs
+                                                              : std::vector<std::string>{});
     m_room->panel().setTold(aids.depthGauge, aids.depthGauge && aids.radiograph);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
@@ -1336,8 +1372,12 @@ void MainWindow::restBur()
     }
 }
 
-void MainWindow::showXray()
+void MainWindow::toggleXray()
 {
+    if (m_pages->currentWidget() == m_xray) {
+        goTo(pageBehind());
+        return;
+    }
     const core::terrain::Tooth* tooth = m_view->tooth();
     if (tooth == nullptr)
         return;
@@ -1689,12 +1729,16 @@ void MainWindow::goBack()
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
         m_stereoCard->cancel();
-    } else if (m_room->history().list().hasFocus()) {
-        m_view->setFocus();
+    } else if (m_room->history().isVisible()) {
+        m_actions->history->trigger();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
         return;
+    } else if (m_room->isNoticeVisible()) {
+        m_room->hideNotice();
+    } else if (!m_watch->names().isEmpty()) {
+        m_watch->forget({});
     } else if (isFullScreen()) {
         m_actions->fullScreen->trigger();
     }
@@ -1708,7 +1752,7 @@ void MainWindow::enableActions()
     const bool mayGoBack = mine && !isExam();  // as in a clinic
     m_actions->drill->setEnabled(inRoom && mayCut);
     for (QAction* bur : m_actions->burs)
-        bur->setEnabled(inRoom && mayCut);
+        bur->setEnabled(inRoom && mayCut && !Actions::isRefused(bur));
     for (QAction* handpiece : m_actions->handpieces)
         handpiece->setEnabled(inRoom && mayCut && handpiece->isVisible());
     m_actions->otherHand->setEnabled(inRoom);
@@ -1727,7 +1771,8 @@ void MainWindow::enableActions()
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
     m_actions->turnSection->setEnabled(inRoom && m_aids.section && m_actions->section->isChecked());
-    m_actions->radiograph->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && m_aids.radiograph);
+    m_actions->radiograph->setEnabled((inRoom || m_pages->currentWidget() == m_xray) && m_tooth != nullptr &&
+                                      !m_busy->isWorking() && m_aids.radiograph);
     const bool inEditor = m_pages->currentWidget() == m_editor;
     m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
@@ -1740,6 +1785,7 @@ void MainWindow::enableActions()
     const bool isTrial = !m_replaying && m_trialCard->isVisibleTo(m_room);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && !isTrial && !m_examIsRefused);
     m_actions->lessons->setEnabled(!m_busy->isWorking());
+    m_actions->search->setEnabled(true);
     m_actions->console->setEnabled(inRoom);
     m_actions->settings->setEnabled(!m_busy->isWorking());
     m_actions->presets->setEnabled(!m_busy->isWorking());
@@ -2101,6 +2147,10 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
             return isLesson ? study::said(title) : tooth != nullptr ? text::toothTitle(*tooth) : QString();
         },
         sheet, history, expected, scored);
+    if (lesson != nullptr) {
+        m_lessonsPage->takeScore(sheet.totalTenths, sheet.passed());
+        m_scorePage->setNext(m_lessonsPage->next());
+    }
     m_behindScore = m_room;
     goTo(m_scorePage);
 }
@@ -2183,7 +2233,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_messages->withdraw(MessageBar::Topic::Lesson);
     setUsedUp(false);
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
-    m_room->panel().setAsked(askedOf(lessonShown()));
+    m_room->panel().setAsked(askedOf(lessonShown()), isPracticeBlock(lessonShown()));
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
@@ -2229,7 +2279,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     m_replayIdeal = std::move(ideal);
     m_replayLesson = std::move(lesson);
     m_replayWhose = whose;
-    m_room->panel().setAsked(askedOf(lessonShown()));
+    m_room->panel().setAsked(askedOf(lessonShown()), isPracticeBlock(lessonShown()));
     m_replayCourse = {};
     showRemarks();
     if (replaying)

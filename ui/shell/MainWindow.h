@@ -119,6 +119,7 @@ public:
     /// Whether who works here may change lessons.
     void setMayEdit(bool may);
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
+    [[nodiscard]] study::LessonsPage& lessonsPage() { return *m_lessonsPage; }
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
     /// Where somebody is, or comes to when the door opens or the tour has ended.
     [[nodiscard]] const QWidget* page() const;
@@ -486,12 +487,13 @@ private:
     void showHistory();
     void restBur();
     void startAgain();
+    void beginLesson(const lessons::Lesson& lesson, const std::function<void()>& begin);
     void runClock();
     [[nodiscard]] bool isExam() const;
     [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
     [[nodiscard]] std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> replayedPoints() const;
     void setDrillFor(lessons::Task task);
-    void showXray();
+    void toggleXray();
     void connectPresets();
     void connectConsole();
     void registerParameters();

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
@@ -89,6 +90,17 @@ bool Page::eventFilter(QObject* watched, QEvent* event)
 void Page::removeGuestSign()
 {
     delete findChild<QLabel*>(QStringLiteral("guestSign"));
+}
+
+bool Page::focusSearch() const
+{
+    for (auto* field : findChildren<QLineEdit*>())
+        if (field->isClearButtonEnabled() && field->isVisible()) {
+            field->setFocus(Qt::ShortcutFocusReason);
+            field->selectAll();
+            return true;
+        }
+    return false;
 }
 
 void Page::setTitle(const QString& title)

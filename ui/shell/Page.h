@@ -18,6 +18,8 @@ public:
     Page(const Actions& actions, QWidget* parent);
     /// Said again by the page in every language.
     void setTitle(const QString& title);
+    /// Puts the cursor into the search field. False if the page has none, or is not shown.
+    [[nodiscard]] virtual bool focusSearch() const;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

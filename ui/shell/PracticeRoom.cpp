@@ -286,6 +286,11 @@ void PracticeRoom::hideNotice()
     m_notice->hide();
 }
 
+bool PracticeRoom::isNoticeVisible() const
+{
+    return m_notice->isVisible();
+}
+
 void PracticeRoom::showRemark(const QString& words)
 {
     m_remark->setText(words);

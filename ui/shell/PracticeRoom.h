@@ -62,6 +62,7 @@ public:
     /// Tells of harm where it happens, over the tooth, for as long as it takes to read it.
     void showNotice(const QString& what, const QString& whatToDo);
     void hideNotice();
+    [[nodiscard]] bool isNoticeVisible() const;
     /// What somebody remarked of the moment that is played, at the foot of the view; empty: nothing.
     void showRemark(const QString& words);
     void setReplaying(bool replaying);

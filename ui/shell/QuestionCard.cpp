@@ -33,8 +33,8 @@ QuestionCard::QuestionCard(const Question& question, QWidget* parent)
     m_card->setAutoFillBackground(true);
     m_card->setAccessibleName(question.text);
     auto* icon = new QLabel(m_card);
-    icon->setPixmap(
-        linePixmap(QStringLiteral("warning"), tones(palette()).attention, kIconPx, parent->devicePixelRatioF()));
+    const QColor ink = question.discard ? tones(palette()).attention : palette().color(QPalette::Link);
+    icon->setPixmap(linePixmap(question.drawing, ink, kIconPx, parent->devicePixelRatioF()));
     icon->setAlignment(Qt::AlignTop);
     const auto words = [this](const QString& said, int size, QFont::Weight weight, const char* name) {
         auto* label = new QLabel(said, m_card);
@@ -66,7 +66,8 @@ QuestionCard::QuestionCard(const Question& question, QWidget* parent)
         row->addWidget(button);
         m_answers << button;
     };
-    offer(tr("&Discard"), "questionDiscard", "quiet", question.discard);
+    if (question.discard)
+        offer(tr("&Discard"), "questionDiscard", "quiet", question.discard);
     const bool isLost = question.saveText.isEmpty();
     const QString stay = !isLost ? tr("&Cancel") : question.stayText.isEmpty() ? tr("&Stay") : question.stayText;
     offer(stay, "questionStay", isLost ? "filled" : "", [] {});

@@ -14,7 +14,7 @@ namespace ui::shell {
 
 /// A question inside the window, before something would be lost: three answers, or two where nobody here can save it,
 /// over a veil that keeps the rest of the window and its keys waiting. Esc, and a click on the veil, leave all as it
-/// is. It goes when it is answered.
+/// is. It goes when it is answered. Without `discard` nothing would be lost, and it asks whether to go on.
 class QuestionCard final : public QWidget
 {
     Q_OBJECT
@@ -27,6 +27,7 @@ public:
         std::function<void()> save;
         std::function<void()> discard;
         QString stayText = {};  ///< of the answer that changes nothing, if there is no saveText; empty: the usual one
+        QString drawing = QStringLiteral("warning");  ///< of its icon
     };
 
     QuestionCard(const Question& question, QWidget* parent);

@@ -128,7 +128,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         value->setFont(typeface(kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
         value->setObjectName(QString::fromLatin1(objectName));
-        row->addWidget(before);
+        if (before != nullptr)
+            row->addWidget(before);
         row->addWidget(words);
         row->addStretch(1);
         row->addWidget(value);
@@ -139,21 +140,20 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         auto* swatch = new MaterialSwatch(kSwatchPx, content);
         swatch->setMaterial(material);
         auto* name = new QLabel(content);
-        text::inEveryLanguage(name,
-                              [name, material] { name->setText(text::capitalised(text::materialName(material))); });
         TabularLabel* value = addVolume(swatch, name, objectName);
+        m_removedNames.at(at(material)) = name;
         m_removed.at(at(material)) = value;
         return value;
     };
     addMaterial(Material::Enamel, "enamelRemoved");
     addMaterial(Material::Dentin, "dentinRemoved");
-    auto* indent = new QWidget(content);
-    indent->setFixedWidth(kSwatchPx);
-    // Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay
-    m_overcutWords = quietLabel(content);
-    m_overcut = addVolume(indent, m_overcutWords, "overcut");
-    m_overcutRow = m_overcut->parentWidget();
     TabularLabel* pulp = addMaterial(Material::Pulp, "pulpRemoved");
+    // Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay. It is no tissue
+    // beside the others, so it is a line of its own.
+    volumes->addSpacing(kSpace1);
+    m_overcutWords = new QLabel(content);
+    m_overcut = addVolume(nullptr, m_overcutWords, "overcut");
+    m_overcutRow = m_overcut->parentWidget();
 
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
@@ -195,7 +195,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         bur->setText(tr("Bur"));
         m_rpm->setToolTip(
             brokenIntoLines(tr("Speed of the bur in revolutions per minute. Load slows it down until it stalls")));
-        setAsked(m_asked);
+        setAsked(m_asked, m_isBlock);
         // The newest figures come with the next frame.
         m_sinceWords.invalidate();
         setFigures({}, {}, {});
@@ -265,9 +265,27 @@ void SidePanel::showFigures()
         telling->setVisible(!m_blindfold);
     const bool tells = m_asked != Asked::Nothing && !m_blindfold;
     m_depth.block->setVisible(m_tellsDepth && tells);
-    m_dentin.block->setVisible(m_tellsDentin && tells);
-    for (QWidget* aim : {m_decay.block, m_margin.block, m_overcutRow})
-        aim->setVisible(m_asked != Asked::Nothing && !m_blindfold);
+    m_decay.block->setVisible(tells);
+    m_overcutRow->setVisible(tells);
+    // They come and go with their values, and leave the others where they are.
+    const auto show = [](const Figure& figure, bool isTold, bool hasValue) {
+        QSizePolicy policy = figure.block->sizePolicy();
+        policy.setRetainSizeWhenHidden(isTold);
+        figure.block->setSizePolicy(policy);
+        figure.block->setVisible(isTold && hasValue);
+    };
+    show(m_dentin, m_tellsDentin && tells && !m_isBlock, m_hasDentin);
+    show(m_margin, tells, m_hasMargin);
+    for (const Material material : {Material::Dentin, Material::Pulp})
+        m_removed.at(at(material))->parentWidget()->setVisible(!m_isBlock);
+}
+
+QString SidePanel::nameOf(Material material) const
+{
+    if (m_isBlock && (material == Material::Enamel || material == Material::Dentin))
+        //: What a practice block is made of, in place of "Enamel"
+        return tr("Block");
+    return text::capitalised(text::materialName(material));
 }
 
 void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
@@ -286,8 +304,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     const bool inPulp = servo.touching && servo.materialUnderBur == Material::Pulp;
     m_swatch->setMaterial(servo.touching ? std::optional(servo.materialUnderBur) : std::nullopt);
     if (servo.touching)
-        setFigure(m_material, text::capitalised(text::materialName(servo.materialUnderBur)), {},
-                  inPulp ? tone.harmText : QColor());
+        setFigure(m_material, nameOf(servo.materialUnderBur), {}, inPulp ? tone.harmText : QColor());
     else if (servo.handpieceOnCrown)
         setFigure(m_material, tr("Handpiece"), {}, quiet);
     else
@@ -313,8 +330,10 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
                   left < kHarmfulDentinMm ? tone.harmText
                   : left < kThinDentinMm  ? tone.attentionText
                                           : QColor());
-    } else {
-        setFigure(m_dentin, dash(), QStringLiteral("mm"), quiet);
+    }
+    if (m_hasDentin != reading.dentinOverPulpMm.has_value()) {
+        m_hasDentin = !m_hasDentin;
+        showFigures();
     }
 
     const double decay = session.wholeMm3.at(at(Material::Caries));
@@ -328,7 +347,9 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         setFigure(m_decay, dash(), {}, quiet);
     }
     for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp}) {
-        const double removed = session.removedMm3.at(at(material));
+        double removed = session.removedMm3.at(at(material));
+        if (m_isBlock && material == Material::Enamel)
+            removed += session.removedMm3.at(at(Material::Dentin));
         TabularLabel* value = m_removed.at(at(material));
         value->setText(text::number(removed, 2), QStringLiteral("mm³"));
         value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
@@ -350,13 +371,16 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     }
 }
 
-void SidePanel::setAsked(Asked asked)
+void SidePanel::setAsked(Asked asked, bool isBlock)
 {
     m_asked = asked;
+    m_isBlock = isBlock;
+    for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp})
+        m_removedNames.at(at(material))->setText(nameOf(material));
     const bool isDecay = asked == Asked::Decay;
     //: Of what is to be taken away: decay, or the preparation that is asked for
     name(m_decay, isDecay ? tr("Decay left") : tr("Still to cut"));
-    m_overcutWords->setText(isDecay ? tr("beside the decay") : tr("beyond the ideal"));
+    m_overcutWords->setText(text::capitalised(isDecay ? tr("beside the decay") : tr("beyond the ideal")));
     m_overcut->setToolTip(isDecay ? brokenIntoLines(text::soundTissueCounted()) : QString());
     showFigures();
     setGuide({}, {});
@@ -372,8 +396,10 @@ void SidePanel::setGuide(const std::optional<double>& marginMm, const std::optio
                   *marginMm < study::kAtLimitMm     ? tone.harmText
                   : *marginMm < study::kNearLimitMm ? tone.attentionText
                                                     : QColor());
-    else
-        setFigure(m_margin, dash(), mm, quiet);
+    if (m_hasMargin != marginMm.has_value()) {
+        m_hasMargin = !m_hasMargin;
+        showFigures();
+    }
     if (m_asked == Asked::Decay)
         return;
     if (progress && progress->askedMm3 > 0.0) {

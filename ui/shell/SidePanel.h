@@ -35,7 +35,8 @@ public:
                     const core::imaging::DepthReading& reading);
     /// What is asked for: decay to come out, a preparation to be cut, or nothing that is cut.
     enum class Asked { Decay, Ideal, Nothing };
-    void setAsked(Asked asked);
+    /// @param isBlock  the work is a practice block: its material is called "block"
+    void setAsked(Asked asked, bool isBlock = false);
     /// How near the bur is to what is to be kept, and how far the work has come against the ideal; nothing where it is
     /// not to be told.
     void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
@@ -49,6 +50,7 @@ public:
 
 private:
     void showFigures();
+    [[nodiscard]] QString nameOf(core::terrain::Material material) const;
     struct Figure
     {
         QWidget* block;
@@ -72,11 +74,15 @@ private:
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
+    std::array<QLabel*, core::terrain::kMaterialCount> m_removedNames{};
     TabularLabel* m_rpm = nullptr;
     TabularLabel* m_overcut = nullptr;
     QWidget* m_overcutRow = nullptr;
     QLabel* m_health = nullptr;
     QWidget* m_removedBlock = nullptr;
+    bool m_isBlock = false;
+    bool m_hasDentin = false;  ///< m_dentin has a value
+    bool m_hasMargin = false;  ///< m_margin has one
     bool m_tellsDepth = true;
     bool m_tellsDentin = true;
     bool m_blindfold = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/Forecast.h"
 
+#include <algorithm>
+
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -13,6 +15,7 @@
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/LessonWords.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
@@ -24,6 +27,7 @@ using namespace ui::shell;
 constexpr int kCardWidthPx = 620;
 constexpr int kTenthsAStep = 10;
 constexpr int kBeginAt = 50;
+constexpr std::size_t kMostCriteria = 3;  ///< to choose from
 
 }  // namespace
 
@@ -99,8 +103,9 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, pare
     column->addWidget(m_show, 0, Qt::AlignLeft);
     column->addStretch(2);
     connect(m_show, &QPushButton::clicked, this, [this] {
+        const int chosen = m_worst->checkedId();
         emit answered({m_slider->value() * kTenthsAStep,
-                       m_worst->checkedButton()->property("criterion").toString().toStdString()});
+                       chosen < 0 ? std::string() : m_offered[static_cast<std::size_t>(chosen)].id});
     });
     body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
     text::inEveryLanguage(this, [this] { speak(); });
@@ -116,17 +121,8 @@ void Forecast::speak()
     m_mark->setText(
         tr("%1. The pass mark is %2 of 100 points. You learn more from a score if you assess your own work first.")
             .arg(m_work, text::points(m_rubric.passMarkTenths)));
-    const QList<QAbstractButton*> answers = m_worst->buttons();
-    for (qsizetype k = 0; k < answers.size(); ++k) {
-        if (k == static_cast<qsizetype>(m_rubric.criteria.size())) {
-            answers[k]->setText(tr("Nothing in particular"));
-            continue;
-        }
-        ::lessons::Criterion line;
-        line.title = m_rubric.criteria[static_cast<std::size_t>(k)].title;
-        line.measure = m_rubric.criteria[static_cast<std::size_t>(k)].measure;
-        answers[k]->setText(text::criterionName(line));
-    }
+    for (std::size_t k = 0; k < m_offered.size(); ++k)
+        m_worst->button(static_cast<int>(k))->setText(titleOf(m_offered[k]));
     showMissing();
 }
 
@@ -147,17 +143,16 @@ void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
     auto* column = new QVBoxLayout(m_criteria);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace1);
+    m_offered = rubric.criteria;
+    std::stable_sort(m_offered.begin(), m_offered.end(),
+                     [](const auto& a, const auto& b) { return a.weightTenths > b.weightTenths; });
+    m_offered.resize(std::min(kMostCriteria, m_offered.size()));
     m_worst = new QButtonGroup(m_criteria);
-    const auto offer = [&](const QString& id) {
+    for (int k = 0; k < static_cast<int>(m_offered.size()); ++k) {
         auto* button = new QRadioButton(m_criteria);
-        button->setProperty("criterion", id);
-        m_worst->addButton(button);
+        m_worst->addButton(button, k);
         column->addWidget(button);
-    };
-    for (const ::lessons::CriterionRule& rule : rubric.criteria)
-        offer(QString::fromStdString(rule.id));
-    offer({});  // nothing in particular
-    connect(m_worst, &QButtonGroup::buttonClicked, this, &Forecast::showMissing);
+    }
     m_criteriaSlot->addWidget(m_criteria);
     // They were made after all other pages, and Tab would come to them last.
     QWidget* before = m_slider;
@@ -171,11 +166,8 @@ void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
 
 void Forecast::showMissing()
 {
-    const bool hasWorst = m_worst != nullptr && m_worst->checkedButton() != nullptr;
-    m_show->setEnabled(m_hasPoints && hasWorst);
-    m_missing->setText(!m_hasPoints ? tr("Set the points that you expect.")
-                       : !hasWorst  ? tr("Choose what cost you most.")
-                                    : QString());
+    m_show->setEnabled(m_hasPoints);
+    m_missing->setText(m_hasPoints ? QString() : tr("Set the points that you expect."));
 }
 
 /// Enter goes on from wherever one is: an answer that is only looked at it chooses first.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "lessons/Rubric.h"
 #include "ui/shell/Page.h"
 #include "ui/study/Expectation.h"
@@ -18,7 +20,8 @@ class TabularLabel;
 namespace ui::study {
 
 /// What the student expects, asked before the score is shown, and nothing is said for him: who judges himself learns
-/// more than who is told (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam).
+/// more than who is told (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam). The points
+/// have to be set. What cost most is a choice of at most three criteria, and may be left open.
 class Forecast final : public shell::Page
 {
     Q_OBJECT
@@ -43,6 +46,7 @@ private:
 
     QString m_work;
     ::lessons::Rubric m_rubric;
+    std::vector<::lessons::CriterionRule> m_offered;  ///< those that weigh most
     QLabel* m_mark = nullptr;
     QSlider* m_slider = nullptr;
     shell::TabularLabel* m_value = nullptr;

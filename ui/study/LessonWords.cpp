@@ -76,6 +76,15 @@ QString begunElsewhereWords()
         "Your last attempt at this exam was started in another window. The work in this window does not count.");
 }
 
+QString noExpertWords(const Lesson* lesson, bool isExamRunning)
+{
+    if (isExamRunning || (lesson != nullptr && lesson->exam))
+        return QCoreApplication::translate("Lesson", "In an exam, the expert's attempt is not shown.");
+    return lesson == nullptr
+               ? QCoreApplication::translate("Lesson", "Only lessons have an expert's attempt. Press F2 to choose one.")
+               : QCoreApplication::translate("Lesson", "This exercise has no expert's attempt.");
+}
+
 QString usedUpWords()
 {
     return QCoreApplication::translate("Lesson",
@@ -147,11 +156,14 @@ QString burWords(const Lesson& lesson)
     return names.join(QStringLiteral("; "));
 }
 
-QString aidWords(const ::lessons::Aids& aids)
+namespace {
+
+/// Those that are allowed, or the others.
+QStringList aidNames(const ::lessons::Aids& aids, bool areAllowed)
 {
     QStringList names;
     const auto add = [&](bool allowed, const char* name) {
-        if (allowed)
+        if (allowed == areAllowed)
             names << QCoreApplication::translate("Lesson", name);
     };
     add(aids.section, QT_TRANSLATE_NOOP("Lesson", "section"));
@@ -163,6 +175,19 @@ QString aidWords(const ::lessons::Aids& aids)
     add(aids.burColour, QT_TRANSLATE_NOOP("Lesson", "bur that changes colour"));
     add(aids.fixture, QT_TRANSLATE_NOOP("Lesson", "guided hand"));
     add(aids.depthStop, QT_TRANSLATE_NOOP("Lesson", "depth stop"));
+    return names;
+}
+
+}  // namespace
+
+QStringList lockedAids(const ::lessons::Aids& aids)
+{
+    return aidNames(aids, false);
+}
+
+QString aidWords(const ::lessons::Aids& aids)
+{
+    const QStringList names = aidNames(aids, true);
     if (aids == ::lessons::Aids{})
         return QCoreApplication::translate("Lesson", "all");
     return names.isEmpty() ? QCoreApplication::translate("Lesson", "none") : names.join(QStringLiteral(", "));

@@ -25,10 +25,15 @@ namespace ui::study {
 [[nodiscard]] QString burWords(const ::lessons::Lesson& lesson);
 /// The aids that are allowed; "none", "all".
 [[nodiscard]] QString aidWords(const ::lessons::Aids& aids);
+/// The aids that are not allowed.
+[[nodiscard]] QStringList lockedAids(const ::lessons::Aids& aids);
 /// "8 minutes", or that there is no limit.
 [[nodiscard]] QString timeWords(const ::lessons::Lesson& lesson);
 /// That no attempt is left to who has been given it.
 [[nodiscard]] QString usedUpWords();
+/// Why there is no expert's attempt to watch.
+/// @param lesson  on the table; null: none
+[[nodiscard]] QString noExpertWords(const ::lessons::Lesson* lesson, bool isExamRunning);
 /// Why an exam counts as nothing.
 [[nodiscard]] QString begunElsewhereWords();
 /// When it is due, as one says it: "due today 17:00", "due Friday", "due 12/12/2026", "17 Nov, 3 days late". Local

@@ -624,6 +624,60 @@ const CatalogEntry* LessonsPage::chosen() const
     return entry.isValid() ? &m_entries[static_cast<std::size_t>(entry.toInt())] : nullptr;
 }
 
+QString LessonsPage::attemptsWords(const std::string& lessonId) const
+{
+    const auto given = m_given.find(lessonId);
+    const auto standing = m_standings.find(lessonId);
+    const auto left = given != m_given.end() ? given->second.attemptsLeft : std::nullopt;
+    QString words = left ? tr("%n attempt(s) left", nullptr, *left) : tr("no limit");
+    if (standing != m_standings.end())
+        //: Of attempts at a lesson; follows "2 attempts left, "
+        words += QStringLiteral(", ") + tr("%1 graded so far").arg(QLocale().toString(standing->second.attempts));
+    return words;
+}
+
+void LessonsPage::setAttemptsLeft(const std::string& lessonId, std::optional<int> left)
+{
+    if (const auto given = m_given.find(lessonId); given != m_given.end())
+        given->second.attemptsLeft = left;
+}
+
+void LessonsPage::takeScore(int tenths, bool passed)
+{
+    Standing& standing = m_standings[m_present];
+    ++standing.attempts;
+    standing.bestTenths = std::max(standing.bestTenths, tenths);
+    standing.passed = standing.passed || passed;
+}
+
+const ::lessons::Lesson* LessonsPage::next() const
+{
+    const CatalogEntry* present = nullptr;
+    for (const CatalogEntry& entry : m_entries)
+        if (entry.read.lesson && entry.read.lesson->id == m_present)
+            present = &entry;
+    for (const CatalogEntry& entry : m_entries)
+        if (&entry != present && isToDo(entry) && !isUsedUp(entry))
+            return &*entry.read.lesson;
+    if (present == nullptr)
+        return nullptr;
+    // As in the catalog: assigned lessons have been moved to the front of the list.
+    const auto place = [](const CatalogEntry& entry) { return std::pair(!entry.isShipped, entry.read.file); };
+    const int group = groupPlace(present->read.lesson->task);
+    const CatalogEntry* after = nullptr;
+    for (const CatalogEntry& entry : m_entries)
+        if (entry.read.lesson && groupPlace(entry.read.lesson->task) == group && place(entry) > place(*present) &&
+            !isUsedUp(entry) && (after == nullptr || place(entry) < place(*after)))
+            after = &entry;
+    return after != nullptr ? &*after->read.lesson : nullptr;
+}
+
+void LessonsPage::startNext()
+{
+    if (const ::lessons::Lesson* const lesson = next(); lesson != nullptr)
+        emit lessonChosen(*lesson);
+}
+
 void LessonsPage::describe()
 {
     delete m_facts;

@@ -75,6 +75,17 @@ public:
     void forget();
     /// What is chosen in the list; null for none.
     [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
+    /// How often a lesson was graded, and how many attempts are left: "1 attempt(s) left, 2 graded so far".
+    [[nodiscard]] QString attemptsWords(const std::string& lessonId) const;
+    /// How many attempts at a lesson are left; no value: no limit. Until setLessons() brings the same.
+    void setAttemptsLeft(const std::string& lessonId, std::optional<int> left);
+    /// The present lesson was graded. Counts until setLessons() brings the same from the database.
+    void takeScore(int tenths, bool passed);
+    /// The lesson to do after the present one: the first assigned lesson that is not passed yet, or else the next
+    /// lesson of the same group in the order of the catalog; null for none.
+    [[nodiscard]] const ::lessons::Lesson* next() const;
+    /// Chooses next(), if there is one.
+    void startNext();
 
 signals:
     void lessonChosen(const ::lessons::Lesson& lesson);

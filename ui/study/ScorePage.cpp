@@ -42,6 +42,7 @@
 #include "ui/study/CriterionRow.h"
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/HeatMap.h"
+#include "ui/study/LessonWords.h"
 #include "ui/study/WorstSection.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -249,6 +250,18 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
         m_buttons->addWidget(button);
     m_back = pageButton(actions.back, "filled", this);
     m_buttons->addWidget(m_back);
+    m_next = new QPushButton(this);
+    m_next->setObjectName(QStringLiteral("nextLesson"));
+    m_next->setProperty("kind", "filled");
+    m_next->setAutoDefault(true);
+    text::inEveryLanguage(m_next, [this] {
+        m_next->setText(tr("Next lesson"));
+        m_next->setAccessibleName(m_next->text());
+        m_next->setToolTip(said(m_nextTitle));
+    });
+    m_next->hide();
+    connect(m_next, &QPushButton::clicked, this, &ScorePage::nextWanted);
+    m_buttons->addWidget(m_next);
     body()->addLayout(m_buttons);
     text::inEveryLanguage(this, [this] {
         speak();
@@ -321,7 +334,18 @@ bool ScorePage::eventFilter(QObject* watched, QEvent* event)
 void ScorePage::showEvent(QShowEvent* event)
 {
     Page::showEvent(event);
-    m_back->setFocus();
+    (m_next->isHidden() ? m_back : m_next)->setFocus();
+}
+
+void ScorePage::setNext(const ::lessons::Lesson* lesson)
+{
+    const bool isOffered = lesson != nullptr && m_sheet.passed();
+    if (isOffered) {
+        m_nextTitle = lesson->title;
+        m_next->setToolTip(said(m_nextTitle));
+    }
+    m_next->setVisible(isOffered);
+    m_back->setVisible(!isOffered);
 }
 
 /// What it came to, in one line: points, verdict, how near the pass mark, what was expected.
@@ -619,6 +643,7 @@ void ScorePage::setScore(std::function<QString()> work, const ::lessons::ScoreSh
     m_sheet = sheet;
     m_expectation = expected;
     m_isShown = true;
+    setNext(nullptr);
     say({});
     m_noiseNow.reset();
     m_standing.reset();

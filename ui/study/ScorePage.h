@@ -70,6 +70,9 @@ public:
     [[nodiscard]] const QString& person() const { return m_person; }
     /// A teacher's score counts in place of the machine's, which stays beneath; nothing: the machine's.
     void setGiven(std::optional<int> tenths);
+    /// After a passed attempt, this lesson is offered as the next, in place of the way back. Null: none is offered.
+    /// setScore() withdraws the offer.
+    void setNext(const ::lessons::Lesson* lesson);
     /// The same, when the database has answered.
     void setHistory(const QList<database::AttemptRecord>& history);
     /// What becomes of the grade that is shown.
@@ -116,6 +119,8 @@ signals:
     void momentWanted(double seconds);
     /// The attempt is to be seen from its beginning.
     void replayWanted();
+    /// Emitted when the user asks for the lesson of setNext().
+    void nextWanted();
     /// A guest wants to log in, so that the grade is kept as his.
     void keepWanted();
 
@@ -206,6 +211,8 @@ private:
     HeatMap* m_heat = nullptr;
     WorstSection* m_section = nullptr;
     QPushButton* m_back = nullptr;
+    QPushButton* m_next = nullptr;
+    ::lessons::LocalText m_nextTitle;
     QList<QPushButton*> m_ofTheTable;  ///< what they do is done to the work on the table, not to an old attempt
     QLabel* m_remark = nullptr;
     QPushButton* m_keep = nullptr;

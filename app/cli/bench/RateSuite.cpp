@@ -82,7 +82,7 @@ core::Result<Figures> rateSuite(const Context& context)
         }
     context.show(chartOf(QStringLiteral("rate-error"),
                          QStringLiteral("Error of the anchor against the rate of the servo: smooth ground"),
-                         {QStringLiteral("error of the anchor, rms (um)"), 0.1, 1000.0, false, false, 10.0}, averages,
+                         {QStringLiteral("error of the anchor, rms (um)"), 0.1, 1000.0, false, 10.0}, averages,
                          &ContactAverage::rmsUm));
     context.show(chartOf(
         QStringLiteral("rate-lag"), QStringLiteral("Lag of the anchor against the rate of the servo: smooth ground"),
