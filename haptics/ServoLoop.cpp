@@ -225,7 +225,10 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
         if (cut)
             markDirty(m_tick->changed());
         guide(static_cast<double>(step.count()) * 1.0e-6);
-        m_strokeEnded = m_stroke.endsWith(cut) || m_strokeEnded;
+        // With a pedal, a stroke lasts until the pedal is released, whatever pauses the hand makes: one press is one
+        // step of undo.
+        const bool isHeld = m_stroke.isInStroke() && sample.pedal.value_or(false) && m_tick->state().drillOn;
+        m_strokeEnded = m_stroke.endsWith(cut || isHeld) || m_strokeEnded;
         if (++m_ticksSinceSent >= kTicksPerGroup || m_strokeEnded)
             sendPatches();
     }

@@ -5004,10 +5004,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Willkommen bei Cusp</translation>
     </message>
     <message>
-        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
-        <translation>Noch keine Benutzer. Legen Sie die Schule an: Sie werden ihr Admin und tragen Lehrkräfte und Studierende ein. Oder üben Sie jetzt, ohne zu speichern.</translation>
-    </message>
-    <message>
         <source>Create the school</source>
         <translation>Schule anlegen</translation>
     </message>
@@ -5027,10 +5023,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Switch user</source>
         <translation>Benutzer wechseln</translation>
-    </message>
-    <message>
-        <source>Practise now</source>
-        <translation>Jetzt üben</translation>
     </message>
     <message>
         <source>Practise without login</source>
@@ -5154,6 +5146,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
         <translation>Ein Benutzername hat 1 bis 64 Zeichen: die Buchstaben a bis z, Ziffern und . _ - @.</translation>
+    </message>
+    <message>
+        <source>Set up a school</source>
+        <translation>Schule einrichten</translation>
+    </message>
+    <message>
+        <source>Drill a virtual tooth and see what to do better.</source>
+        <translation>Präparieren Sie einen virtuellen Zahn und sehen Sie, was Sie besser machen können.</translation>
+    </message>
+    <message>
+        <source>No users yet. You become the admin, and add teachers and students next.</source>
+        <translation>Noch keine Benutzer. Sie werden Admin und fügen danach Lehrende und Studierende hinzu.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
     </message>
 </context>
 <context>
@@ -5328,6 +5336,25 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>%n Punktzahl ist getippt und noch nicht vergeben.</numerusform>
             <numerusform>%n Punktzahlen sind getippt und noch nicht vergeben.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::WelcomeChoices</name>
+    <message>
+        <source>Practise now</source>
+        <translation>Jetzt üben</translation>
+    </message>
+    <message>
+        <source>A tooth with decay is ready. Nothing is saved.</source>
+        <translation>Ein Zahn mit Karies liegt bereit. Nichts wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Set up a school</source>
+        <translation>Schule einrichten</translation>
+    </message>
+    <message>
+        <source>Users, lessons and score histories. You become the admin.</source>
+        <translation>Benutzer, Lektionen und Notenverläufe. Sie werden Admin.</translation>
     </message>
 </context>
 <context>
@@ -8044,6 +8071,34 @@ ungesichert</translation>
     <message>
         <source>Choose what the view shows</source>
         <translation>Wählen, was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>Blick von</translation>
+    </message>
+    <message>
+        <source>Occlusal</source>
+        <translation>Okklusal</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>Bukkal</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>Lingual</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>Mesial</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>Distal</translation>
+    </message>
+    <message>
+        <source>Apical</source>
+        <translation>Apikal</translation>
     </message>
 </context>
 <context>

@@ -5004,10 +5004,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Le damos la bienvenida a Cusp</translation>
     </message>
     <message>
-        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
-        <translation>Todavía no hay usuarios. Cree la escuela: usted será su administrador y añadirá docentes y estudiantes. O practique ahora sin guardar nada.</translation>
-    </message>
-    <message>
         <source>Create the school</source>
         <translation>Crear la escuela</translation>
     </message>
@@ -5027,10 +5023,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Switch user</source>
         <translation>Cambiar de usuario</translation>
-    </message>
-    <message>
-        <source>Practise now</source>
-        <translation>Practicar ahora</translation>
     </message>
     <message>
         <source>Practise without login</source>
@@ -5154,6 +5146,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
         <translation>Un nombre de usuario tiene de 1 a 64 caracteres: letras de la a a la z, cifras y . _ - @.</translation>
+    </message>
+    <message>
+        <source>Set up a school</source>
+        <translation>Crear una escuela</translation>
+    </message>
+    <message>
+        <source>Drill a virtual tooth and see what to do better.</source>
+        <translation>Talle un diente virtual y vea qué puede mejorar.</translation>
+    </message>
+    <message>
+        <source>No users yet. You become the admin, and add teachers and students next.</source>
+        <translation>Aún no hay usuarios. Usted será el administrador y añadirá después profesores y estudiantes.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
     </message>
 </context>
 <context>
@@ -5328,6 +5336,25 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>Se ha escrito %n puntuación que aún no se ha asignado.</numerusform>
             <numerusform>Se han escrito %n puntuaciones que aún no se han asignado.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::WelcomeChoices</name>
+    <message>
+        <source>Practise now</source>
+        <translation>Practicar ahora</translation>
+    </message>
+    <message>
+        <source>A tooth with decay is ready. Nothing is saved.</source>
+        <translation>Hay un diente con caries listo. No se guarda nada.</translation>
+    </message>
+    <message>
+        <source>Set up a school</source>
+        <translation>Crear una escuela</translation>
+    </message>
+    <message>
+        <source>Users, lessons and score histories. You become the admin.</source>
+        <translation>Usuarios, lecciones e historial de notas. Usted será el administrador.</translation>
     </message>
 </context>
 <context>
@@ -8044,6 +8071,34 @@ sin guardar</translation>
     <message>
         <source>Choose what the view shows</source>
         <translation>Elegir qué muestra la vista</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>Mirar desde</translation>
+    </message>
+    <message>
+        <source>Occlusal</source>
+        <translation>Oclusal</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>Vestibular</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>Lingual</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>Mesial</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>Distal</translation>
+    </message>
+    <message>
+        <source>Apical</source>
+        <translation>Apical</translation>
     </message>
 </context>
 <context>

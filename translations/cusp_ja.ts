@@ -4972,10 +4972,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>Cuspへようこそ</translation>
     </message>
     <message>
-        <source>No users yet. Create the school: you become its admin and add teachers and students. Or practise now without saving.</source>
-        <translation>ユーザーがまだいません。学校を作成すると、あなたが管理者となり、教員と学生を登録できます。保存せずにすぐ練習することもできます。</translation>
-    </message>
-    <message>
         <source>Create the school</source>
         <translation>学校を作成</translation>
     </message>
@@ -4995,10 +4991,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Switch user</source>
         <translation>ユーザーを切り替え</translation>
-    </message>
-    <message>
-        <source>Practise now</source>
-        <translation>すぐに練習</translation>
     </message>
     <message>
         <source>Practise without login</source>
@@ -5114,6 +5106,22 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
         <translation>ユーザー名は1〜64文字で、英字a〜z、数字、. _ - @ が使えます。</translation>
+    </message>
+    <message>
+        <source>Set up a school</source>
+        <translation>学校を設定</translation>
+    </message>
+    <message>
+        <source>Drill a virtual tooth and see what to do better.</source>
+        <translation>仮想の歯を削り、改善点を確かめましょう。</translation>
+    </message>
+    <message>
+        <source>No users yet. You become the admin, and add teachers and students next.</source>
+        <translation>まだユーザーがいません。あなたが管理者になり、続いて教員と学生を追加します。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
     </message>
 </context>
 <context>
@@ -5284,6 +5292,25 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>
             <numerusform>入力したまま、まだ付けていない点数が %n 件あります。</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::WelcomeChoices</name>
+    <message>
+        <source>Practise now</source>
+        <translation>今すぐ練習</translation>
+    </message>
+    <message>
+        <source>A tooth with decay is ready. Nothing is saved.</source>
+        <translation>う蝕のある歯が用意されています。保存はされません。</translation>
+    </message>
+    <message>
+        <source>Set up a school</source>
+        <translation>学校を設定</translation>
+    </message>
+    <message>
+        <source>Users, lessons and score histories. You become the admin.</source>
+        <translation>ユーザー、レッスン、得点の履歴。あなたが管理者になります。</translation>
     </message>
 </context>
 <context>
@@ -7992,6 +8019,34 @@ unsaved</source>
     <message>
         <source>Choose what the view shows</source>
         <translation>表示する内容を選びます</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>見る方向</translation>
+    </message>
+    <message>
+        <source>Occlusal</source>
+        <translation>咬合面</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>頬側</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>舌側</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>近心</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>遠心</translation>
+    </message>
+    <message>
+        <source>Apical</source>
+        <translation>根尖側</translation>
     </message>
 </context>
 <context>

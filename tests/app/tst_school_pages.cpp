@@ -53,11 +53,18 @@ private slots:
     {
         QVERIFY(QFile::remove(file()));
         start();
-        WAIT_FOR_VALUE(door(), Door::NewSchool);
+        WAIT_FOR_VALUE(door(), Door::Welcome);
+        QVERIFY(!child<QLineEdit>("username")->isVisible());
+        click("practiseNow");
+        WAIT_FOR(!isAtDoor());
         // A guest who goes back to the login sees the same page.
-        beGuest();
         actions().account->trigger();
+        QCOMPARE(door(), Door::Welcome);
+        click("setUpSchool");
         QCOMPARE(door(), Door::NewSchool);
+        click("otherLogin");
+        QCOMPARE(door(), Door::Welcome);
+        click("setUpSchool");
         child<QLineEdit>("passwordAgain")->setText(kRight);
         typeLogin("nora");
         WAIT_FOR_VALUE(actions().account->text(), QString("nora"));

@@ -90,6 +90,28 @@ class TestSessionLoop : public QObject
 {
     Q_OBJECT
 private slots:
+    void onePressIsOneStep()
+    {
+        Drilling rig;
+        const std::uint64_t uncut = rig.liveHash();
+        rig.device.pedal = true;
+        // Two cuts with a long way through the air between them, with the pedal pressed all the time.
+        rig.lean(-1.0, 0.0, 2.0, 300);
+        rig.device.tipMm.z = 2.0F;
+        rig.run(3 * StrokeWatch::kPauseTicks);
+        rig.lean(1.0, 0.0, 2.0, 300);
+        rig.device.tipMm.z = 2.0F;
+        rig.run(2 * StrokeWatch::kPauseTicks);
+        rig.device.pedal = false;
+        rig.run(2 * StrokeWatch::kPauseTicks);
+        rig.settle();
+        QCOMPARE(state(rig).undoSteps, 1);
+        QVERIFY(rig.liveHash() != uncut);
+        rig.give(Undo{});
+        QCOMPARE(rig.liveHash(), uncut);
+        QCOMPARE(rig.mirrorHash(), uncut);
+    }
+
     void undoAndRedoGoStrokeByStroke()
     {
         Drilling rig;

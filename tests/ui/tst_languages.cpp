@@ -347,6 +347,7 @@ private slots:
         });
         for (const auto& [name, door] : {std::pair("login", ui::people::Door::Login),
                                          {"new password", ui::people::Door::NewPassword},
+                                         {"welcome", ui::people::Door::Welcome},
                                          {"new school", ui::people::Door::NewSchool},
                                          {"own password", ui::people::Door::OwnPassword},
                                          {"locked", ui::people::Door::Locked}})

@@ -104,7 +104,6 @@ private slots:
             QVERIFY(child<QLineEdit>(name)->text().isEmpty());
     }
 
-    /// Of a large file, or one whose disk has much to do; what takes a moment is not.
     void aOneTimeCodeLeadsToTheFirstPasswordField()
     {
         spoil();
@@ -133,6 +132,7 @@ private slots:
         }
     }
 
+    /// Of a large file, or one whose disk has much to do; what takes a moment is not.
     void whatIsWaitedForAtTheDoorIsTold()
     {
         m_window->askWho(Door::Login);

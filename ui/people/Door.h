@@ -8,7 +8,8 @@ enum class Door {
     Login,
     NewPassword,  ///< after a one-time code: choose a password
     OwnPassword,  ///< change the password of the logged-in user
-    NewSchool,    ///< the database has no users
+    Welcome,      ///< the database has no users: practise, or set up a school
+    NewSchool,    ///< name the first user of a school, its admin
     Locked        ///< the user locked the window: unlock it, or switch user
 };
 

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "database/Usernames.h"
+#include "ui/people/WelcomeChoices.h"
 #include "ui/shell/Announce.h"
 #include "ui/shell/LanguageMenu.h"
 #include "ui/shell/ScrollPane.h"
@@ -38,7 +39,7 @@ constexpr int kSoonMs = 600;  ///< what takes longer is told; to look at a passw
 LoginPage::LoginPage(QWidget* parent)
     : QWidget(parent), m_card(new QFrame(this)), m_column(new QVBoxLayout(m_card)), m_title(new QLabel(m_card)),
       m_words(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
-      m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
+      m_choices(new WelcomeChoices(m_card)), m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
       m_old(field("oldPassword", true)), m_password(field("password", true)), m_again(field("passwordAgain", true)),
       m_keep(new QCheckBox(m_card)), m_fault(study::faultLabel(m_card)),
       m_waiting(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
@@ -59,6 +60,9 @@ LoginPage::LoginPage(QWidget* parent)
     m_column->addWidget(m_title);
     m_column->addWidget(m_words);
     m_column->addSpacing(kSpace2);
+    m_column->addWidget(m_choices);
+    connect(m_choices, &WelcomeChoices::practiceWanted, this, &LoginPage::guestWanted);
+    connect(m_choices, &WelcomeChoices::schoolWanted, this, [this] { ask(Door::NewSchool); });
     for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again}) {
         auto* caption = new QLabel(m_card);
         caption->setFont(typeface(kSmall));
@@ -143,7 +147,9 @@ LoginPage::LoginPage(QWidget* parent)
             submit();
         });
     connect(m_other, &QPushButton::clicked, this, [this] {
-        if (m_door == Door::Locked)
+        if (m_door == Door::NewSchool)
+            ask(Door::Welcome);
+        else if (m_door == Door::Locked)
             emit otherWanted();
         else if (m_isIn)
             emit leaveWanted();
@@ -204,9 +210,10 @@ void LoginPage::ask(Door door, bool isIn)
         firstInput()->setFocus();
 }
 
-QLineEdit* LoginPage::firstInput() const
+QWidget* LoginPage::firstInput() const
 {
-    return m_door == Door::Login || m_door == Door::NewSchool ? m_name
+    return m_door == Door::Welcome ? m_choices->first()
+           : m_door == Door::Login || m_door == Door::NewSchool ? m_name
            : m_door == Door::OwnPassword                      ? m_old
                                                               : m_password;
 }
@@ -220,14 +227,18 @@ void LoginPage::showEvent(QShowEvent* event)
 void LoginPage::arrange()
 {
     const bool isNew = m_door == Door::NewSchool;
+    const bool isWelcome = m_door == Door::Welcome;
+    m_choices->setVisible(isWelcome);
+    m_password->setVisible(!isWelcome);
+    m_go->setVisible(!isWelcome);
     m_name->setVisible(m_door == Door::Login || isNew);
     m_given->setVisible(isNew);
     m_family->setVisible(isNew);
     m_old->setVisible(m_door == Door::OwnPassword);
     m_again->setVisible(isNew || m_door == Door::NewPassword || m_door == Door::OwnPassword);
-    m_other->setVisible(m_door == Door::NewPassword || m_door == Door::Locked || m_door == Door::OwnPassword);
+    m_other->setVisible(isNew || m_door == Door::NewPassword || m_door == Door::Locked || m_door == Door::OwnPassword);
     m_change->setVisible(m_door == Door::Locked);
-    m_guest->setVisible(m_door == Door::Login || isNew);
+    m_guest->setVisible(m_door == Door::Login);
     m_keep->setVisible(m_kept && (m_door == Door::Login || m_door == Door::NewPassword));
     for (const auto& [input, caption] : m_captions)
         caption->setVisible(input->isVisibleTo(m_card));
@@ -261,15 +272,18 @@ void LoginPage::speak()
         m_words->setText(tr("At least eight characters."));
         m_go->setText(tr("Change the password"));
         break;
-    case Door::NewSchool:
+    case Door::Welcome:
         m_title->setText(tr("Welcome to Cusp"));
         m_words->setText(m_backupMade.isValid()
                              //: %1: a file
                              ? tr("The school's database was not found: %1 has no users. Restore the backup below, or "
                                   "create a new school and become its admin.")
                                    .arg(m_where)
-                             : tr("No users yet. Create the school: you become its admin and add teachers and "
-                                  "students. Or practise now without saving."));
+                             : tr("Drill a virtual tooth and see what to do better."));
+        break;
+    case Door::NewSchool:
+        m_title->setText(tr("Set up a school"));
+        m_words->setText(tr("No users yet. You become the admin, and add teachers and students next."));
         m_go->setText(tr("Create the school"));
         break;
     case Door::Locked:
@@ -281,10 +295,12 @@ void LoginPage::speak()
         break;
     }
     //: Back, without having changed the password
-    m_other->setText(m_door == Door::OwnPassword ? tr("Cancel") : tr("Switch user"));
+    m_other->setText(m_door == Door::OwnPassword ? tr("Cancel")
+                     : m_door == Door::NewSchool ? tr("Back")
+                                                 : tr("Switch user"));
     m_change->setText(tr("Change my password"));
     m_change->setAccessibleName(m_change->text());
-    m_guest->setText(m_door == Door::NewSchool ? tr("Practise now") : tr("Practise without login"));
+    m_guest->setText(tr("Practise without login"));
     const auto name = [this](QLineEdit* input, const QString& words) {
         m_captions[input]->setText(words);
         input->setAccessibleName(words);
@@ -452,6 +468,8 @@ void LoginPage::submit()
     if (m_door == Door::NewSchool && !areNamesFit())
         return;
     switch (m_door) {
+    case Door::Welcome:
+        break;
     case Door::Login:
         if (m_name->text().trimmed().isEmpty() || password.isEmpty()) {
             (password.isEmpty() && !m_name->text().isEmpty() ? m_password : m_name)->setFocus();

@@ -22,6 +22,8 @@ class QVBoxLayout;
 
 namespace ui::people {
 
+class WelcomeChoices;
+
 /// The door: name and password, or a school that is to be created, or practice without a login.
 class LoginPage final : public QWidget
 {
@@ -78,7 +80,7 @@ protected:
 private:
     QLineEdit* field(const char* name, bool isPassword);
     void arrange();
-    [[nodiscard]] QLineEdit* firstInput() const;
+    [[nodiscard]] QWidget* firstInput() const;
     void speak();
     void submit();
     void tellFault(std::function<QString()> sentence);
@@ -96,6 +98,7 @@ private:
     QVBoxLayout* m_column;
     QLabel* m_title;
     QLabel* m_words;
+    WelcomeChoices* m_choices;
     QLineEdit* m_name;
     QLineEdit* m_given;
     QLineEdit* m_family;

@@ -21,25 +21,53 @@ constexpr QRgb kOcclusal = 0xFF56C7C9;
 constexpr double kArm = 0.74;   ///< of the radius: where the letters stand
 constexpr double kKnob = 0.21;  ///< radius of a letter's knob, at the depth of the centre
 
-}  // namespace
-
-void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::dmat3& eyeFromTooth,
-                const GizmoLetters& letters)
+struct End
 {
-    struct End
-    {
-        glm::dvec3 way;
-        std::size_t letter;
-    };
+    glm::dvec3 way;
+    std::size_t letter;
+};
+
+/// Returns the ends that are drawn, from far to near: the eye looks along -z.
+std::vector<End> endsOf(const glm::dmat3& eyeFromTooth, const GizmoLetters& letters)
+{
     std::vector<End> ends;
     for (std::size_t k = 0; k < letters.size(); ++k) {
         const auto axis = static_cast<glm::length_t>(k / 2);
         if (!letters.at(k).isEmpty())
             ends.push_back({(k % 2 == 0 ? -1.0 : 1.0) * eyeFromTooth[axis], k});
     }
-    // From far to near: the eye looks along -z.
     std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.way.z < b.way.z; });
+    return ends;
+}
 
+QPointF placeOf(const End& end, QPointF centre, double radiusPx)
+{
+    return centre + kArm * radiusPx * QPointF(end.way.x, -end.way.y);
+}
+
+double knobOf(const End& end, double radiusPx)
+{
+    return kKnob * radiusPx * (1.0 + 0.1 * end.way.z);
+}
+
+}  // namespace
+
+std::optional<std::size_t> gizmoEndAt(QPointF point, QPointF centre, double radiusPx, const glm::dmat3& eyeFromTooth,
+                                      const GizmoLetters& letters)
+{
+    std::optional<std::size_t> found;
+    for (const End& end : endsOf(eyeFromTooth, letters)) {
+        const QPointF off = point - placeOf(end, centre, radiusPx);
+        if (std::hypot(off.x(), off.y()) <= 1.2 * knobOf(end, radiusPx))
+            found = end.letter;
+    }
+    return found;
+}
+
+void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::dmat3& eyeFromTooth,
+                const GizmoLetters& letters)
+{
+    const std::vector<End> ends = endsOf(eyeFromTooth, letters);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     QColor disc(kDisc);
@@ -49,11 +77,11 @@ void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::d
     painter.drawEllipse(centre, radiusPx, radiusPx);
     for (const End& end : ends) {
         const double near = 0.5 + 0.5 * end.way.z;
-        const QPointF at = centre + kArm * radiusPx * QPointF(end.way.x, -end.way.y);
+        const QPointF at = placeOf(end, centre, radiusPx);
         QColor ink(end.letter == 5 ? kOcclusal : kInk);
         ink.setAlphaF(static_cast<float>(0.45 + 0.55 * near));
         painter.setPen(QPen(ink, 2.0, Qt::SolidLine, Qt::RoundCap));
-        const double knob = kKnob * radiusPx * (0.9 + 0.2 * near);
+        const double knob = knobOf(end, radiusPx);
         // The line ends where the knob begins.
         if (const double length = std::hypot(at.x() - centre.x(), at.y() - centre.y()); length > knob)
             painter.drawLine(centre, at - (at - centre) * (knob / length));

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 
 #include <glm/mat3x3.hpp>
 
@@ -21,5 +23,10 @@ using GizmoLetters = std::array<QString, 6>;
 /// @param radiusPx      of the whole
 void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::dmat3& eyeFromTooth,
                 const GizmoLetters& letters);
+
+/// Returns which end of an axis is painted at a point, the nearest to the eye first; nothing if there is none. Other
+/// arguments as for paintGizmo().
+[[nodiscard]] std::optional<std::size_t> gizmoEndAt(QPointF point, QPointF centre, double radiusPx,
+                                                    const glm::dmat3& eyeFromTooth, const GizmoLetters& letters);
 
 }  // namespace ui::render

@@ -1420,6 +1420,7 @@ void MainWindow::connectView()
     };
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
     take(m_viewMenu->settings());
+    connect(m_viewMenu, &ViewMenu::sideWanted, m_view, &tooth::ToothView::lookFrom);
     connect(m_viewMenu, &ViewMenu::stereoPageWanted, this, [this] {
         m_stereoCard->open(m_viewMenu->settings().presentation, m_viewMenu->stereoWay());
         placeOverlays();

@@ -266,7 +266,7 @@ public slots:
     /// without a login where the door offers that.
     void askWho(people::Door door);
     /// Somebody is to log in; where nobody is entered yet, to create the school.
-    void askLogin() { askWho(m_isNewSchool ? people::Door::NewSchool : people::Door::Login); }
+    void askLogin() { askWho(m_isNewSchool ? people::Door::Welcome : people::Door::Login); }
     /// The same where a guest's grade waits for who it is: he is told so, and may say that it is not his.
     void askLoginToKeep();
     [[nodiscard]] bool keepsOnLogin() const;

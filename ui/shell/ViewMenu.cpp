@@ -2,6 +2,8 @@
 #include "ui/shell/ViewMenu.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <QMenu>
 #include <QToolButton>
@@ -40,6 +42,7 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     text::inEveryLanguage(m_menu, [this] { m_menu->setAccessibleName(tr("View")); });
     for (QAction* action : {actions.resetView, actions.turnRound})
         m_menu->addAction(action);
+    m_menu->addMenu(makeSides());
     m_menu->addSeparator();
     for (QAction* action : {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours,
                             actions.idealColours, actions.burColour, actions.fixture, actions.handPlace})
@@ -69,6 +72,24 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
           actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
         connect(action, &QAction::triggered, this, &ViewMenu::take);
     connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
+}
+
+QMenu* ViewMenu::makeSides()
+{
+    auto* sides = new QMenu(m_menu);
+    constexpr std::array<std::pair<const char*, const char*>, 6> kSides{{{"occlusal", QT_TR_NOOP("Occlusal")},
+                                                                         {"buccal", QT_TR_NOOP("Buccal")},
+                                                                         {"lingual", QT_TR_NOOP("Lingual")},
+                                                                         {"mesial", QT_TR_NOOP("Mesial")},
+                                                                         {"distal", QT_TR_NOOP("Distal")},
+                                                                         {"below", QT_TR_NOOP("Apical")}}};
+    for (const auto& [name, words] : kSides) {
+        QAction* side = sides->addAction(QString());
+        connect(side, &QAction::triggered, this, [this, name = QLatin1String(name)] { emit sideWanted(name); });
+        text::inEveryLanguage(sides, [side, words = words] { side->setText(tr(words)); });
+    }
+    text::inEveryLanguage(sides, [sides] { sides->setTitle(tr("Look from")); });
+    return sides;
 }
 
 QList<QAction*> ViewMenu::actions() const

@@ -41,8 +41,11 @@ public:
 signals:
     void chosen(const ui::tooth::ViewSettings& settings);
     void stereoPageWanted();
+    /// The tooth is to be seen from a named side (tooth::viewpointNames()).
+    void sideWanted(const QString& viewpoint);
 
 private:
+    QMenu* makeSides();
     void read();
     void take();
 

@@ -663,10 +663,10 @@ const ::lessons::Lesson* LessonsPage::next() const
         return nullptr;
     // As in the catalog: assigned lessons have been moved to the front of the list.
     const auto place = [](const CatalogEntry& entry) { return std::pair(!entry.isShipped, entry.read.file); };
-    const int group = groupPlace(present->read.lesson->task);
+    const int group = groupPlace(*present->read.lesson);
     const CatalogEntry* after = nullptr;
     for (const CatalogEntry& entry : m_entries)
-        if (entry.read.lesson && groupPlace(entry.read.lesson->task) == group && place(entry) > place(*present) &&
+        if (entry.read.lesson && groupPlace(*entry.read.lesson) == group && place(entry) > place(*present) &&
             !isUsedUp(entry) && (after == nullptr || place(entry) < place(*after)))
             after = &entry;
     return after != nullptr ? &*after->read.lesson : nullptr;

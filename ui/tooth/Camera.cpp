@@ -36,18 +36,19 @@ void Camera::setViewport(glm::dvec2 sizePx)
         fit();
 }
 
-void Camera::setStart(double azimuthDeg)
+void Camera::setStart(double azimuthDeg, double elevationDeg)
 {
-    if (azimuthDeg == m_startDeg)
+    if (azimuthDeg == m_startDeg && elevationDeg == m_startHeightDeg)
         return;
     m_startDeg = azimuthDeg;
+    m_startHeightDeg = elevationDeg;
     reset();
 }
 
 void Camera::reset()
 {
     m_azimuthDeg = m_startDeg;
-    m_elevationDeg = kStartElevationDeg;
+    m_elevationDeg = m_startHeightDeg;
     fit();
 }
 

@@ -25,6 +25,7 @@ public:
     static constexpr double kFieldOfViewDeg = 27.0;  ///< vertical
     static constexpr double kStartAzimuthDeg = 18.0;
     static constexpr double kStartElevationDeg = 48.0;
+    static constexpr double kAboveDeg = 70.0;  ///< elevation from which a cavity is seen to its floor
     static constexpr double kLowestDeg = -85.0;  ///< from below, where a perforation shows
     static constexpr double kHighestDeg = 88.0;
 
@@ -32,8 +33,9 @@ public:
     void setSubject(glm::dvec3 centreMm, double radiusMm);
     void setViewport(glm::dvec2 sizePx);
 
-    /// The azimuth that reset() goes back to; goes there at once if it is another than before.
-    void setStart(double azimuthDeg);
+    /// The direction that reset() goes back to; goes there at once if it is another than before.
+    void setStart(double azimuthDeg, double elevationDeg = kStartElevationDeg);
+    [[nodiscard]] double startAzimuthDeg() const { return m_startDeg; }
     /// Back to the start: the whole crown, three quarters from above.
     void reset();
     /// From where another camera looks, at what it looks at.
@@ -81,6 +83,7 @@ private:
     double m_radiusMm = 7.0;
     glm::dvec2 m_sizePx{1280.0, 800.0};
     double m_startDeg = kStartAzimuthDeg;
+    double m_startHeightDeg = kStartElevationDeg;
     double m_azimuthDeg = kStartAzimuthDeg;
     double m_elevationDeg = kStartElevationDeg;
     double m_distanceMm = 40.0;

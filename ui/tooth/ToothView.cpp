@@ -126,6 +126,8 @@ void ToothView::setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy
 void ToothView::setIdeal(const core::grading::IdealTop& ideal)
 {
     m_surface->setIdeal(ideal);
+    if (ideal)
+        m_camera.setStart(m_camera.startAzimuthDeg(), Camera::kAboveDeg);
     m_surfaceIsNew = true;
     redraw();
 }
@@ -290,6 +292,12 @@ void ToothView::lookAs(const Camera& camera)
 {
     m_camera.lookAs(camera);
     redrawMoving();
+}
+
+void ToothView::lookFrom(const QString& viewpoint)
+{
+    if (m_surface && goTo(m_camera, viewpoint, m_surface->anatomy().fdi))
+        redrawMoving();
 }
 
 void ToothView::lookAt(const std::optional<core::session::Sight>& sight, glm::dvec3 placeMm)
@@ -533,6 +541,17 @@ void ToothView::drawGizmo(QPainter& painter)
         render::paintGizmo(paint, QPointF(kGizmoPx, kGizmoPx), kGizmoPx, turn, gizmoLetters(m_surface->anatomy().fdi));
     }
     painter.drawPixmap(QPointF(kGizmoInPx, kGizmoInPx), m_gizmo);
+}
+
+/// Which letter of the gizmo is under a place of the window; of two pictures side by side none.
+std::optional<std::size_t> ToothView::gizmoEndAt(QPointF position) const
+{
+    const render::Presentation& how = m_settings.presentation;
+    if (!m_gizmoTurn || !m_surface || how.stereo != render::Stereo::Off || how.flipLeftRight || how.flipUpDown)
+        return std::nullopt;
+    constexpr double kMiddlePx = kGizmoInPx + kGizmoPx;
+    return render::gizmoEndAt(position, {kMiddlePx, kMiddlePx}, kGizmoPx, *m_gizmoTurn,
+                              gizmoLetters(m_surface->anatomy().fdi));
 }
 
 /// The same of a way: it may go from one half to the other.
@@ -803,7 +822,10 @@ void ToothView::pushAt(QPointF position)
 
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && isOnMirror(event->position())) {
+    if (const auto end = gizmoEndAt(event->position()); end && event->button() == Qt::LeftButton) {
+        lookFromEnd(m_camera, *end);
+        redrawMoving();
+    } else if (event->button() == Qt::LeftButton && isOnMirror(event->position())) {
         m_mirrorHeld = true;
         m_turnedAt = event->position();
     } else if (event->button() == Qt::LeftButton) {

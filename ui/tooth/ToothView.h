@@ -87,6 +87,8 @@ public:
     /// Places that somebody remarked something of, mm, in the tooth's frame; a new tooth has none.
     void setPins(std::vector<glm::dvec3> placesMm);
     void resetCamera();
+    /// Looks from a named side (viewpointNames()); does nothing where nothing says which side that is.
+    void lookFrom(const QString& viewpoint);
     /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
     /// From where another view looks.
@@ -160,6 +162,7 @@ private:
     void moveStop(double stepMm);
     void aim();
     void drawGizmo(QPainter& painter);
+    [[nodiscard]] std::optional<std::size_t> gizmoEndAt(QPointF position) const;
     void drawPoints(QPainter& painter);
     void drawPins(QPainter& painter);
     void drawPads(QPainter& painter);

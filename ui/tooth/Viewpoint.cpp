@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -189,6 +190,19 @@ core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
                                                                   " or AZ,EL,DIST in degrees, degrees and mm");
     camera.set(values[0], values[1], values[2]);
     return {};
+}
+
+void lookFromEnd(Camera& camera, std::size_t end)
+{
+    constexpr std::array<std::pair<double, double>, 6> kAngles{{{-90.0, kSideElevationDeg},
+                                                                {90.0, kSideElevationDeg},
+                                                                {0.0, kSideElevationDeg},
+                                                                {180.0, kSideElevationDeg},
+                                                                {0.0, Camera::kLowestDeg},
+                                                                {0.0, Camera::kHighestDeg}}};
+    const auto [azimuth, elevation] = kAngles.at(end);
+    camera.reset();
+    camera.set(azimuth, elevation, camera.fittingMm());
 }
 
 }  // namespace ui::tooth

@@ -38,4 +38,8 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 /// @param fdi  of the tooth, 0 where it is unknown
 [[nodiscard]] core::Status goTo(Camera& camera, const QString& viewpoint, int fdi);
 
+/// Takes the camera to where it looks along an axis of the tooth, with all of the tooth in the picture.
+/// @param end  of the axis, at which the eye is then: -x, +x, -y, +y, -z, +z, as in render::GizmoLetters
+void lookFromEnd(Camera& camera, std::size_t end);
+
 }  // namespace ui::tooth
