@@ -32,6 +32,28 @@ void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, con
     gl.glUniformMatrix4fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
 }
 
+/// Heights between which the gum around the tooth itself fades, x above y: of a gum whose tooth is not among the
+/// pieces.
+glm::vec2 fadeOf(const std::vector<core::teeth::ArchPiece>& pieces)
+{
+    glm::vec2 fade(kNoFadeMm, kNoFadeMm - 1.0F);
+    for (const core::teeth::ArchPiece& gum : pieces) {
+        const bool isBeside = std::any_of(pieces.begin(), pieces.end(), [&](const core::teeth::ArchPiece& piece) {
+            return piece.tooth && piece.fdi == gum.fdi;
+        });
+        if (gum.tooth || isBeside)
+            continue;
+        fade = {kNoFadeMm, 0.0F};
+        for (const core::teeth::LookVertex& v : gum.mesh->vertices) {
+            if (v.shown <= 0.0F || v.shown >= 1.0F)
+                continue;
+            const auto z = static_cast<float>((gum.place * glm::dvec4(v.positionMm, 1.0)).z);
+            fade = {std::max(fade.x, z), std::min(fade.y, z)};
+        }
+    }
+    return fade.x > fade.y ? fade : glm::vec2(kNoFadeMm, kNoFadeMm - 1.0F);
+}
+
 }  // namespace
 
 ToothRenderer::ToothRenderer() = default;
@@ -116,6 +138,7 @@ void ToothRenderer::spoilStills(const ToothSurface::Changes& changes)
 
 void ToothRenderer::setNeighbours(std::vector<core::teeth::ArchPiece> pieces)
 {
+    m_fadeMm = fadeOf(pieces);
     m_neighbours.setPieces(std::move(pieces));
     ++m_surfaces;
 }
@@ -211,6 +234,8 @@ void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
         beside.towardsLight = scene.towardsLight;
         beside.clipPlane = glm::dvec4(m_clipPlane);
         beside.dimmed = kNeighboursDimmed;
+        beside.lamp = crownInClip(scene);
+        beside.aspect = scene.sizePx.x / scene.sizePx.y;
         m_neighbours.draw(beside);
     }
     if (!m_maps.isEmpty())
@@ -347,15 +372,20 @@ void ToothRenderer::drawPart(Part& part)
     glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, nullptr);
 }
 
+glm::vec2 ToothRenderer::crownInClip(const Scene& scene) const
+{
+    const glm::dvec4 crown = scene.clipFromEye * scene.eyeFromTooth * glm::dvec4(m_crownMm, 1.0);
+    return {glm::dvec2(crown) / crown.w};
+}
+
 void ToothRenderer::drawBackdrop(const Scene& scene)
 {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
-    const glm::dvec4 crown = scene.clipFromEye * scene.eyeFromTooth * glm::dvec4(m_crownMm, 1.0);
+    const glm::vec2 crown = crownInClip(scene);
     m_backdropProgram.bind();
-    m_backdropProgram.setUniformValue("crown", static_cast<float>(crown.x / crown.w),
-                                      static_cast<float>(crown.y / crown.w));
+    m_backdropProgram.setUniformValue("crown", crown.x, crown.y);
     m_backdropProgram.setUniformValue("aspect", scene.sizePx.x / scene.sizePx.y);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -384,6 +414,10 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     useTooth(m_toothProgram, scene);
     m_toothProgram.setUniformValue("distinct", scene.look.palette == Palette::Distinct);
     m_toothProgram.setUniformValue("wet", scene.look.isWet ? 1.0F : 0.0F);
+    const glm::vec2 crown = crownInClip(scene);
+    m_toothProgram.setUniformValue("crown", crown.x, crown.y);
+    m_toothProgram.setUniformValue("aspect", scene.sizePx.x / scene.sizePx.y);
+    m_toothProgram.setUniformValue("fadeMm", m_fadeMm.x, m_fadeMm.y);
     const DepthColours colours = scene.look.depthColours;
     m_toothProgram.setUniformValue("depthColours", static_cast<int>(colours));
     m_toothProgram.setUniformValue(

@@ -28,6 +28,9 @@
 
 namespace ui::render {
 
+/// Below every tooth: a height from which nothing fades, mm.
+inline constexpr float kNoFadeMm = -1.0e6F;
+
 /// Everything one picture shows besides the tooth itself.
 struct Scene
 {
@@ -109,6 +112,7 @@ private:
     [[nodiscard]] static glm::dmat4 toothFromHand(const Scene& scene);
     void fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFromHand);
     void drawBackdrop(const Scene& scene);
+    [[nodiscard]] glm::vec2 crownInClip(const Scene& scene) const;
     void drawTooth(const Scene& scene, const QRect& part);
     void drawInstrument(const Scene& scene);
     void drawCue(const Scene& scene);
@@ -124,6 +128,8 @@ private:
     std::vector<std::unique_ptr<Part>> m_burs;
     std::vector<std::unique_ptr<Part>> m_shanks;
     ArchRenderer m_neighbours;
+    glm::vec2 m_fadeMm{kNoFadeMm,
+                       kNoFadeMm - 1.0F};  ///< heights between which the root fades, as the gum beside it does
     Part m_handpiece;
     Part m_mirror;
     std::unique_ptr<QOpenGLFramebufferObject> m_reflected;   ///< what the dental mirror shows, as the eye sees it
