@@ -62,7 +62,9 @@ void main()
     float inDecay = smoothstep(-0.12, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
                     smoothstep(0.3, 0.7, lower.y);
     float inPulp = smoothstep(0.0, 0.06, min(upper.w - z, z - lower.x));
-    float isEnamel = smoothstep(-0.03, 0.03, enamelMm);
+    // At the neck enamel runs out thin: its line is soft, and the steps of the lattice do not show in it.
+    float edgeMm = facing > 0.0 ? 0.03 : 0.3;
+    float isEnamel = smoothstep(-edgeMm, edgeMm, enamelMm);
     float cut = shade.b;
     vec3 enamel = mix(kEnamel, kCutEnamel, 0.75 * cut);
     // Dentin shines through thin enamel. At a flank what lies below a point is more than what lies behind it.
