@@ -138,6 +138,16 @@ ArchContact contactOf(const SampleMap& far, const SampleMap& near, glm::dvec2 al
 /// Roots end so far below the CEJ once the gum is laid over them: nobody sees more. mm.
 constexpr double kRootStumpMm = 2.5;
 
+/// Where the gum beside a single tooth begins to fade and where it has vanished, below the neck of the tooth; and the
+/// root of a neighbour.
+constexpr double kFadeFromMm = 0.8;
+constexpr double kFadeToMm = 3.8;
+constexpr double kRootFadeFromMm = 0.2;
+constexpr double kRootFadeToMm = 1.4;
+/// The same from where the gum would go on to the next tooth.
+constexpr double kEndFadeFromMm = 0.8;
+constexpr double kEndFadeToMm = 5.0;
+
 void cutRoot(LookMesh& mesh, const CoarseTooth& tooth)
 {
     float neck = 0.0F;
@@ -344,6 +354,7 @@ void Arch::dress(Jaw jaw)
     const int first = jaw == Jaw::Upper ? 21 : 31;
     for (std::size_t k = 0; k < meshes.size(); ++k) {
         findOpenness(*meshes[k], teeth[k].jawFromTooth, skyline);
+        softenShade(*meshes[k]);
         findBall(*meshes[k]);
         m_pieces.push_back({first + static_cast<int>(k), true, jaw, meshes[k], teeth[k].jawFromTooth});
     }
@@ -381,14 +392,75 @@ std::vector<ArchPiece> Arch::neighbours(int fdi) const
     const int across = fdi == 21 ? 11 : fdi == 31 ? 41 : 0;
     for (const Piece& piece : m_pieces) {
         const bool own = piece.fdi == fdi;
+        const auto add = [&](int number, const glm::dmat4& jawFromHere, const ArchContact* end) {
+            pieces.push_back({number, piece.tooth, piece.jaw == Jaw::Upper, fading(piece, piece.tooth ? nullptr : end),
+                              toothFromJaw * jawFromHere * piece.jawFromPiece});
+        };
         if (std::abs(piece.fdi - fdi) <= 1 && !(own && piece.tooth))
-            pieces.push_back(
-                {piece.fdi, piece.tooth, piece.jaw == Jaw::Upper, piece.mesh, toothFromJaw * piece.jawFromPiece});
+            add(piece.fdi, glm::dmat4(1.0), own ? nullptr : endOf(piece.fdi, piece.fdi > fdi));
         if (own && across != 0)
-            pieces.push_back({across, piece.tooth, piece.jaw == Jaw::Upper, piece.mesh,
-                              toothFromJaw * mirror() * piece.jawFromPiece});
+            add(across, mirror(), endOf(fdi, true));
     }
     return pieces;
+}
+
+/// Where a tooth touches the next one, or the one before it; null behind the last.
+const ArchContact* Arch::endOf(int fdi, bool distal) const
+{
+    const auto found = std::find_if(m_contacts.begin(), m_contacts.end(), [&](const ArchContact& contact) {
+        return (distal ? contact.mesialFdi : contact.distalFdi) == fdi;
+    });
+    return found == m_contacts.end() ? nullptr : &*found;
+}
+
+/// Height of the neck of a tooth in the frame of its jaw: the mean of its CEJ.
+double Arch::neckMm(int fdi) const
+{
+    const CoarseTooth& one = tooth(fdi);
+    double sum = 0.0;
+    for (const std::uint32_t k : one.cervix)
+        sum += (jawFromTooth(fdi) * glm::dvec4(one.mesh.vertices[k], 1.0)).z;
+    return sum / static_cast<double>(one.cervix.size());
+}
+
+/// A copy of a tooth or of its gum that fades below the neck and towards one end.
+std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchContact* end) const
+{
+    auto faded = std::make_shared<LookMesh>(*piece.mesh);
+    const glm::dvec2 middle(jawFromTooth(piece.fdi)[3]);
+    // Between two teeth the heights of their necks pass into each other.
+    struct Neck
+    {
+        glm::dvec2 at{0.0};
+        double heightMm = 0.0;
+    };
+    std::vector<Neck> necks;
+    for (int fdi = piece.fdi - 1; fdi <= piece.fdi + 1; ++fdi)
+        if (leftFellow(fdi) == fdi && (fdi == piece.fdi || !piece.tooth))
+            necks.push_back({glm::dvec2(jawFromTooth(fdi)[3]), neckMm(fdi)});
+    for (LookVertex& v : faded->vertices) {
+        const glm::dvec3 p(piece.jawFromPiece * glm::dvec4(v.positionMm, 1.0));
+        double neck = 0.0;
+        double weights = 0.0;
+        for (const Neck& one : necks) {
+            const glm::dvec2 away = glm::dvec2(p) - one.at;
+            const double weight = 1.0 / (1.0 + glm::dot(away, away));
+            neck += weight * one.heightMm;
+            weights += weight;
+        }
+        const double below = neck / weights - p.z;
+        double shown = 1.0;
+        if (!piece.tooth)
+            shown -= eased(kFadeFromMm, kFadeToMm, below);
+        else if (v.tissue > 0.5F)
+            shown -= eased(kRootFadeFromMm, kRootFadeToMm, below);
+        if (end != nullptr) {
+            const glm::dvec2 at(end->middleMm);
+            shown *= eased(kEndFadeFromMm, kEndFadeToMm, glm::dot(glm::dvec2(p) - at, glm::normalize(middle - at)));
+        }
+        v.shown = static_cast<float>(shown);
+    }
+    return faded;
 }
 
 std::size_t Arch::triangles() const

@@ -27,8 +27,9 @@ struct LookVertex
 {
     glm::vec3 positionMm;
     glm::vec3 normal;
-    float open;    ///< share of the light of an even sky that neighbours and gum leave it, 0 .. 1
-    float tissue;  ///< a Tissue
+    float open;          ///< share of the light of an even sky that neighbours and gum leave it, 0 .. 1
+    float tissue;        ///< a Tissue
+    float shown = 1.0F;  ///< 0: it has faded into the room
 };
 
 /// Smooth triangles, counter-clockwise seen from outside.
@@ -74,7 +75,8 @@ public:
     /// Everything, standing in the mouth frame, with the lower jaw turned about the hinge of the jaw joints.
     [[nodiscard]] std::vector<ArchPiece> mouth(double openRad) const;
 
-    /// The teeth beside a tooth of the left side and the gum around the three, standing in the frame of that tooth.
+    /// The teeth beside a tooth of the left side and the gum around the three, standing in the frame of that tooth. The
+    /// gum fades below the necks and where it would go on to the next teeth, and so do the roots.
     /// The central incisors have their fellow of the right side, the third molars nobody behind them. Empty for a
     /// number that is not one of the sixteen.
     [[nodiscard]] std::vector<ArchPiece> neighbours(int fdi) const;
@@ -91,6 +93,9 @@ private:
         std::shared_ptr<const LookMesh> mesh;
         glm::dmat4 jawFromPiece{1.0};
     };
+    [[nodiscard]] const ArchContact* endOf(int fdi, bool distal) const;
+    [[nodiscard]] double neckMm(int fdi) const;
+    [[nodiscard]] std::shared_ptr<const LookMesh> fading(const Piece& piece, const ArchContact* end) const;
     void place(Jaw jaw);
     void dress(Jaw jaw);
 

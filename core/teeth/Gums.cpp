@@ -20,8 +20,9 @@ constexpr double kMapCellMm = 0.25;
 constexpr double kGumMarginMm = 1.0;    ///< the margin above the CEJ
 constexpr double kBehindMm = 7.0;       ///< gum behind the last tooth
 constexpr double kBridgeMm = 3.0;       ///< radius of the curve with which the gum spans from tooth to tooth,
-constexpr double kDeepBridgeMm = 16.0;  ///< and, near its foot, from root to root
-constexpr double kNecksMm = -7.0;       ///< about where the one begins to turn into the other
+constexpr double kDeepBridgeMm = 60.0;  ///< and, near its foot, from root to root
+constexpr double kNecksMm = -6.0;       ///< about where the one begins to turn into the other,
+constexpr double kEvenFromMm = -12.5;   ///< and where it has
 constexpr double kEvenMm = 7.0;         ///< over which the scallop is evened out further down
 constexpr double kScallop = 2.6;        ///< power: how late the margin rises towards the papilla
 constexpr double kInsideMm = 0.2;       ///< the margin's edge is hidden so deep in the tooth
@@ -37,12 +38,6 @@ constexpr std::array kFacialDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1.
 constexpr std::array kLingualDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1.7, 2.4, 3.3, 4.4, 5.5};
 constexpr int kFootColumns = 3;   ///< from there down to the foot
 constexpr int kCrestColumns = 3;  ///< between the two margins
-
-double eased(double from, double to, double x)
-{
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /// How far the teeth reach to one side, over (along the arch, z), and the same with the hollows between them spanned.
 class Contour
@@ -96,7 +91,7 @@ private:
     {
         const int wide = static_cast<int>(7.0 / kMapCellMm);
         for (int row = 0; row < m_reach.rows; ++row) {
-            const double deep = eased(kNecksMm, kGumFootMm, m_reach.nodeMm(0, row).y);
+            const double deep = 1.0 - eased(kEvenFromMm, kNecksMm, m_reach.nodeMm(0, row).y);
             const double bridge = kBridgeMm + (kDeepBridgeMm - kBridgeMm) * deep;
             for (int column = 0; column < m_reach.columns; ++column) {
                 double most = kNothingMm;

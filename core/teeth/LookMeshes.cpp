@@ -58,6 +58,45 @@ void softenGrooves(LookMesh& mesh, std::size_t count)
     }
 }
 
+void softenShade(LookMesh& mesh)
+{
+    constexpr int kPasses = 4;
+    constexpr float kGroove = 0.55F;  ///< as open as this or less: in a groove,
+    constexpr float kFree = 0.85F;    ///< and from here not at all
+    struct Shade
+    {
+        glm::vec3 normal{0.0F};
+        float open = 0.0F;
+        float count = 0.0F;
+    };
+    std::vector<Shade> sums(mesh.vertices.size());
+    for (int pass = 0; pass < kPasses; ++pass) {
+        std::fill(sums.begin(), sums.end(), Shade());
+        const auto add = [&](std::uint32_t to, std::uint32_t from) {
+            sums[to].normal += mesh.vertices[from].normal;
+            sums[to].open += mesh.vertices[from].open;
+            sums[to].count += 1.0F;
+        };
+        for (std::size_t k = 0; k < mesh.indices.size(); ++k) {
+            const std::uint32_t from = mesh.indices[k];
+            const std::uint32_t to = mesh.indices[k % 3 == 2 ? k - 2 : k + 1];
+            add(from, to);
+            add(to, from);
+        }
+        for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
+            LookVertex& v = mesh.vertices[k];
+            if (sums[k].count <= 0.0F || v.tissue > 0.5F)
+                continue;
+            const float open = sums[k].open / sums[k].count;
+            const float share = std::clamp((kFree - std::min(v.open, open)) / (kFree - kGroove), 0.0F, 1.0F);
+            const glm::vec3 normal = glm::mix(v.normal, sums[k].normal / sums[k].count, share);
+            if (glm::length(normal) > 1.0e-3F)
+                v.normal = glm::normalize(normal);
+            v.open += share * (open - v.open);
+        }
+    }
+}
+
 void findBall(LookMesh& mesh)
 {
     glm::vec3 low(1.0e9F);

@@ -170,6 +170,41 @@ private slots:
                 QVERIFY(qGreen(image.pixel(x, below)) <= qGreen(without.pixel(x, below)) + 3);
     }
 
+    void handpieceHidesNothingAboutTheTip_data()
+    {
+        QTest::addColumn<double>("elevationDeg");
+        for (const double elevationDeg : {30.0, 48.0, 65.0, 88.0})
+            QTest::addRow("from %.0f degrees", elevationDeg) << elevationDeg;
+    }
+
+    /// The tooth around the tip is seen from every height of the eye; only bur and shank cover some of it.
+    void handpieceHidesNothingAboutTheTip()
+    {
+        QFETCH(double, elevationDeg);
+        show(support::syntheticMolar());
+        look(15.0, elevationDeg);
+        Scene with = scene();
+        with.tipMm = onTooth({0.0, 0.5});
+        const QImage without = draw(scene());
+        with.instrumentShown = true;
+        const QImage image = draw(with);
+        int covered = 0;
+        int all = 0;
+        for (int degrees = 0; degrees < 360; degrees += 10) {
+            const double angle = glm::radians(1.0 * degrees);
+            const glm::ivec2 pixel(glm::round(
+                m_camera.pixelOf(onTooth(glm::dvec2(0.0, 0.5) + 1.5 * glm::dvec2(std::cos(angle), std::sin(angle))))));
+            ++all;
+            // A shadow darkens; metal, which is bluish, changes the colour.
+            const QColor before(without.pixel(pixel.x, pixel.y));
+            const QColor after(image.pixel(pixel.x, pixel.y));
+            if (after.blue() - after.red() > before.blue() - before.red() + 25 ||
+                after.lightness() > before.lightness() + 8)
+                ++covered;
+        }
+        QVERIFY2(covered * 3 < all, qPrintable(QStringLiteral("%1 of %2").arg(covered).arg(all)));
+    }
+
     void surfacesCanBeExchanged()
     {
         show(support::syntheticMolar(301));

@@ -2,8 +2,12 @@
 #include "ui/inside/OutlinePainter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -31,6 +35,9 @@ constexpr double kAroundMm = 0.4;
 constexpr double kLightX = -0.5;
 constexpr double kLightY = 0.6;
 constexpr double kLightZ = 0.62;
+constexpr int kReliefPx = 600;         ///< side of the relief, about: smooth at the size it is shown in
+constexpr int kMostFiner = 4;          ///< pixels of the relief to a cell
+constexpr float kRimSharpness = 6.0F;  ///< of the rim: from outside to inside in about a pixel of the relief
 
 struct Fit
 {
@@ -53,33 +60,126 @@ Fit fitOf(const QRectF& area, const FromAbove& above)
         plot.center(), mm.center()};
 }
 
-/// The tooth as a soft light from the upper left shows it.
+/// What is shown at a node of the lattice, from 0 to 1. Outside the tooth, light and decay go on as they are at its
+/// rim.
+struct ReliefNode
+{
+    float isTooth = 0.0F;
+    float light = 0.0F;
+    float decay = 0.0F;  ///< open at the surface
+};
+
+/// Weighted mean of the nodes in the 3 x 3 around (i, j) that are solid, and the share of the weights that they have.
+/// @param valueOf  of the index of a node
+template <typename Value>
+std::pair<float, float> smoothed(const core::terrain::ToothAnatomy& anatomy, int i, int j, const Value& valueOf)
+{
+    const core::terrain::Grid& grid = anatomy.grid;
+    float sum = 0.0F;
+    float weights = 0.0F;
+    for (int dj = -1; dj <= 1; ++dj) {
+        for (int di = -1; di <= 1; ++di) {
+            if (!grid.contains(i + di, j + dj) || !core::grading::wasSolid(anatomy, grid.index(i + di, j + dj)))
+                continue;
+            const auto weight = static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj))) / 16.0F;
+            sum += weight * valueOf(grid.index(i + di, j + dj));
+            weights += weight;
+        }
+    }
+    return {weights > 0.0F ? sum / weights : 0.0F, weights};
+}
+
+std::vector<ReliefNode> reliefNodes(const core::terrain::ToothAnatomy& anatomy)
+{
+    const core::terrain::Grid& grid = anatomy.grid;
+    const std::size_t count = anatomy.top.size();
+    std::vector<float> heights(count);
+    std::vector<ReliefNode> nodes(count);
+    const auto eachNode = [&grid](const auto& work) {
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i)
+                work(i, j, grid.index(i, j));
+    };
+    eachNode([&](int i, int j, std::size_t k) {
+        std::tie(heights[k], nodes[k].isTooth) =
+            smoothed(anatomy, i, j, [&](std::size_t other) { return anatomy.top[other]; });
+    });
+    std::vector<float> light(count);
+    eachNode([&](int i, int j, std::size_t k) {
+        const auto height = [&](int x, int y) {
+            return grid.contains(x, y) && core::grading::wasSolid(anatomy, grid.index(x, y)) ? heights[grid.index(x, y)]
+                                                                                             : heights[k];
+        };
+        const double dx = static_cast<double>(height(i + 1, j) - height(i - 1, j)) / (2.0 * grid.cellMm);
+        const double dy = static_cast<double>(height(i, j + 1) - height(i, j - 1)) / (2.0 * grid.cellMm);
+        light[k] = static_cast<float>(
+            std::max(0.0, (-kLightX * dx - kLightY * dy + kLightZ) / std::sqrt(1.0 + dx * dx + dy * dy)));
+    });
+    eachNode([&](int i, int j, std::size_t k) {
+        const bool isInside = core::grading::wasSolid(anatomy, k);
+        nodes[k].light =
+            isInside ? light[k] : smoothed(anatomy, i, j, [&](std::size_t other) { return light[other]; }).first;
+        nodes[k].decay =
+            smoothed(anatomy, i, j, [&](std::size_t other) {
+                const core::terrain::ColumnLayers& column = anatomy.layers[other];
+                return column.cariesRoof > column.cariesFloor && column.cariesRoof >= anatomy.top[other] ? 1.0F : 0.0F;
+            }).first;
+    });
+    return nodes;
+}
+
+QRgb reliefPixel(const ReliefNode& node)
+{
+    // The rim lies where half of a node's surroundings is tooth: a smooth line across the steps of the lattice.
+    const float inside = std::clamp((node.isTooth - 0.5F) * kRimSharpness + 0.5F, 0.0F, 1.0F);
+    const float grey = 70.0F + 150.0F * node.light;
+    const auto channel = [&](float enamel, float decay) {
+        const float shade = std::min(255.0F, grey * (enamel + (decay - enamel) * node.decay));
+        return static_cast<int>(std::lround(inside * shade));
+    };
+    return qRgba(channel(1.0F, 0.44F), channel(0.97F, 0.24F), channel(0.92F, 0.11F),
+                 static_cast<int>(std::lround(inside * 255.0F)));
+}
+
+/// The tooth as a soft light from the upper left shows it, brown where decay lies open.
 QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
 {
     const core::terrain::Grid& grid = anatomy.grid;
-    QImage picture(grid.side, grid.side, QImage::Format_ARGB32_Premultiplied);
-    picture.fill(Qt::transparent);
-    const auto height = [&](int i, int j, float otherwise) {
-        return grid.contains(i, j) && core::grading::wasSolid(anatomy, grid.index(i, j)) ? anatomy.top[grid.index(i, j)]
-                                                                                         : otherwise;
-    };
     for (int j = 0; j < grid.side; ++j) {
-        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(grid.side - 1 - j));
         for (int i = 0; i < grid.side; ++i) {
-            const std::size_t k = grid.index(i, j);
-            if (!core::grading::wasSolid(anatomy, k))
+            if (!core::grading::wasSolid(anatomy, grid.index(i, j)))
                 continue;
             const glm::dvec2 at = grid.nodeMm(i, j);
             shownMm |= QRectF(at.x, at.y, grid.cellMm, grid.cellMm);
-            const float here = anatomy.top[k];
-            const double dx =
-                static_cast<double>(height(i + 1, j, here) - height(i - 1, j, here)) / (2.0 * grid.cellMm);
-            const double dy =
-                static_cast<double>(height(i, j + 1, here) - height(i, j - 1, here)) / (2.0 * grid.cellMm);
-            const double lit =
-                std::max(0.0, (-kLightX * dx - kLightY * dy + kLightZ) / std::sqrt(1.0 + dx * dx + dy * dy));
-            const int grey = std::clamp(static_cast<int>(std::lround(70.0 + 150.0 * lit)), 0, 255);
-            line[i] = qRgb(grey, grey * 97 / 100, grey * 92 / 100);
+        }
+    }
+    const std::vector<ReliefNode> nodes = reliefNodes(anatomy);
+    const int fine = std::clamp(kReliefPx / grid.side, 1, kMostFiner);
+    const int side = fine * grid.side;
+    QImage picture(side, side, QImage::Format_ARGB32_Premultiplied);
+    picture.fill(Qt::transparent);
+    for (int y = 0; y < side; ++y) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(side - 1 - y));
+        const float v = std::clamp((static_cast<float>(y) + 0.5F) / static_cast<float>(fine) - 0.5F, 0.0F,
+                                   static_cast<float>(grid.side) - 1.001F);
+        const int j = static_cast<int>(v);
+        for (int x = 0; x < side; ++x) {
+            const float u = std::clamp((static_cast<float>(x) + 0.5F) / static_cast<float>(fine) - 0.5F, 0.0F,
+                                       static_cast<float>(grid.side) - 1.001F);
+            const int i = static_cast<int>(u);
+            const std::array<const ReliefNode*, 4> corners{&nodes[grid.index(i, j)], &nodes[grid.index(i + 1, j)],
+                                                           &nodes[grid.index(i, j + 1)],
+                                                           &nodes[grid.index(i + 1, j + 1)]};
+            const auto between = [&](float ReliefNode::*field) {
+                const float s = u - static_cast<float>(i);
+                const float t = v - static_cast<float>(j);
+                return (corners[0]->*field * (1.0F - s) + corners[1]->*field * s) * (1.0F - t) +
+                       (corners[2]->*field * (1.0F - s) + corners[3]->*field * s) * t;
+            };
+            const ReliefNode here{between(&ReliefNode::isTooth), between(&ReliefNode::light),
+                                  between(&ReliefNode::decay)};
+            if (here.isTooth > 0.0F)
+                line[x] = reliefPixel(here);
         }
     }
     return picture;

@@ -17,13 +17,13 @@ namespace ui::inside {
 /// A tooth from above with the outline of its ideal, made once for both: what is slow to make. A plain value.
 struct FromAbove
 {
-    QImage relief;           ///< one pixel a column, +y up
+    QImage relief;           ///< +y up; decay that lies open is brown
     QRectF reliefMm;         ///< where it lies in the tooth frame
     QRectF shownMm;          ///< the tooth, with a little around it
     QPainterPath outlineMm;  ///< of the ideal, as grading takes it: pieces, in no order
 };
 
-/// A few milliseconds at 150 x 150. Any thread that may wait.
+/// Some 20 ms at 150 x 150. Any thread that may wait.
 [[nodiscard]] FromAbove fromAbove(const core::terrain::ToothAnatomy& anatomy, const std::vector<float>& idealTop);
 
 struct OutlineScene

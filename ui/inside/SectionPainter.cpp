@@ -52,7 +52,8 @@ constexpr double kGutterPx = 30.0;  ///< for the heights at the left
 constexpr double kFootPx = 20.0;    ///< for the lengths below
 constexpr double kHeadPx = 24.0;    ///< for where the ends point
 constexpr double kBelowKeyPx = 6.0;
-constexpr double kAboveMm = 1.6;  ///< shown over the highest point
+constexpr double kAboveMm = 1.6;       ///< shown over the highest point
+constexpr double kAboveSmallMm = 0.6;  ///< the same in a small picture
 constexpr double kBesideMm = 0.5;
 constexpr double kLeastDepthMm = 9.0;  ///< what must be seen below the highest point
 constexpr double kBetweenPx = 6.0;     ///< two numbers below the picture
@@ -73,7 +74,8 @@ struct Frame
 };
 
 /// The whole width of the tooth along the plane, wherever the plane lies: nothing jumps while the bur moves.
-Frame frameFor(const QRectF& plot, const SectionScene& scene)
+/// @param aboveMm  shown over the highest point
+Frame frameFor(const QRectF& plot, const SectionScene& scene, double aboveMm)
 {
     const ToothAnatomy& anatomy = *scene.tooth->anatomy;
     const glm::dvec2 right = scene.plane.direction();
@@ -100,9 +102,9 @@ Frame frameFor(const QRectF& plot, const SectionScene& scene)
     Frame frame;
     frame.plot = plot;
     frame.pxPerMm = std::max(
-        1.0, std::min(plot.width() / (high - low + 2.0 * kBesideMm), plot.height() / (kAboveMm + kLeastDepthMm)));
+        1.0, std::min(plot.width() / (high - low + 2.0 * kBesideMm), plot.height() / (aboveMm + kLeastDepthMm)));
     frame.leftMm = 0.5 * (low + high) - 0.5 * plot.width() / frame.pxPerMm;
-    frame.topMm = top + kAboveMm;
+    frame.topMm = top + aboveMm;
     return frame;
 }
 
@@ -376,6 +378,33 @@ PictureKey keyOf(const SectionScene& scene)
     return key;
 }
 
+/// Paints the materials, a sample for each column of device pixels. Returns what was painted.
+Section paintTissue(QPainter& painter, const Frame& frame, const SectionScene& scene)
+{
+    const double pixelRatio = painter.device()->devicePixelRatioF();
+    const int columns = std::max(2, static_cast<int>(std::ceil(frame.plot.width() * pixelRatio)));
+    // A sample stands in the middle of its column of pixels.
+    const double halfPixelMm = 0.5 / (pixelRatio * frame.pxPerMm);
+    const double toMm = frame.leftMm + (2.0 * columns - 1.0) * halfPixelMm;
+    Section section = core::imaging::sectionOf(*scene.tooth, scene.plane, frame.leftMm + halfPixelMm, toMm, columns,
+                                               scene.ideal.get());
+    QImage materials = tissue(section, frame, pixelRatio, scene.palette);
+    materials.setDevicePixelRatio(pixelRatio);
+    painter.drawImage(frame.plot.topLeft(), materials);
+    return section;
+}
+
+void paintIdeal(QPainter& painter, const Section& section, const Frame& frame)
+{
+    // Dark beneath, so that it is seen on every tissue.
+    QPen under = idealPen();
+    under.setColor(QColor::fromRgba(kIdealShade));
+    under.setStyle(Qt::SolidLine);
+    under.setWidthF(4.0);
+    paintHeights(painter, section, frame, &SectionSample::idealTopMm, under);
+    paintHeights(painter, section, frame, &SectionSample::idealTopMm, idealPen());
+}
+
 }  // namespace
 
 void paintSection(QPainter& painter, const QRectF& area, const SectionScene& scene)
@@ -387,34 +416,18 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     const PictureKey key = keyOf(scene);
     const double keyPx = key.heightFor(area.width() - 16.0) + kBelowKeyPx;
     const QRectF plot = area.adjusted(kGutterPx, kHeadPx, -8.0, -kFootPx - keyPx);
-    const Frame frame = frameFor(plot, scene);
+    const Frame frame = frameFor(plot, scene, kAboveMm);
     painter.setRenderHint(QPainter::Antialiasing, false);
     paintGrid(painter, frame, QColor(ground.grid));
 
-    const double pixelRatio = painter.device()->devicePixelRatioF();
-    const int columns = std::max(2, static_cast<int>(std::ceil(plot.width() * pixelRatio)));
-    // A sample stands in the middle of its column of pixels.
-    const double halfPixelMm = 0.5 / (pixelRatio * frame.pxPerMm);
-    const double toMm = frame.leftMm + (2.0 * columns - 1.0) * halfPixelMm;
-    const Section section = core::imaging::sectionOf(*scene.tooth, scene.plane, frame.leftMm + halfPixelMm, toMm,
-                                                     columns, scene.ideal.get());
     painter.setClipRect(plot, Qt::IntersectClip);
-    QImage materials = tissue(section, frame, pixelRatio, scene.palette);
-    materials.setDevicePixelRatio(pixelRatio);
-    painter.drawImage(plot.topLeft(), materials);
+    const Section section = paintTissue(painter, frame, scene);
     paintGrid(painter, frame, QColor::fromRgba(kOverTissue));
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene.band != nullptr)
         paintBand(painter, frame, scene, section);
-    if (scene.ideal) {
-        // Dark beneath, so that it is seen on every tissue.
-        QPen under = idealPen();
-        under.setColor(QColor::fromRgba(kIdealShade));
-        under.setStyle(Qt::SolidLine);
-        under.setWidthF(4.0);
-        paintHeights(painter, section, frame, &SectionSample::idealTopMm, under);
-        paintHeights(painter, section, frame, &SectionSample::idealTopMm, idealPen());
-    }
+    if (scene.ideal)
+        paintIdeal(painter, section, frame);
     paintHeights(painter, section, frame, &SectionSample::originalTopMm, surfacePen());
     if (scene.bur != nullptr)
         paintBur(painter, frame, scene);
@@ -427,6 +440,19 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     paintEnds(painter, QRectF(plot.left(), area.top(), plot.width(), kHeadPx), scene);
     key.paint(painter, QRectF(area.left() + 8.0, area.bottom() - keyPx, area.width() - 16.0, keyPx),
               QColor(ground.words));
+    painter.restore();
+}
+
+void paintSmallSection(QPainter& painter, const QRectF& area, const SectionScene& scene)
+{
+    painter.save();
+    painter.setClipRect(area, Qt::IntersectClip);
+    painter.fillRect(area, QColor(kScreen.ground));
+    const Frame frame = frameFor(area, scene, kAboveSmallMm);
+    const Section section = paintTissue(painter, frame, scene);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (scene.ideal)
+        paintIdeal(painter, section, frame);
     painter.restore();
 }
 

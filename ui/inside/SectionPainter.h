@@ -39,4 +39,7 @@ struct SectionScene
 /// either theme, like the room with the tooth, but on paper. Needs no window. About 1.5 ms at 320 x 500.
 void paintSection(QPainter& painter, const QRectF& area, const SectionScene& scene);
 
+/// Paints materials and ideal alone, for a picture that is too small for grid and words.
+void paintSmallSection(QPainter& painter, const QRectF& area, const SectionScene& scene);
+
 }  // namespace ui::inside

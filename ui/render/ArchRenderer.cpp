@@ -73,6 +73,7 @@ void ArchRenderer::setPieces(std::vector<ArchPiece> pieces)
     attribute(1, 3, offsetof(LookVertex, normal));
     attribute(2, 1, offsetof(LookVertex, open));
     attribute(3, 1, offsetof(LookVertex, tissue));
+    attribute(4, 1, offsetof(LookVertex, shown));
 }
 
 void ArchRenderer::drawRoom(glm::vec2 sizePx, glm::vec2 lamp)
@@ -113,14 +114,18 @@ void ArchRenderer::draw(const ArchScene& scene)
     const int sceneFromPiece = m_program.uniformLocation("sceneFromPiece");
     const int highlight = m_program.uniformLocation("highlight");
     const glm::dmat4 clipFromScene = scene.clipFromEye * scene.eyeFromScene;
+    const glm::mat4 clip(clipFromScene);
+    glUniformMatrix4fv(m_program.uniformLocation("clipFromScene"), 1, GL_FALSE, glm::value_ptr(clip));
+    m_program.setUniformValue("crown", scene.lamp.x, scene.lamp.y);
+    m_program.setUniformValue("aspect", scene.aspect);
     // A mirror or a picture turned over for a half-silvered one turns every triangle over.
     const double handed =
         glm::determinant(glm::dmat3(scene.eyeFromScene)) * scene.clipFromEye[0][0] * scene.clipFromEye[1][1];
     for (const ArchPiece& piece : m_pieces) {
         const Span& span = m_spans.at(piece.mesh.get());
-        const glm::mat4 clip(clipFromScene * piece.place);
+        const glm::mat4 clipHere(clipFromScene * piece.place);
         const glm::mat4 place(piece.place);
-        glUniformMatrix4fv(clipFromPiece, 1, GL_FALSE, glm::value_ptr(clip));
+        glUniformMatrix4fv(clipFromPiece, 1, GL_FALSE, glm::value_ptr(clipHere));
         glUniformMatrix4fv(sceneFromPiece, 1, GL_FALSE, glm::value_ptr(place));
         const bool chosen = piece.tooth && piece.fdi == scene.chosenFdi;
         const bool hovered = piece.tooth && piece.fdi == scene.hoveredFdi;

@@ -35,6 +35,8 @@ struct ArchScene
     int chosenFdi = 0;                       ///< tinted
     glm::dvec4 clipPlane{0.0};               ///< scene frame; what is behind it is not drawn, unless it is zero
     double dimmed = 0.0;                     ///< 0 .. 1: how far all of it steps back behind something else
+    glm::vec2 lamp{0.0F};  ///< where the room is brightest, clip coordinates: what fades turns into it
+    float aspect = 1.0F;   ///< of the picture, width by height
 };
 
 /// Draws teeth and gums of core::teeth::Arch with OpenGL 3.3 core, lit as ToothRenderer lights the single tooth. The

@@ -35,16 +35,16 @@ struct Rod
 };
 constexpr std::size_t kRods = 5;
 
-/// Bur, shank, head of the handpiece, its neck and its handle: those of SolidMesh, rounded off.
-std::array<Rod, kRods> rodsOf(const core::drilling::Bur& bur, double liftMm)
+/// Bur, shank, head of the handpiece, its neck and its handle: those of SolidMesh, rounded off. The first is the bur's.
+std::array<Rod, kRods> rodsOf(const core::drilling::Bur& bur)
 {
-    const double chuck = core::drilling::kChuckMm + liftMm;
+    const double chuck = core::drilling::kChuckMm;
     const double head = bur.headLengthMm;
     const double round = std::min(bur.headRadiusMm, 0.5 * head);
     return {{{{0.0, 0.0, round}, {0.0, 0.0, head - 0.5 * round}, bur.headRadiusMm, kTold},
-             {{0.0, 0.0, head + kNeckMm + liftMm + 2.0}, {0.0, 0.0, chuck}, 0.8, kTold},
-             {{0.0, 0.0, chuck + 4.0}, {0.0, 0.0, chuck + 5.0}, 4.2, kFilled},
-             {{2.5, 0.0, chuck + 4.9}, {20.0, 0.0, chuck + 9.0}, 3.1, kFilled},
+             {{0.0, 0.0, head + kNeckMm + 2.0}, {0.0, 0.0, chuck}, 0.8, kTold},
+             {{0.0, 0.0, chuck + 4.0}, {0.0, 0.0, chuck + 5.0}, 3.6, kFilled},
+             {{2.5, 0.0, chuck + 4.9}, {20.0, 0.0, chuck + 9.0}, 2.8, kFilled},
              {{20.0, 0.0, chuck + 9.0}, {60.0, 0.0, chuck + 24.0}, 4.6, kFilled}}};
 }
 
@@ -98,12 +98,12 @@ void BurLight::find(ToothMaps& maps, const Pose& pose)
         return;
     m_pose = pose;
     m_uploadedBytes = maps.uploadedBytes();
-    const glm::dmat4& toothFromPart = pose.toothFromBur;
-    const glm::vec3 tip(toothFromPart[3]);
-    std::array<Rod, kRods> rods = rodsOf(core::drilling::burs()[pose.burIndex], pose.liftMm);
+    const glm::vec3 tip(pose.toothFromBur[3]);
+    std::array<Rod, kRods> rods = rodsOf(core::drilling::burs()[pose.burIndex]);
     std::array<glm::vec4, kRods> from{};
     std::array<glm::vec4, kRods> to{};
     for (std::size_t k = 0; k < kRods; ++k) {
+        const glm::dmat4& toothFromPart = k == 0 ? pose.toothFromBur : pose.toothFromHand;
         rods[k].fromMm = glm::dvec3(toothFromPart * glm::dvec4(rods[k].fromMm, 1.0));
         rods[k].toMm = glm::dvec3(toothFromPart * glm::dvec4(rods[k].toMm, 1.0));
         from[k] = glm::vec4(glm::vec3(rods[k].fromMm), static_cast<float>(rods[k].radiusMm));
@@ -139,8 +139,9 @@ void BurLight::find(ToothMaps& maps, const Pose& pose)
     glUniform4fv(m_program.uniformLocation("castFrom"), kRods, glm::value_ptr(from[0]));
     glUniform4fv(m_program.uniformLocation("castTo"), kRods, glm::value_ptr(to[0]));
     setVector(m_program, "tipMm", tip);
+    // The lamp stays upright over the bur: what it lights must not depend on where the eye is.
     const double headMm = core::drilling::kChuckMm + pose.liftMm;
-    const glm::dvec3 lampMm = glm::dvec3(toothFromPart * glm::dvec4(kLampAsideMm, 0.0, headMm, 1.0));
+    const glm::dvec3 lampMm = glm::dvec3(pose.toothFromBur * glm::dvec4(kLampAsideMm, 0.0, headMm, 1.0));
     setVector(m_program, "burLampMm", glm::vec3(lampMm));
     m_program.setUniformValue("penumbra", static_cast<float>(kSpotPenumbra));
     m_program.setUniformValue("softestMm", static_cast<float>(kSoftestMm));

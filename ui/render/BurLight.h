@@ -27,7 +27,8 @@ public:
     /// Everything that decides it besides the tooth.
     struct Pose
     {
-        glm::dmat4 toothFromBur{1.0};  ///< tip at the origin, axis +z, handle towards +x
+        glm::dmat4 toothFromBur{1.0};   ///< tip at the origin, axis +z, handle towards +x
+        glm::dmat4 toothFromHand{1.0};  ///< shank and handpiece as they are drawn: lifted, and leaning out of the view
         std::size_t burIndex = 0;
         double liftMm = 0.0;  ///< of shank and handpiece along the bur
         bool lamp = false;    ///< the handpiece's own is on

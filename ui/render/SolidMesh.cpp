@@ -107,10 +107,15 @@ SolidMesh burMesh(const core::drilling::Bur& bur)
 SolidMesh shankMesh(const core::drilling::Bur& bur)
 {
     const auto neck = static_cast<float>(bur.shankRadiusMm);
-    const auto from = static_cast<float>(bur.headLengthMm + kNeckMm);
+    const auto head = static_cast<float>(bur.headLengthMm);
+    const float from = head + static_cast<float>(kNeckMm);
     const auto chuck = static_cast<float>(core::drilling::kChuckMm);
     constexpr float kShankMm = 0.8F;
     const std::vector<glm::vec3> profile{
+        {0.0F, head - neck, kSteel},
+        {0.5F * neck, head - 0.87F * neck, kSteel},
+        {0.87F * neck, head - 0.5F * neck, kSteel},
+        {neck, head, kSteel},
         {neck, from, kSteel},
         {0.5F * (neck + kShankMm), from + 1.7F, kSteel},
         {kShankMm, from + 3.2F, kSteel},
@@ -128,20 +133,20 @@ SolidMesh handpieceMesh()
     const auto chuck = static_cast<float>(core::drilling::kChuckMm);
     // The head: chuck, cap below, barrel, push button on top.
     const std::vector<glm::vec3> head{
-        {0.9F, chuck, kGrip},         {1.9F, chuck, kSteel},        {2.3F, chuck + 0.4F, kSteel},
-        {2.5F, chuck + 0.9F, kSteel}, {3.6F, chuck + 1.2F, kSteel}, {4.2F, chuck + 1.7F, kSteel},
-        {4.5F, chuck + 2.4F, kSteel}, {4.5F, chuck + 3.6F, kGrip},  {4.4F, chuck + 3.7F, kGrip},
-        {4.4F, chuck + 3.9F, kSteel}, {4.5F, chuck + 4.0F, kSteel}, {4.5F, chuck + 6.8F, kSteel},
-        {4.3F, chuck + 7.4F, kSteel}, {3.8F, chuck + 7.9F, kSteel}, {3.2F, chuck + 8.1F, kGrip},
-        {3.0F, chuck + 8.1F, kSteel}, {2.9F, chuck + 8.3F, kSteel}, {0.0F, chuck + 8.4F, kSteel},
+        {0.9F, chuck, kGrip},         {1.7F, chuck, kSteel},        {2.0F, chuck + 0.3F, kSteel},
+        {2.2F, chuck + 0.8F, kSteel}, {3.1F, chuck + 1.1F, kSteel}, {3.6F, chuck + 1.6F, kSteel},
+        {3.8F, chuck + 2.3F, kSteel}, {3.8F, chuck + 3.6F, kGrip},  {3.7F, chuck + 3.7F, kGrip},
+        {3.7F, chuck + 3.9F, kSteel}, {3.8F, chuck + 4.0F, kSteel}, {3.8F, chuck + 6.8F, kSteel},
+        {3.6F, chuck + 7.4F, kSteel}, {3.2F, chuck + 7.8F, kSteel}, {2.8F, chuck + 8.0F, kGrip},
+        {2.6F, chuck + 8.0F, kSteel}, {2.5F, chuck + 8.2F, kSteel}, {0.0F, chuck + 8.3F, kSteel},
     };
     turn(mesh, head);
     // Neck and handle: out of the barrel, then bent up by some 22 degrees as a contra-angle is.
     const float axis = chuck + 4.9F;
     const std::vector<Ring> handle{
-        {{2.5F, 0.0F, axis}, 3.0F, kSteel},           {{5.0F, 0.0F, axis + 0.1F}, 3.0F, kSteel},
-        {{8.0F, 0.0F, axis + 0.4F}, 2.9F, kSteel},    {{12.0F, 0.0F, axis + 1.2F}, 3.0F, kSteel},
-        {{16.0F, 0.0F, axis + 2.5F}, 3.3F, kSteel},   {{20.0F, 0.0F, axis + 4.1F}, 3.8F, kSteel},
+        {{2.0F, 0.0F, axis}, 2.7F, kSteel},           {{5.0F, 0.0F, axis + 0.1F}, 2.6F, kSteel},
+        {{8.0F, 0.0F, axis + 0.4F}, 2.6F, kSteel},    {{12.0F, 0.0F, axis + 1.2F}, 2.8F, kSteel},
+        {{16.0F, 0.0F, axis + 2.5F}, 3.2F, kSteel},   {{20.0F, 0.0F, axis + 4.1F}, 3.7F, kSteel},
         {{25.0F, 0.0F, axis + 6.1F}, 4.4F, kSteel},   {{27.0F, 0.0F, axis + 6.9F}, 4.6F, kGrip},
         {{27.2F, 0.0F, axis + 7.0F}, 4.4F, kGrip},    {{48.0F, 0.0F, axis + 15.4F}, 5.0F, kGrip},
         {{48.2F, 0.0F, axis + 15.5F}, 5.3F, kSteel},  {{80.0F, 0.0F, axis + 28.3F}, 6.6F, kSteel},

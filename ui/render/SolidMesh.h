@@ -35,7 +35,8 @@ inline constexpr double kNeckMm = 1.0;
 
 /// The bur from its tip up: head by its outline, and a neck long enough for any lift of the shank.
 [[nodiscard]] SolidMesh burMesh(const core::drilling::Bur& bur);
-/// The shank (1.6 mm, friction grip) from where the neck widens up into the chuck.
+/// The neck, from the top of the head, and the shank (1.6 mm, friction grip) up into the chuck. Its lower end is round,
+/// so that it meets the neck of burMesh() at any angle.
 [[nodiscard]] SolidMesh shankMesh(const core::drilling::Bur& bur);
 
 /// A turbine handpiece above the chuck: head, neck and handle at the natural angle.

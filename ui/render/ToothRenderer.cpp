@@ -19,8 +19,9 @@
 namespace ui::render {
 namespace {
 
-/// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
-constexpr double kShankHidesTheWork = 0.82;
+constexpr double kWorkMm = 6.0;       ///< of the bur from its tip: what the handpiece must not hide
+constexpr double kWorkAsideMm = 2.2;  ///< and as much to either side of it
+constexpr float kWholeMesh = 1.0e6F;  ///< mm, higher than any part of the instrument
 constexpr double kNeighboursDimmed = 0.35;
 constexpr float kCueWide = 0.0034F;  ///< half the line under the bur, of half the height of the picture
 constexpr int kFreeUnit = 8;         ///< of a texture besides those of ToothMaps
@@ -29,6 +30,28 @@ constexpr int kGlassCorners = 64;    ///< of the mirror's glass; glass.vert has 
 void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, const char* name, const glm::mat4& matrix)
 {
     gl.glUniformMatrix4fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
+}
+
+/// Heights between which the gum around the tooth itself fades, x above y: of a gum whose tooth is not among the
+/// pieces.
+glm::vec2 fadeOf(const std::vector<core::teeth::ArchPiece>& pieces)
+{
+    glm::vec2 fade(kNoFadeMm, kNoFadeMm - 1.0F);
+    for (const core::teeth::ArchPiece& gum : pieces) {
+        const bool isBeside = std::any_of(pieces.begin(), pieces.end(), [&](const core::teeth::ArchPiece& piece) {
+            return piece.tooth && piece.fdi == gum.fdi;
+        });
+        if (gum.tooth || isBeside)
+            continue;
+        fade = {kNoFadeMm, 0.0F};
+        for (const core::teeth::LookVertex& v : gum.mesh->vertices) {
+            if (v.shown <= 0.0F || v.shown >= 1.0F)
+                continue;
+            const auto z = static_cast<float>((gum.place * glm::dvec4(v.positionMm, 1.0)).z);
+            fade = {std::max(fade.x, z), std::min(fade.y, z)};
+        }
+    }
+    return fade.x > fade.y ? fade : glm::vec2(kNoFadeMm, kNoFadeMm - 1.0F);
 }
 
 }  // namespace
@@ -88,7 +111,6 @@ void ToothRenderer::setSurface(const ToothSurface& surface)
 {
     m_maps.setSurface(surface);
     m_crownMm = glm::vec3(surface.crownMiddleMm());
-    m_crownRadiusMm = static_cast<float>(surface.crownRadiusMm());
     ++m_surfaces;
 }
 
@@ -116,6 +138,7 @@ void ToothRenderer::spoilStills(const ToothSurface::Changes& changes)
 
 void ToothRenderer::setNeighbours(std::vector<core::teeth::ArchPiece> pieces)
 {
+    m_fadeMm = fadeOf(pieces);
     m_neighbours.setPieces(std::move(pieces));
     ++m_surfaces;
 }
@@ -211,6 +234,8 @@ void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
         beside.towardsLight = scene.towardsLight;
         beside.clipPlane = glm::dvec4(m_clipPlane);
         beside.dimmed = kNeighboursDimmed;
+        beside.lamp = crownInClip(scene);
+        beside.aspect = scene.sizePx.x / scene.sizePx.y;
         m_neighbours.draw(beside);
     }
     if (!m_maps.isEmpty())
@@ -309,6 +334,19 @@ glm::dmat4 ToothRenderer::toothFromBur(const Scene& scene, const glm::dvec3& tip
     return glm::rotate(glm::translate(glm::dmat4(1.0), tipMm), scene.handAzimuthRad, glm::dvec3(0.0, 0.0, 1.0));
 }
 
+/// Shank and handpiece as on a bur without lift and lean. They lean about the top of the bur's neck, where that has
+/// left the tooth.
+glm::dmat4 ToothRenderer::toothFromHand(const Scene& scene)
+{
+    const double headMm = core::drilling::burs()[scene.burIndex].headLengthMm;
+    const glm::dvec3 axis(-std::sin(scene.leanAzimuthRad), std::cos(scene.leanAzimuthRad), 0.0);
+    const glm::dmat4 atNeck =
+        glm::translate(glm::dmat4(1.0), scene.tipMm + glm::dvec3(0.0, 0.0, headMm + scene.liftMm));
+    const glm::dmat4 turned =
+        glm::rotate(glm::rotate(atNeck, scene.leanRad, axis), scene.handAzimuthRad, glm::dvec3(0.0, 0.0, 1.0));
+    return glm::translate(turned, glm::dvec3(0.0, 0.0, -headMm));
+}
+
 void ToothRenderer::useMetal(const Scene& scene, const glm::dmat4& toothFromPart)
 {
     m_metalProgram.bind();
@@ -322,7 +360,8 @@ void ToothRenderer::useMetal(const Scene& scene, const glm::dmat4& toothFromPart
     m_metalProgram.setUniformValue("blur", scene.drillOn ? 0.8F : 0.0F);
     m_metalProgram.setUniformValue("fade", 1.0F);
     m_metalProgram.setUniformValue("tint", QVector4D());
-    m_metalProgram.setUniformValue("glassRadius", 0.0F);
+    m_metalProgram.setUniformValue("workRadius", 0.0F);
+    m_metalProgram.setUniformValue("topMm", kWholeMesh);
     glUniform4fv(m_metalProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
     glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
 }
@@ -333,15 +372,20 @@ void ToothRenderer::drawPart(Part& part)
     glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, nullptr);
 }
 
+glm::vec2 ToothRenderer::crownInClip(const Scene& scene) const
+{
+    const glm::dvec4 crown = scene.clipFromEye * scene.eyeFromTooth * glm::dvec4(m_crownMm, 1.0);
+    return {glm::dvec2(crown) / crown.w};
+}
+
 void ToothRenderer::drawBackdrop(const Scene& scene)
 {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
-    const glm::dvec4 crown = scene.clipFromEye * scene.eyeFromTooth * glm::dvec4(m_crownMm, 1.0);
+    const glm::vec2 crown = crownInClip(scene);
     m_backdropProgram.bind();
-    m_backdropProgram.setUniformValue("crown", static_cast<float>(crown.x / crown.w),
-                                      static_cast<float>(crown.y / crown.w));
+    m_backdropProgram.setUniformValue("crown", crown.x, crown.y);
     m_backdropProgram.setUniformValue("aspect", scene.sizePx.x / scene.sizePx.y);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -370,6 +414,10 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     useTooth(m_toothProgram, scene);
     m_toothProgram.setUniformValue("distinct", scene.look.palette == Palette::Distinct);
     m_toothProgram.setUniformValue("wet", scene.look.isWet ? 1.0F : 0.0F);
+    const glm::vec2 crown = crownInClip(scene);
+    m_toothProgram.setUniformValue("crown", crown.x, crown.y);
+    m_toothProgram.setUniformValue("aspect", scene.sizePx.x / scene.sizePx.y);
+    m_toothProgram.setUniformValue("fadeMm", m_fadeMm.x, m_fadeMm.y);
     const DepthColours colours = scene.look.depthColours;
     m_toothProgram.setUniformValue("depthColours", static_cast<int>(colours));
     m_toothProgram.setUniformValue(
@@ -396,8 +444,8 @@ void ToothRenderer::drawLightOfBur(const Scene& scene)
 {
     if (m_maps.isEmpty() || !scene.instrumentShown || scene.burIndex >= m_burs.size())
         return;
-    m_burLight.find(m_maps, {toothFromBur(scene, scene.tipMm), scene.burIndex, scene.liftMm, scene.look.burLight,
-                             scene.towardsLight});
+    m_burLight.find(m_maps, {toothFromBur(scene, scene.tipMm), toothFromHand(scene), scene.burIndex, scene.liftMm,
+                             scene.look.burLight, scene.towardsLight});
     if (m_burLight.reached().nodes.isEmpty())
         return;
     useTooth(m_brightenProgram, scene);
@@ -419,44 +467,52 @@ void ToothRenderer::drawLightOfBur(const Scene& scene)
 void ToothRenderer::drawInstrument(const Scene& scene)
 {
     drawCue(scene);
-    const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
-    const glm::dmat4 toothFromPart = toothFromBur(scene, scene.tipMm);
-    useMetal(scene, toothFromPart);
+    useMetal(scene, toothFromBur(scene, scene.tipMm));
     const glm::vec4& tint = scene.burTint;
     m_metalProgram.setUniformValue("tint", QVector4D(tint.r, tint.g, tint.b, tint.a));
+    m_metalProgram.setUniformValue(
+        "topMm", static_cast<float>(core::drilling::burs()[scene.burIndex].headLengthMm + scene.liftMm));
     drawPart(*m_burs[scene.burIndex]);
     m_metalProgram.setUniformValue("tint", QVector4D());
-    setMatrix(*this, m_metalProgram, "toothFromPart",
-              glm::mat4(glm::translate(toothFromPart, glm::dvec3(0.0, 0.0, scene.liftMm))));
-    // From the side the shank is what tells how the bur stands; from above it would hide all that it does.
-    const glm::dvec3 towardsEye = glm::normalize(scene.eyeMm - scene.tipMm);
-    const bool shankIsGlass = towardsEye.z > kShankHidesTheWork;
-    if (!shankIsGlass)
-        drawPart(*m_shanks[scene.burIndex]);
+    m_metalProgram.setUniformValue("topMm", kWholeMesh);
+    const glm::dmat4 toothFromPart = toothFromHand(scene);
+    setMatrix(*this, m_metalProgram, "toothFromPart", glm::mat4(toothFromPart));
+    drawPart(*m_shanks[scene.burIndex]);
 
-    // The handpiece turns to glass over the crown: the hand feels it, the eye wants the tooth. First its depth alone,
-    // so that only its nearest side is blended.
-    const glm::dvec4 crown = clipFromTooth * glm::dvec4(m_crownMm, 1.0);
-    const double scale = scene.clipFromEye[1][1] / crown.w * 0.5 * static_cast<double>(scene.sizePx.y);
-    m_metalProgram.setUniformValue(
-        "glassCentre", static_cast<float>((0.5 + 0.5 * crown.x / crown.w) * static_cast<double>(scene.sizePx.x)),
-        static_cast<float>((0.5 + 0.5 * crown.y / crown.w) * static_cast<double>(scene.sizePx.y)));
-    m_metalProgram.setUniformValue("glassRadius", static_cast<float>(m_crownRadiusMm * scale));
-    m_metalProgram.setUniformValue("crownAwayMm",
-                                   static_cast<float>(glm::distance(scene.eyeMm, glm::dvec3(m_crownMm))));
+    // The handpiece is solid, except where it would hide the work. First its depth alone, so that only its nearest side
+    // is blended.
+    fadeOverTheCut(scene, toothFromPart);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    const auto glass = [&] {
-        if (shankIsGlass)
-            drawPart(*m_shanks[scene.burIndex]);
-        drawPart(m_handpiece);
-    };
-    glass();
+    drawPart(m_handpiece);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_BLEND);
     // Alpha of the picture stays one: it is laid over a window.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    glass();
+    drawPart(m_handpiece);
     glDisable(GL_BLEND);
+}
+
+/// Sets where the metal is seen through: about the last millimetres of the bur, as they are seen.
+void ToothRenderer::fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFromHand)
+{
+    const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
+    const glm::dvec2 half = 0.5 * glm::dvec2(scene.sizePx);
+    const double upright = core::drilling::burs()[scene.burIndex].headLengthMm + scene.liftMm;
+    const glm::dvec4 top = upright < kWorkMm ? toothFromHand * glm::dvec4(0.0, 0.0, kWorkMm - scene.liftMm, 1.0)
+                                             : glm::dvec4(scene.tipMm + glm::dvec3(0.0, 0.0, kWorkMm), 1.0);
+    const glm::dvec4 from = clipFromTooth * glm::dvec4(scene.tipMm, 1.0);
+    const glm::dvec4 to = clipFromTooth * top;
+    if (from.w < 1.0 || to.w < 1.0)  // beside the eye or behind it
+        return;
+    const auto pixel = [&](const char* name, const glm::dvec4& clip) {
+        const glm::vec2 at(half + half * glm::dvec2(clip) / clip.w);
+        m_metalProgram.setUniformValue(name, at.x, at.y);
+    };
+    pixel("workFrom", from);
+    pixel("workTo", to);
+    m_metalProgram.setUniformValue("workRadius",
+                                   static_cast<float>(kWorkAsideMm * scene.clipFromEye[1][1] / from.w * half.y));
+    m_metalProgram.setUniformValue("tipAwayMm", static_cast<float>(glm::distance(scene.eyeMm, scene.tipMm)));
 }
 
 /// A thin line from the tip to the tooth below it: where the bur will land.

@@ -28,6 +28,9 @@
 
 namespace ui::render {
 
+/// Below every tooth: a height from which nothing fades, mm.
+inline constexpr float kNoFadeMm = -1.0e6F;
+
 /// Everything one picture shows besides the tooth itself.
 struct Scene
 {
@@ -42,6 +45,8 @@ struct Scene
     glm::dvec3 tipMm{0.0};                    ///< of the bur
     std::optional<double> surfaceBelowTipMm;  ///< height of the tooth under the tip, if any; the cue line ends there
     double handAzimuthRad = 0.0;              ///< from +x to where the handle points, about +z
+    double leanRad = 0.0;                     ///< of shank and handpiece from upright, out of the way of the view
+    double leanAzimuthRad = 0.0;              ///< from +x to where they lean, about +z
     double turnRad = 0.0;                     ///< of the bur about its axis
     bool drillOn = false;
     glm::vec4 burTint{0.0F};  ///< colour of the bur's head, and how much of it
@@ -104,7 +109,10 @@ private:
     void useMetal(const Scene& scene, const glm::dmat4& toothFromPart);
     void drawPart(Part& part);
     [[nodiscard]] static glm::dmat4 toothFromBur(const Scene& scene, const glm::dvec3& tipMm);
+    [[nodiscard]] static glm::dmat4 toothFromHand(const Scene& scene);
+    void fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFromHand);
     void drawBackdrop(const Scene& scene);
+    [[nodiscard]] glm::vec2 crownInClip(const Scene& scene) const;
     void drawTooth(const Scene& scene, const QRect& part);
     void drawInstrument(const Scene& scene);
     void drawCue(const Scene& scene);
@@ -120,6 +128,8 @@ private:
     std::vector<std::unique_ptr<Part>> m_burs;
     std::vector<std::unique_ptr<Part>> m_shanks;
     ArchRenderer m_neighbours;
+    glm::vec2 m_fadeMm{kNoFadeMm,
+                       kNoFadeMm - 1.0F};  ///< heights between which the root fades, as the gum beside it does
     Part m_handpiece;
     Part m_mirror;
     std::unique_ptr<QOpenGLFramebufferObject> m_reflected;   ///< what the dental mirror shows, as the eye sees it
@@ -132,7 +142,6 @@ private:
     BurLight m_burLight;
     std::uint64_t m_surfaces = 0;  ///< teeth and neighbours that came so far
     glm::vec3 m_crownMm{0.0F};
-    float m_crownRadiusMm = 1.0F;
 };
 
 }  // namespace ui::render

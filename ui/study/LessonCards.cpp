@@ -20,8 +20,9 @@ namespace {
 using namespace ui::shell;
 
 constexpr int kCardPx = 208;
-constexpr int kPicturePx = 104;
-constexpr int kCardHighPx = kPicturePx + 100;
+constexpr int kPicturePx = 138;
+constexpr int kCardHighPx = kPicturePx + 70;
+constexpr int kDuePx = 18;  ///< the line of a card that says when it is due
 constexpr int kCardHeadPx = 36;
 constexpr int kPadPx = 10;
 constexpr int kCardIconPx = 40;
@@ -61,7 +62,7 @@ LessonCards::LessonCards(LessonThumbs& thumbs, std::function<const ::lessons::Le
 QSize LessonCards::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
 {
     if (index.data(CardEntry).isValid())
-        return {kCardPx, kCardHighPx};
+        return {kCardPx, kCardHighPx + (index.data(CardDue).toString().isEmpty() ? 0 : kDuePx)};
     return {m_view->viewport()->width() - 2 * m_view->spacing() - 1, kCardHeadPx};
 }
 
@@ -133,22 +134,23 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
     painter.setFont(typeface(kBody, QFont::Medium));
     painter.setPen(palette.color(QPalette::WindowText));
     const double high = paintLines(painter, words, index.data(Qt::DisplayRole).toString(), kTitleLines);
-    painter.setFont(typeface(kSmall));
-    painter.setPen(palette.color(QPalette::PlaceholderText));
-    painter.drawText(
-        words.adjusted(0.0, high + 1.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
-        shortTooth(index.data(CardTooth).toString(), painter.fontMetrics(), static_cast<int>(words.width())));
-    const Tones tone = tones(palette);
     const QString score = index.data(CardScore).toString();
     painter.setFont(typeface(kBody, QFont::DemiBold));
     const int scoreWidth = score.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(score) + kSpace2;
+    const Tones tone = tones(palette);
     painter.setPen(index.data(CardPassed).toBool() ? palette.color(QPalette::Link) : tone.attentionText);
     painter.drawText(words, Qt::AlignRight | Qt::AlignBottom, score);
+    painter.setFont(typeface(kSmall));
+    painter.setPen(palette.color(QPalette::PlaceholderText));
+    const QString due = index.data(CardDue).toString();
+    const double besideScore = words.width() - scoreWidth;
+    painter.drawText(words.adjusted(0.0, high + 1.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+                     shortTooth(index.data(CardTooth).toString(), painter.fontMetrics(),
+                                static_cast<int>(due.isEmpty() ? besideScore : words.width())));
     painter.setFont(typeface(kSmall, QFont::Medium));
     painter.setPen(index.data(CardIsLate).toBool() ? tone.harmText : palette.color(QPalette::WindowText));
-    painter.drawText(words.adjusted(0.0, 0.0, -scoreWidth, 0.0), Qt::AlignLeft | Qt::AlignBottom,
-                     painter.fontMetrics().elidedText(index.data(CardDue).toString(), Qt::ElideRight,
-                                                      static_cast<int>(words.width()) - scoreWidth));
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom,
+                     painter.fontMetrics().elidedText(due, Qt::ElideRight, static_cast<int>(besideScore)));
     painter.setBrush(Qt::NoBrush);
     const bool hasKeys = option.state.testFlag(QStyle::State_HasFocus);
     painter.setPen(hasKeys      ? QPen(palette.color(QPalette::Link), 3.0)

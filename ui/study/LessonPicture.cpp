@@ -6,7 +6,6 @@
 
 #include <QPainter>
 
-#include "ui/inside/SectionPainter.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -14,6 +13,7 @@ namespace ui::study {
 namespace {
 
 using ::lessons::Lesson;
+using ::lessons::Task;
 
 constexpr int kLeastHeightPx = 240;
 constexpr int kLeastSectionPx = 300;  ///< of a section in particular, which has a scale and a key
@@ -45,7 +45,9 @@ QSize LessonPicture::sizeHint() const
 
 QSize LessonPicture::minimumSizeHint() const
 {
-    const int high = m_lesson && isIdealTold(*m_lesson) ? kLeastSectionPx : kLeastHeightPx;
+    const bool mayHaveSection =
+        m_lesson && m_lesson->aids.section && (isIdealTold(*m_lesson) || m_lesson->task == Task::RemoveDecay);
+    const int high = mayHaveSection ? kLeastSectionPx : kLeastHeightPx;
     return {high, high};
 }
 
@@ -98,7 +100,7 @@ void LessonPicture::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool hasSection = m_scene && m_scene->ideal && m_lesson && m_lesson->aids.section;
+    const bool hasSection = m_scene && m_scene->plane;
     // Beside the section, where there is one.
     const double wide = std::min(kWidthToHeight * height(), hasSection ? 0.5 * (width() - kGapPx) : 1.0 * width());
     const QRectF left(0.0, 0.0, wide, height());
@@ -113,12 +115,7 @@ void LessonPicture::paintEvent(QPaintEvent*)
     paintFromAbove(painter, left, *m_scene, hasSection);
     if (!hasSection)
         return;
-    inside::SectionScene section;
-    section.tooth = &m_scene->whole;
-    section.plane = m_scene->plane;
-    section.ideal = m_scene->ideal;
-    section.band = m_scene->band ? &*m_scene->band : nullptr;
-    inside::paintSection(painter, left.translated(wide + kGapPx, 0.0), section);
+    inside::paintSection(painter, left.translated(wide + kGapPx, 0.0), sectionOf(*m_scene));
 }
 
 }  // namespace ui::study

@@ -12,9 +12,9 @@
 
 namespace ui::study {
 
-/// What a lesson asks for, before it is begun: its tooth from above with the outline that is to be cut and a section
-/// through it, or with the points that are to be touched. Where the ideal is no aid of the lesson, and where decay is
-/// to be found, the tooth alone. Dark in either theme, like the room with the tooth.
+/// What a lesson asks for, before it is begun: its tooth from above with its open decay, the outline that is to be cut
+/// or the points that are to be touched, and a section where that is an aid of the lesson (see LessonScene). Dark in
+/// either theme, like the room with the tooth.
 ///
 /// The tooth is made on another thread, when the picture is first seen; of lessons that are chosen quickly one after
 /// the other only the last. Ui thread.

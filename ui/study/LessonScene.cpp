@@ -4,6 +4,7 @@
 #include <numbers>
 #include <variant>
 
+#include "core/grading/Columns.h"
 #include "lessons/Capture.h"
 
 namespace ui::study {
@@ -14,6 +15,37 @@ using ::lessons::Task;
 namespace {
 
 constexpr QRgb kRing = 0xFF56C7C9;
+constexpr float kMuchMore = 1.6F;
+
+/// Through the deepest decay, from cheek to tongue unless that misses most of it. Nothing without decay.
+std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain::Tooth& tooth)
+{
+    const core::terrain::Grid& grid = tooth.grid();
+    const auto decayMm = [&](int i, int j) {
+        const core::grading::Decay decay = core::grading::decayIn(tooth, grid.index(i, j));
+        return decay.any() ? decay.roof - decay.floor : 0.0F;
+    };
+    glm::ivec2 deepest(0);
+    float mostMm = 0.0F;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            if (const float mm = decayMm(i, j); mm > mostMm) {
+                mostMm = mm;
+                deepest = {i, j};
+            }
+        }
+    }
+    if (mostMm <= 0.0F)
+        return {};
+    float alongX = 0.0F;
+    float alongY = 0.0F;
+    for (int k = 0; k < grid.side; ++k) {
+        alongX += decayMm(k, deepest.y);
+        alongY += decayMm(deepest.x, k);
+    }
+    return core::imaging::SectionPlane{grid.nodeMm(deepest.x, deepest.y),
+                                       alongX > kMuchMore * alongY ? 0.0 : 0.5 * std::numbers::pi};
+}
 
 }  // namespace
 
@@ -36,15 +68,14 @@ std::shared_ptr<const LessonScene> makeLessonScene(const Lesson& lesson)
     ::lessons::Assignment& assignment = assigned->assignment;
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
     const core::grading::IdealTop ideal = isIdealTold(lesson) ? assignment.shownIdeal() : nullptr;
-    auto scene = std::make_shared<LessonScene>(LessonScene{assignment,
-                                                           core::terrain::Tooth(assignment.anatomy),
+    auto scene = std::make_shared<LessonScene>(LessonScene{assignment, core::terrain::Tooth(assignment.anatomy),
                                                            inside::fromAbove(anatomy, ideal ? *ideal : anatomy.top),
-                                                           ideal,
-                                                           0.0,
-                                                           std::nullopt,
-                                                           {}});
-    if (!ideal)
+                                                           ideal, 0.0, std::nullopt});
+    if (!ideal) {
+        if (lesson.task == Task::RemoveDecay && lesson.aids.section)
+            scene->plane = planeThroughDecay(scene->whole);
         return scene;
+    }
     core::preparation::Tolerances tolerances{0.0, 0.0, 0.0, 0.0};
     if (assignment.leeway)
         tolerances = {assignment.leeway->sidesMm, assignment.leeway->bottomMm, 0.0, 0.0};
@@ -52,17 +83,29 @@ std::shared_ptr<const LessonScene> makeLessonScene(const Lesson& lesson)
     scene->outlineMm = tolerances.outlineMm;
     scene->band =
         core::preparation::toleranceBand(anatomy, *assignment.ideal, tolerances.outlineMm, tolerances.depthMm);
-    scene->plane.throughMm = assignment.ideal->isthmus ? assignment.ideal->isthmus->atMm : anatomy.grid.middleMm();
-    scene->plane.angleRad = 0.5 * std::numbers::pi;
+    if (lesson.aids.section)
+        scene->plane = core::imaging::SectionPlane{assignment.ideal->isthmus ? assignment.ideal->isthmus->atMm
+                                                                             : anatomy.grid.middleMm(),
+                                                   0.5 * std::numbers::pi};
     return scene;
+}
+
+inside::SectionScene sectionOf(const LessonScene& scene)
+{
+    inside::SectionScene section;
+    section.tooth = &scene.whole;
+    section.plane = *scene.plane;
+    section.ideal = scene.ideal;
+    section.band = scene.band ? &*scene.band : nullptr;
+    return section;
 }
 
 void paintFromAbove(QPainter& painter, const QRectF& room, const LessonScene& scene, bool showsPlane)
 {
     const auto& assignment = scene.assignment;
-    inside::paintOutline(painter, room,
-                         {assignment.anatomy.get(), &scene.above, scene.outlineMm, 0.0,
-                          showsPlane ? std::optional(scene.plane) : std::nullopt});
+    inside::paintOutline(
+        painter, room,
+        {assignment.anatomy.get(), &scene.above, scene.outlineMm, 0.0, showsPlane ? scene.plane : std::nullopt});
     if (!assignment.exercise)
         return;
     if (const auto* asked = std::get_if<core::grading::PointsToTouch>(&*assignment.exercise)) {

@@ -10,14 +10,16 @@
 #include "core/preparation/ToleranceBand.h"
 #include "lessons/Assignment.h"
 #include "ui/inside/OutlinePainter.h"
+#include "ui/inside/SectionPainter.h"
 
 namespace ui::study {
 
 /// The ground that lessons are pictured on: dark in either theme, like the room with the tooth.
 inline constexpr QRgb kPictureGround = 0xFF15181A;
 
-/// What can be pictured of a lesson before it is begun. Where the ideal is no aid of the lesson, and where decay is to
-/// be found, that is the tooth alone.
+/// What can be pictured of a lesson before it is begun: the tooth, with decay as it is seen on its surface; the ideal,
+/// where that is an aid of the lesson and no decay is to be found; and a section through either, where sections are an
+/// aid.
 struct LessonScene
 {
     ::lessons::Assignment assignment;
@@ -26,7 +28,7 @@ struct LessonScene
     core::grading::IdealTop ideal;  ///< null: not told
     double outlineMm = 0.0;         ///< tolerance
     std::optional<core::preparation::ToleranceBand> band;
-    core::imaging::SectionPlane plane;
+    std::optional<core::imaging::SectionPlane> plane = {};  ///< nothing: no section is shown
 };
 
 /// Not what is to be felt and not seen.
@@ -36,6 +38,9 @@ struct LessonScene
 
 /// Makes the tooth, which takes its time. Null: it cannot be made; starting the lesson says why. Any thread.
 [[nodiscard]] std::shared_ptr<const LessonScene> makeLessonScene(const ::lessons::Lesson& lesson);
+
+/// What its section shows; the scene must have a plane and outlive it.
+[[nodiscard]] inside::SectionScene sectionOf(const LessonScene& scene);
 
 /// The tooth from above with the outline that is to be cut, or the points that are to be touched.
 /// @param showsPlane  where the section runs

@@ -11,7 +11,8 @@
 namespace ui::study {
 namespace {
 
-constexpr double kThumbGapPx = 4.0;
+constexpr double kThumbGapPx = 6.0;
+constexpr double kAboveShare = 0.54;  ///< of the width, for the tooth from above where a section stands beside it
 
 }  // namespace
 
@@ -61,9 +62,16 @@ void LessonThumbs::makeNext()
             image.fill(kPictureGround);
             QPainter painter(&image);
             painter.setRenderHint(QPainter::Antialiasing);
-            const QRectF picture =
-                QRectF({}, QSizeF(wanted.size)).marginsRemoved(QMarginsF(0.0, kThumbGapPx, 0.0, kThumbGapPx));
-            paintFromAbove(painter, inside::areaAround(picture), *scene, false);
+            const QRectF whole({}, QSizeF(wanted.size));
+            QRectF above = whole;
+            // The shape of a block is all that its lesson is about.
+            const bool hasSection = scene->plane && wanted.lesson.task != ::lessons::Task::TraceShape;
+            if (hasSection)
+                above.setWidth(kAboveShare * whole.width());
+            const double gap = kThumbGapPx;
+            paintFromAbove(painter, inside::areaAround(above.marginsRemoved({gap, gap, gap, gap})), *scene, false);
+            if (hasSection)
+                inside::paintSmallSection(painter, QRectF(above.topRight(), whole.bottomRight()), sectionOf(*scene));
         }
         QMetaObject::invokeMethod(
             this,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -15,7 +16,12 @@ namespace ui::tooth {
 namespace {
 
 constexpr double kSideElevationDeg = 12.0;
-constexpr double kShankClearMm = 0.9;  ///< around the bur's axis, what the shank must clear
+// How the handpiece leans out of the way of an eye above.
+constexpr double kUprightBelowDeg = 25.0;  ///< elevation of the eye
+constexpr double kLeansMostDeg = 75.0;     ///< elevation from which it leans no further
+constexpr double kMostLeanDeg = 58.0;
+constexpr double kHandleComesDeg = 40.0;  ///< towards the viewer, by then
+constexpr double kShankClearMm = 0.9;     ///< around the bur's axis, what the shank must clear
 // Where the dental mirror is taken in hand.
 constexpr double kMirrorBehind = 0.9;  ///< the middle of the crown, of its radius
 constexpr double kMirrorSeen = 0.55;   ///< of its radius, on the outer side
@@ -94,10 +100,17 @@ render::Scene sceneThrough(const Camera& camera, glm::vec2 sizePx, bool leftHand
     scene.eyeMm = camera.eyeMm();
     scene.towardsLight = operatingLight(leftHanded);
     scene.sizePx = sizePx;
-    // The hand belongs to the one who looks: the handle stays at the same side when the view turns.
+    // The hand belongs to the one who looks: the handle stays at the same side when the view turns. The more the eye
+    // looks down along the bur, the more the handpiece leans aside, as a pen does, and the handle comes towards the
+    // viewer.
+    const double fromAbove = glm::smoothstep(kUprightBelowDeg, kLeansMostDeg, camera.elevationDeg());
+    const double side = leftHanded ? -1.0 : 1.0;
+    const double handleDeg = (leftHanded ? 180.0 : 0.0) - side * (20.0 + kHandleComesDeg * fromAbove);
     const glm::dvec2 right = camera.rightOnTooth();
-    const double towardsViewer = glm::radians(leftHanded ? 180.0 + 20.0 : -20.0);
-    scene.handAzimuthRad = std::atan2(right.y, right.x) + towardsViewer;
+    const double rightRad = std::atan2(right.y, right.x);
+    scene.handAzimuthRad = rightRad + glm::radians(handleDeg);
+    scene.leanAzimuthRad = rightRad + glm::radians(handleDeg + side * 90.0);
+    scene.leanRad = glm::radians(kMostLeanDeg * fromAbove);
     return scene;
 }
 

@@ -4,6 +4,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float open;
 layout(location = 3) in float tissue;
+layout(location = 4) in float shown;
 
 uniform mat4 clipFromPiece;
 uniform vec4 clipPlane;       // scene frame; zero: nothing is cut off
@@ -13,6 +14,7 @@ out vec3 positionMm;
 out vec3 normalInScene;
 out float openHere;
 out float tissueHere;
+out float shownHere;
 out float neckwards;  // 0 at the tip of the tooth, 1 a crown below it
 
 void main()
@@ -21,6 +23,7 @@ void main()
     normalInScene = mat3(sceneFromPiece) * normal;
     openHere = open;
     tissueHere = tissue;
+    shownHere = shown;
     neckwards = clamp(-position.z / 9.0, 0.0, 1.0);
     gl_ClipDistance[0] = dot(clipPlane, vec4(positionMm, 1.0));
     gl_Position = clipFromPiece * vec4(position, 1.0);

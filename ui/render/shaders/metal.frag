@@ -11,11 +11,12 @@ uniform mat3 eyeRotation;  // eye from tooth
 uniform vec3 towardsLight;
 uniform float turnRad;     // how far the bur has turned
 uniform float blur;        // 0 standing still, 1 spinning: the blades run together
-uniform vec2 glassCentre;  // pixels: where the instrument must not hide the tooth
 uniform float fade;        // 1 solid, less: a ghost
 uniform vec4 tint;         // colour of the blades, and how much of it
-uniform float glassRadius; // pixels, 0: opaque everywhere
-uniform float crownAwayMm; // from the eye
+uniform vec2 workFrom;     // pixels: the part of the bur that must not be hidden, from its tip
+uniform vec2 workTo;
+uniform float workRadius;  // pixels about that part, 0: opaque everywhere
+uniform float tipAwayMm;   // from the eye
 
 out vec4 colour;
 
@@ -70,11 +71,14 @@ void main()
                gloss * (0.9 * glance + 0.10 * rim);
 
     float opacity = 1.0;
-    if (glassRadius > 0.0) {
-        float away = length(gl_FragCoord.xy - glassCentre) / glassRadius;
+    if (workRadius > 0.0) {
+        vec2 work = workTo - workFrom;
+        vec2 here = gl_FragCoord.xy - workFrom;
+        float along = clamp(dot(here, work) / max(dot(work, work), 1.0), 0.0, 1.0);
+        float away = length(here - work * along) / workRadius;
         // Close before the eye it would be a wall.
-        float near = smoothstep(0.35, 0.65, length(eyeMm - positionMm) / crownAwayMm);
-        opacity = mix(0.14 + 0.5 * rim, 1.0, smoothstep(0.8, 1.35, away)) * near;
+        float near = smoothstep(0.2, 0.4, length(eyeMm - positionMm) / tipAwayMm);
+        opacity = mix(0.14 + 0.5 * rim, 1.0, smoothstep(0.75, 1.25, away)) * near;
     }
     colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), opacity * fade);
 }

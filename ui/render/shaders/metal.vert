@@ -6,6 +6,7 @@ layout(location = 2) in vec2 finish;  // what it is made of; angle about the axi
 
 uniform mat4 clipFromTooth;
 uniform mat4 toothFromPart;
+uniform float topMm;     // of the part; what is higher is pushed down to here
 uniform vec4 clipPlane;  // of the mirror, tooth frame; zero: nothing is cut off
 
 out vec3 positionMm;
@@ -15,7 +16,7 @@ out float finishHere;
 
 void main()
 {
-    vec4 placed = toothFromPart * vec4(position, 1.0);
+    vec4 placed = toothFromPart * vec4(position.xy, min(position.z, topMm), 1.0);
     positionMm = placed.xyz;
     normalInTooth = mat3(toothFromPart) * normal;
     onPart = vec2(finish.y, position.z);

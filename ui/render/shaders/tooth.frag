@@ -18,6 +18,8 @@ uniform bool distinct;         // colours and patterns that nobody confuses
 uniform float wet;             // 1 under a film of water
 uniform int depthColours;      // 0 none, 1 below the uncut surface, 2 against the ideal one
 uniform float scaleMm;         // end of their scale
+uniform mat4 clipFromTooth;
+uniform vec2 fadeMm;           // heights between which the root fades into the room, as the gum around it does
 
 out vec4 colour;
 
@@ -32,6 +34,8 @@ const vec3 kPulp = vec3(0.68, 0.13, 0.14);
 const vec3 kLamp = vec3(1.0, 0.97, 0.91);
 const vec3 kSky = vec3(0.86, 0.93, 1.0);
 const vec3 kGround = vec3(0.50, 0.36, 0.31);  // what the mouth throws back
+
+vec3 roomColour(vec2 place);
 
 /// Stripes and dots of 0.3 mm that do not depend on the view: 1 on them, 0 between.
 float stripes(float along)
@@ -58,7 +62,9 @@ void main()
     float inDecay = smoothstep(-0.12, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
                     smoothstep(0.3, 0.7, lower.y);
     float inPulp = smoothstep(0.0, 0.06, min(upper.w - z, z - lower.x));
-    float isEnamel = smoothstep(-0.03, 0.03, enamelMm);
+    // At the neck enamel runs out thin: its line is soft, and the steps of the lattice do not show in it.
+    float edgeMm = facing > 0.0 ? 0.03 : 0.3;
+    float isEnamel = smoothstep(-edgeMm, edgeMm, enamelMm);
     float cut = shade.b;
     vec3 enamel = mix(kEnamel, kCutEnamel, 0.75 * cut);
     // Dentin shines through thin enamel. At a flank what lies below a point is more than what lies behind it.
@@ -139,4 +145,8 @@ void main()
     lit += vec3(0.085, 0.10, 0.12) * grazing * polish * open;
 
     colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), 1.0);
+    if (z < fadeMm.x) {
+        vec4 clip = clipFromTooth * vec4(positionMm, 1.0);
+        colour.rgb = mix(colour.rgb, roomColour(clip.xy / clip.w), 1.0 - smoothstep(fadeMm.y, fadeMm.x, z));
+    }
 }
