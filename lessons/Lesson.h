@@ -101,10 +101,18 @@ struct LeewayZone
 };
 
 /// A step of the work, with a hint for who asks.
+/// What the program can see of an attempt: a step that asks for it ends by itself.
+enum class Reached : std::uint8_t {
+    DecayFound,    ///< the bur has removed some decay
+    Junction,      ///< the bur has removed some dentin
+    DecayRemoved,  ///< at most 1 % of the decay is left
+};
+
 struct Step
 {
     LocalText text;
     LocalText hint;
+    std::optional<Reached> doneWhen = {};  ///< nothing: the student goes on
     bool operator==(const Step&) const = default;
 };
 

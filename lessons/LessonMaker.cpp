@@ -33,6 +33,7 @@ constexpr int kMostPointsToTouch = 40;
 constexpr double kFarthestPointMm = 30.0;
 constexpr qint64 kLargestSeed = qint64{1} << 53;
 constexpr int kNewestFormat = 1'000'000;
+const QStringList kReached{QStringLiteral("decay_found"), QStringLiteral("junction"), QStringLiteral("decay_removed")};
 const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"),  QStringLiteral("trace_shape"),
                          QStringLiteral("touch_points"), QStringLiteral("hold_force"), QStringLiteral("tell_layers")};
 
@@ -101,6 +102,8 @@ public:
         takeExpert(lesson);
         m_keys.objects("steps", kMostSteps, [&](JsonKeys& step) {
             lesson.steps.push_back({step.local("text", true), step.local("hint", false)});
+            if (const int when = step.choice("done_when", kReached); when >= 0)
+                lesson.steps.back().doneWhen = static_cast<Reached>(when);
             step.nameTheRest();
         });
         lesson.minutes = m_keys.number("minutes", 0.0, 600.0, "minutes", 0.0);

@@ -8836,6 +8836,14 @@ ungesichert</translation>
         <source>The exam is over and cutting is disabled. Press G for the score.</source>
         <translation>Die Prüfung ist zu Ende, Schneiden ist nicht mehr möglich. Drücken Sie G für die Note.</translation>
     </message>
+    <message>
+        <source>Remove the brown decay. Stop when the floor is firm dentin.</source>
+        <translation>Entfernen Sie die braune Karies. Hören Sie auf, wenn der Boden festes Dentin ist.</translation>
+    </message>
+    <message>
+        <source>The decay is out. Press G for the score.</source>
+        <translation>Die Karies ist entfernt. Drücken Sie G für die Note.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>

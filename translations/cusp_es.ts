@@ -8836,6 +8836,14 @@ sin guardar</translation>
         <source>The exam is over and cutting is disabled. Press G for the score.</source>
         <translation>El examen ha terminado y ya no se puede tallar. Pulse G para la puntuación.</translation>
     </message>
+    <message>
+        <source>Remove the brown decay. Stop when the floor is firm dentin.</source>
+        <translation>Elimine la caries marrón. Pare cuando el piso sea dentina firme.</translation>
+    </message>
+    <message>
+        <source>The decay is out. Press G for the score.</source>
+        <translation>La caries está eliminada. Pulse G para la nota.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>

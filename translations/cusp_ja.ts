@@ -8776,6 +8776,14 @@ unsaved</source>
         <source>The exam is over and cutting is disabled. Press G for the score.</source>
         <translation>試験は終わりました。これ以上切削できません。Gで得点を表示します。</translation>
     </message>
+    <message>
+        <source>Remove the brown decay. Stop when the floor is firm dentin.</source>
+        <translation>茶色のう蝕を取り除いてください。窩底が硬い象牙質になったら止めます。</translation>
+    </message>
+    <message>
+        <source>The decay is out. Press G for the score.</source>
+        <translation>う蝕は除去されました。Gキーで採点します。</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>

@@ -36,6 +36,12 @@ bool isSameTooth(const ToothAnatomy& a, const ToothAnatomy& b)
     return &a == &b || (a.grid == b.grid && a.top == b.top && a.bottom == b.bottom && a.layers == b.layers);
 }
 
+bool hasDecay(const ToothAnatomy& anatomy)
+{
+    return std::any_of(anatomy.layers.begin(), anatomy.layers.end(),
+                       [](const ColumnLayers& column) { return column.cariesFloor < column.cariesRoof; });
+}
+
 Tooth restored(std::shared_ptr<const ToothAnatomy> anatomy, std::vector<float> top)
 {
     Tooth tooth(std::move(anatomy));

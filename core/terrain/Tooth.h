@@ -58,6 +58,9 @@ struct ToothAnatomy
 /// Whether two teeth are the same before anyone cuts them: grid, surfaces and tissues, whatever they are called.
 [[nodiscard]] bool isSameTooth(const ToothAnatomy& a, const ToothAnatomy& b);
 
+/// Returns whether any column of a tooth has decay.
+[[nodiscard]] bool hasDecay(const ToothAnatomy& anatomy);
+
 /// A tooth as cut so far: two height maps over an anatomy. A perforated column is empty in both maps.
 struct Tooth
 {

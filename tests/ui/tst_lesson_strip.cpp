@@ -41,6 +41,41 @@ private slots:
 
     void cleanup() { m_strip.reset(); }
 
+    void itGoesOnByItselfWhereTheProgramKnows()
+    {
+        using lessons::Reached;
+        lessons::Lesson lesson = threeSteps();
+        lesson.steps[0].doneWhen = Reached::DecayFound;
+        lesson.steps[1].doneWhen = Reached::Junction;
+        m_strip->setLesson(lesson);
+        m_strip->follow({Reached::Junction});
+        QCOMPARE(words(), QString("First"));
+        m_strip->follow({Reached::Junction, Reached::DecayFound});
+        QCOMPARE(words(), QString("Third"));
+        // Who goes back stays there while nothing new is reached.
+        arrow("Previous step").click();
+        m_strip->follow({Reached::Junction, Reached::DecayFound});
+        QCOMPARE(words(), QString("Second"));
+    }
+
+    void practiceSaysWhatToDo()
+    {
+        using core::terrain::Material;
+        core::terrain::PerMaterial whole{};
+        core::terrain::PerMaterial removed{};
+        const auto decay = static_cast<std::size_t>(Material::Caries);
+        whole[decay] = 10.0;
+        m_strip->setPractice();
+        const QString first = words();
+        QVERIFY(first.contains("decay"));
+        removed[decay] = 5.0;
+        m_strip->follow(ui::study::reachedBy(whole, removed));
+        QCOMPARE(words(), first);
+        removed[decay] = 9.95;
+        m_strip->follow(ui::study::reachedBy(whole, removed));
+        QVERIFY(words() != first);
+    }
+
     void aHintIsForWhoAsks()
     {
         QCOMPARE(words(), QString("First"));

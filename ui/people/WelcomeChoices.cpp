@@ -27,7 +27,7 @@ WelcomeChoices::WelcomeChoices(QWidget* parent)
     m_school->setObjectName(QStringLiteral("setUpSchool"));
     for (QCommandLinkButton* button : {m_practise, m_school}) {
         button->setIcon({});
-        button->setFont(typeface(kTitle, QFont::DemiBold));
+        button->setFont(typeface(kBody));
         button->setMinimumHeight(kHeightPx);
         button->setAutoDefault(true);
         column->addWidget(button);

@@ -1514,8 +1514,10 @@ void MainWindow::takeSession()
             markExercise();
         showRemarks();
     } else if (m_session.toothGeneration == m_ownGeneration) {
-        if (m_assignment && m_assignment->lesson)
+        if (m_assignment) {
             runClock();
+            m_room->lesson().follow(study::reachedBy(m_session.wholeMm3, m_session.removedMm3));
+        }
         m_room->history().follow(m_session.historyVersion);
     }
     if (moved)
@@ -1868,7 +1870,8 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_ideal = m_replaying  ? m_replayIdeal
               : isAssigned ? m_assignment->shownIdeal()
                            : core::grading::idealCavity(*m_tooth);
-    m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
+    m_room->lesson().setVisible(isAssigned && !m_replaying &&
+                                (m_assignment->lesson || core::terrain::hasDecay(*m_tooth)));
     m_view->setIdeal(m_ideal);
     showIdeal();
     layExercise();
@@ -2240,8 +2243,10 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     showHistory();
-    if (!assignment.lesson)
+    if (!assignment.lesson) {
+        m_room->lesson().setPractice();
         return;
+    }
     // It begins as it is meant to, and not with what the one before had open.
     m_actions->section->setChecked(false);
     m_room->setSectionVisible(false);

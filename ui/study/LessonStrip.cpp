@@ -23,6 +23,8 @@ using namespace ui::shell;
 
 constexpr double kSecondsAMinute = 60.0;
 constexpr double kSoonS = 60.0;
+constexpr double kSomeMm3 = 0.01;       ///< more than the bur takes by accident
+constexpr double kDecayLeftMost = 0.01; ///< of the lesion
 
 }  // namespace
 
@@ -86,12 +88,44 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
 void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
 {
     m_lesson = lesson;
+    m_isPractice = false;
     m_step = 0;
+    m_reached.clear();
     m_isConcluded = false;
     m_hint->setChecked(false);
     showStep();
     m_overSaid = false;
     setTime(0.0);
+}
+
+void LessonStrip::setPractice()
+{
+    ::lessons::Lesson practice;
+    practice.steps.resize(2);
+    practice.steps.front().doneWhen = ::lessons::Reached::DecayRemoved;
+    setLesson(practice);
+    m_isPractice = true;
+    showStep();
+}
+
+void LessonStrip::follow(const std::set<::lessons::Reached>& reached)
+{
+    if (std::exchange(m_reached, reached) == reached || m_isConcluded)
+        return;
+    std::size_t step = m_step;
+    while (step + 1 < m_lesson.steps.size() && m_lesson.steps[step].doneWhen &&
+           reached.contains(*m_lesson.steps[step].doneWhen))
+        ++step;
+    if (step != m_step)
+        goTo(step);
+}
+
+QString LessonStrip::stepWords() const
+{
+    if (!m_isPractice)
+        return m_lesson.steps.empty() ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
+    return m_step == 0 ? tr("Remove the brown decay. Stop when the floor is firm dentin.")
+                       : tr("The decay is out. Press G for the score.");
 }
 
 /// A hint is for who asks for it, at each step anew.
@@ -125,9 +159,9 @@ void LessonStrip::showStep()
         : m_mayBeginAgain
             ? tr("The exam is over and cutting is disabled. Press G for the score or R for another attempt.")
             : tr("The exam is over and cutting is disabled. Press G for the score.");
-    const QString step = m_isConcluded ? over : count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
-    m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
-    m_text->setToolTip(QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
+    m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : m_isConcluded ? over : stepWords());
+    m_text->setToolTip(m_isPractice ? QString()
+                                    : QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());
@@ -166,6 +200,25 @@ void LessonStrip::setTime(double workedS)
     m_time->setToolTip(tr("Remaining time of %1").arg(timeWords(m_lesson)));
     if (leftS < 0.0 && !std::exchange(m_overSaid, true))
         emit timeOver();
+}
+
+std::set<::lessons::Reached> reachedBy(const core::terrain::PerMaterial& wholeMm3,
+                                       const core::terrain::PerMaterial& removedMm3)
+{
+    using ::lessons::Reached;
+    const auto of = [](const core::terrain::PerMaterial& volumes, core::terrain::Material material) {
+        return volumes[static_cast<std::size_t>(material)];
+    };
+    const double decay = of(wholeMm3, core::terrain::Material::Caries);
+    const double out = of(removedMm3, core::terrain::Material::Caries);
+    std::set<Reached> reached;
+    if (out > kSomeMm3)
+        reached.insert(Reached::DecayFound);
+    if (of(removedMm3, core::terrain::Material::Dentin) > kSomeMm3)
+        reached.insert(Reached::Junction);
+    if (decay > 0.0 && decay - out <= kDecayLeftMost * decay)
+        reached.insert(Reached::DecayRemoved);
+    return reached;
 }
 
 }  // namespace ui::study

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+
 #include <QFrame>
 
+#include "core/terrain/Tooth.h"
 #include "lessons/Lesson.h"
 
 class QLabel;
@@ -24,6 +27,10 @@ public:
 
     /// Begins with the first step.
     void setLesson(const ::lessons::Lesson& lesson);
+    /// Says what to do on a tooth with decay that is practised on without a lesson.
+    void setPractice();
+    /// Goes on by itself when what the step asks for has been reached.
+    void follow(const std::set<::lessons::Reached>& reached);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
     /// This one has its grade, and there is another attempt left.
@@ -42,9 +49,12 @@ signals:
 private:
     void goTo(std::size_t step);
     void showStep();
+    [[nodiscard]] QString stepWords() const;
 
     ::lessons::Lesson m_lesson;
+    bool m_isPractice = false;
     std::size_t m_step = 0;
+    std::set<::lessons::Reached> m_reached;
     double m_workedS = 0.0;
     bool m_overSaid = false;
     bool m_isConcluded = false;
@@ -57,5 +67,10 @@ private:
     QToolButton* m_next = nullptr;
     shell::TabularLabel* m_time = nullptr;
 };
+
+/// Returns what has been reached on a tooth.
+/// @param wholeMm3, removedMm3  volumes of the uncut tooth, and of what was removed, by material
+[[nodiscard]] std::set<::lessons::Reached> reachedBy(const core::terrain::PerMaterial& wholeMm3,
+                                                     const core::terrain::PerMaterial& removedMm3);
 
 }  // namespace ui::study

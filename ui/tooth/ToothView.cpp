@@ -126,7 +126,9 @@ void ToothView::setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy
 void ToothView::setIdeal(const core::grading::IdealTop& ideal)
 {
     m_surface->setIdeal(ideal);
-    if (ideal)
+    // A cavity in a posterior tooth or a block is looked at from above.
+    const int fdi = m_surface->anatomy().fdi;
+    if (ideal && (fdi == 0 || fdi % 10 > 3))
         m_camera.setStart(m_camera.startAzimuthDeg(), Camera::kAboveDeg);
     m_surfaceIsNew = true;
     redraw();
