@@ -9431,6 +9431,10 @@ ungesichert</translation>
         <source>Next lesson</source>
         <translation>Nächste Lektion</translation>
     </message>
+    <message>
+        <source>Show the moment in the replay</source>
+        <translation>Den Moment in der Wiedergabe zeigen</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

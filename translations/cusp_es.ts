@@ -9431,6 +9431,10 @@ sin guardar</translation>
         <source>Next lesson</source>
         <translation>Siguiente lección</translation>
     </message>
+    <message>
+        <source>Show the moment in the replay</source>
+        <translation>Mostrar el momento en la repetición</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

@@ -9367,6 +9367,10 @@ unsaved</source>
         <source>Next lesson</source>
         <translation>次のレッスン</translation>
     </message>
+    <message>
+        <source>Show the moment in the replay</source>
+        <translation>再生でその場面を見る</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

@@ -11,6 +11,7 @@
 #include "tests/ui/WindowTest.h"
 #include "ui/inside/SectionView.h"
 #include "ui/replay/TimeLine.h"
+#include "ui/shell/ViewMenu.h"
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/ScorePage.h"
@@ -248,7 +249,10 @@ private slots:
         const double overS = 60.0 * exam.lesson->minutes + 1.0;
         QSignalSpy again(m_window.get(), &MainWindow::attemptAgainWanted);
         QSignalSpy grade(m_window.get(), &MainWindow::gradeRequested);
-        const auto mayCut = [&] { return actions().drill->isEnabled() && actions().burs[0]->isEnabled(); };
+        const auto mayCut = [&] {
+            return actions().drill->isEnabled() && std::any_of(actions().burs.begin(), actions().burs.end(),
+                                                               [](const QAction* bur) { return bur->isEnabled(); });
+        };
         const auto showScoreAndGoBack = [&] {
             m_window->showScore(sheet(3.2, 40, 0.5), {});
             actions().back->trigger();
@@ -296,6 +300,33 @@ private slots:
         QVERIFY(mayCut() && actions().undo->isEnabled() && actions().reload->isEnabled());
     }
 
+    /// The neighbouring tooth that is to be spared is there to be seen, whatever was chosen before. The choice stays.
+    void aWatchedNeighbourIsShown()
+    {
+        const auto isShown = [&] { return child<ViewMenu>()->settings().showsNeighbours; };
+        const auto showsIn = [&](const char* lesson) {
+            beginLesson(assigned(lesson));
+            return isShown();
+        };
+        const auto choose = [](QAction* action) {
+            action->setEnabled(true);  // without OpenGL it is not
+            action->trigger();
+        };
+        QVERIFY(!showsIn("class1-36"));
+        for (const char* boxed : {"class2-36-distal", "class2-36-mesial", "exam-36-class2"})
+            QVERIFY2(showsIn(boxed), boxed);
+        choose(actions().wetLook);
+        QVERIFY(!showsIn("class1-36"));
+        QVERIFY(showsIn("class2-26-mesial"));
+        choose(actions().neighbours);
+        QVERIFY(!isShown());
+        beginLesson(assigned("class1-36"));
+        choose(actions().neighbours);
+        QVERIFY(isShown() && showsIn("class2-26-mesial") && showsIn("class1-36"));
+        choose(actions().neighbours);
+        choose(actions().wetLook);
+    }
+
     /// The exams that are shipped allow no aid, and tell so. Practice, which allows them, leaves some of them on.
     void aShippedExamLocksTheAids()
     {
@@ -323,6 +354,8 @@ private slots:
             press(Qt::Key_X);
             press(Qt::Key_F);
             QVERIFY(child<PracticeRoom>()->isVisible() && !child<SectionView>()->isVisible());
+            for (const char* figure : {"decayFigure", "overcut", "depthFigure"})
+                QVERIFY2(!child<QWidget>(figure)->isVisible(), figure);
             QVERIFY(!actions().expert->isVisible() && !actions().undo->isEnabled());
             beginLesson(assigned("class1-36"));
             QCOMPARE(tips(), allowed);

@@ -120,6 +120,9 @@ QString droppedFile(const QMimeData* data)
 /// What the panel tells of the work; null: of a tooth that is practised on.
 SidePanel::Asked askedOf(const lessons::Lesson* lesson)
 {
+    // In an exam without aids, how much decay is left would tell when to stop.
+    if (lesson != nullptr && lesson->exam && lesson->aids == lessons::Aids::none())
+        return SidePanel::Asked::Nothing;
     if (lesson == nullptr || lesson->task == lessons::Task::RemoveDecay)
         return SidePanel::Asked::Decay;
     return lessons::isExercise(lesson->task) ? SidePanel::Asked::Nothing : SidePanel::Asked::Ideal;
@@ -2242,6 +2245,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
+    m_viewMenu->showNeighbours(assignment.neighbours != nullptr);
     showHistory();
     if (!assignment.lesson) {
         m_room->lesson().setPractice();

@@ -66,11 +66,14 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     for (QAction* action : this->actions())
         action->setIconVisibleInMenu(false);
     read();
-    for (QAction* action :
-         {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours, actions.idealColours,
-          actions.burColour, actions.handPlace, actions.distinctColours, actions.wetLook, actions.stereo,
-          actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
+    for (QAction* action : {actions.mirror, actions.burLight, actions.depthColours, actions.idealColours,
+                            actions.burColour, actions.handPlace, actions.distinctColours, actions.wetLook,
+                            actions.stereo, actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
         connect(action, &QAction::triggered, this, &ViewMenu::take);
+    connect(actions.neighbours, &QAction::triggered, this, [this](bool on) {
+        m_choseNeighbours = on;
+        take();
+    });
     connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
 }
 
@@ -125,6 +128,12 @@ void ViewMenu::colourAgainstIdeal(bool on)
     take();
 }
 
+void ViewMenu::showNeighbours(bool areWatched)
+{
+    m_actions.neighbours->setChecked(areWatched || m_choseNeighbours);
+    take();
+}
+
 QToolButton* ViewMenu::makeButton(QWidget* parent)
 {
     auto* button = new QToolButton(parent);
@@ -155,7 +164,8 @@ void ViewMenu::read()
     m_actions.depthColours->setChecked(isOn("depth"));
     m_actions.burColour->setChecked(isOn("margin"));
     m_actions.handPlace->setChecked(isOn("hand"));
-    m_actions.neighbours->setChecked(isOn("neighbours"));
+    m_choseNeighbours = isOn("neighbours");
+    m_actions.neighbours->setChecked(m_choseNeighbours);
     m_actions.distinctColours->setChecked(isOn("distinct"));
     m_actions.wetLook->setChecked(isOn("wet"));
     m_actions.flipLeftRight->setChecked(isOn("flipLeftRight"));
@@ -205,7 +215,7 @@ void ViewMenu::take()
     keep("depth", now.look.depthColours == render::DepthColours::BelowOriginal);
     keep("margin", now.showsMargin);
     keep("hand", now.showsHand);
-    keep("neighbours", now.showsNeighbours);
+    keep("neighbours", m_choseNeighbours);
     keep("distinct", now.look.palette == render::Palette::Distinct);
     keep("wet", now.look.isWet);
     keep("flipLeftRight", now.presentation.flipLeftRight);

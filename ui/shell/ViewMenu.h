@@ -31,6 +31,8 @@ public:
     void setAllowed(const lessons::Aids& aids);
     /// A lesson begins with the colours against its ideal, or with none.
     void colourAgainstIdeal(bool on);
+    /// A lesson that watches the neighbouring teeth begins with them shown, any other lesson as the person chose.
+    void showNeighbours(bool areWatched);
     /// The way to the eyes that switching stereo on brings.
     [[nodiscard]] render::Stereo stereoWay() const { return m_lastStereo; }
     /// A button with the menu, for a bar.
@@ -53,6 +55,7 @@ private:
     QMenu* m_menu;
     tooth::ViewSettings m_settings;  ///< as chosen
     lessons::Aids m_aids;
+    bool m_choseNeighbours = false;  ///< also while a lesson shows them by itself
     render::Stereo m_lastStereo = render::Stereo::RedCyan;
 };
 
