@@ -916,11 +916,6 @@
         <translation>Die Uhr läuft, sobald Sie beginnen, auch während Sie auf einer anderen Seite sind. Fehler werden nach der Bewertung gezeigt.</translation>
     </message>
     <message>
-        <source>Exam: %1</source>
-        <extracomment>%1: a lesson</extracomment>
-        <translation>Prüfung: %1</translation>
-    </message>
-    <message>
         <source>&amp;Begin exam</source>
         <translation>Prüfung &amp;beginnen</translation>
     </message>

@@ -916,11 +916,6 @@
         <translation>El tiempo corre desde que empieza, también mientras está en otra página. Los errores se muestran después de la calificación.</translation>
     </message>
     <message>
-        <source>Exam: %1</source>
-        <extracomment>%1: a lesson</extracomment>
-        <translation>Examen: %1</translation>
-    </message>
-    <message>
         <source>&amp;Begin exam</source>
         <translation>Empezar el &amp;examen</translation>
     </message>

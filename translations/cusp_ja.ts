@@ -914,11 +914,6 @@
         <translation>時計は開始と同時に動き、ほかのページを開いている間も止まりません。誤りは採点のあとに表示されます。</translation>
     </message>
     <message>
-        <source>Exam: %1</source>
-        <extracomment>%1: a lesson</extracomment>
-        <translation>試験：%1</translation>
-    </message>
-    <message>
         <source>&amp;Begin exam</source>
         <translation>試験を開始(&amp;B)</translation>
     </message>

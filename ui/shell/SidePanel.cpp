@@ -142,6 +142,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         auto* name = new QLabel(content);
         TabularLabel* value = addVolume(swatch, name, objectName);
         m_removedNames.at(at(material)) = name;
+        if (material == Material::Enamel)
+            m_enamelSwatch = swatch;
         m_removed.at(at(material)) = value;
         return value;
     };
@@ -278,6 +280,8 @@ void SidePanel::showFigures()
     show(m_margin, tells, m_hasMargin);
     for (const Material material : {Material::Dentin, Material::Pulp})
         m_removed.at(at(material))->parentWidget()->setVisible(!m_isBlock);
+    for (QWidget* swatch : {m_swatch, m_enamelSwatch})  // of tissues
+        swatch->setVisible(!m_isBlock);
 }
 
 QString SidePanel::nameOf(Material material) const

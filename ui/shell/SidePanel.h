@@ -75,6 +75,7 @@ private:
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
     std::array<QLabel*, core::terrain::kMaterialCount> m_removedNames{};
+    MaterialSwatch* m_enamelSwatch = nullptr;
     TabularLabel* m_rpm = nullptr;
     TabularLabel* m_overcut = nullptr;
     QWidget* m_overcutRow = nullptr;

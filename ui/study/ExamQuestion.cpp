@@ -39,8 +39,7 @@ shell::QuestionCard::Question examQuestion(const ::lessons::Lesson& exam, const 
                       "after the grade."),
     };
     shell::QuestionCard::Question question;
-    //: %1: a lesson
-    question.text = ExamWords::tr("Exam: %1").arg(said(exam.title));
+    question.text = said(exam.title);
     question.detail = detail.join(u'\n');
     question.drawing = QStringLiteral("grade");
     question.saveText = ExamWords::tr("&Begin exam");
