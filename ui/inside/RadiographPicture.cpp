@@ -5,6 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/drilling/Reach.h"
+#include "core/imaging/Canals.h"
+
 namespace ui::inside {
 namespace {
 
@@ -24,7 +27,14 @@ int grey(double density)
 QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, const core::imaging::Beam& beam,
                          const core::imaging::FilmArea& area, double pixelMm, const core::imaging::Exposure& exposure)
 {
-    const core::imaging::Shadow shadow = core::imaging::castShadow(teeth, beam, area, pixelMm);
+    std::vector<core::terrain::Tooth> whole;
+    std::vector<core::imaging::XrayedTooth> pictured(teeth.begin(), teeth.end());
+    whole.reserve(teeth.size());
+    for (core::imaging::XrayedTooth& xrayed : pictured) {
+        whole.push_back(core::imaging::withCanals(*xrayed.tooth, core::drilling::lowestTipMm(*xrayed.tooth->anatomy)));
+        xrayed.tooth = &whole.back();
+    }
+    const core::imaging::Shadow shadow = core::imaging::castShadow(pictured, beam, area, pixelMm);
     const std::vector<float> quanta = core::imaging::quantaOn(shadow, exposure);
     QImage picture(shadow.width, shadow.height, QImage::Format_Grayscale8);
     for (int row = 0; row < shadow.height; ++row) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/render/ArchRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -41,6 +42,10 @@ bool ArchRenderer::initialize(QString& reason)
 void ArchRenderer::setPieces(std::vector<ArchPiece> pieces)
 {
     m_pieces = std::move(pieces);
+    m_fades = std::any_of(m_pieces.begin(), m_pieces.end(), [](const ArchPiece& piece) {
+        return std::any_of(piece.mesh->vertices.begin(), piece.mesh->vertices.end(),
+                           [](const LookVertex& v) { return v.shown < 1.0F; });
+    });
     bool known = true;
     for (const ArchPiece& piece : m_pieces)
         known = known && m_spans.contains(piece.mesh.get());
@@ -96,7 +101,12 @@ void ArchRenderer::drawRoom(glm::vec2 sizePx, glm::vec2 lamp)
 void ArchRenderer::draw(const ArchScene& scene)
 {
     glEnable(GL_MULTISAMPLE);
-    glDisable(GL_BLEND);
+    // Only what fades is blended. Alpha of the picture stays one: it is laid over a window.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    if (m_fades)
+        glEnable(GL_BLEND);
+    else
+        glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
@@ -114,18 +124,14 @@ void ArchRenderer::draw(const ArchScene& scene)
     const int sceneFromPiece = m_program.uniformLocation("sceneFromPiece");
     const int highlight = m_program.uniformLocation("highlight");
     const glm::dmat4 clipFromScene = scene.clipFromEye * scene.eyeFromScene;
-    const glm::mat4 clip(clipFromScene);
-    glUniformMatrix4fv(m_program.uniformLocation("clipFromScene"), 1, GL_FALSE, glm::value_ptr(clip));
-    m_program.setUniformValue("crown", scene.lamp.x, scene.lamp.y);
-    m_program.setUniformValue("aspect", scene.aspect);
     // A mirror or a picture turned over for a half-silvered one turns every triangle over.
     const double handed =
         glm::determinant(glm::dmat3(scene.eyeFromScene)) * scene.clipFromEye[0][0] * scene.clipFromEye[1][1];
     for (const ArchPiece& piece : m_pieces) {
         const Span& span = m_spans.at(piece.mesh.get());
-        const glm::mat4 clipHere(clipFromScene * piece.place);
+        const glm::mat4 clip(clipFromScene * piece.place);
         const glm::mat4 place(piece.place);
-        glUniformMatrix4fv(clipFromPiece, 1, GL_FALSE, glm::value_ptr(clipHere));
+        glUniformMatrix4fv(clipFromPiece, 1, GL_FALSE, glm::value_ptr(clip));
         glUniformMatrix4fv(sceneFromPiece, 1, GL_FALSE, glm::value_ptr(place));
         const bool chosen = piece.tooth && piece.fdi == scene.chosenFdi;
         const bool hovered = piece.tooth && piece.fdi == scene.hoveredFdi;
@@ -143,6 +149,7 @@ void ArchRenderer::draw(const ArchScene& scene)
     }
     glFrontFace(GL_CCW);
     glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
 }
 

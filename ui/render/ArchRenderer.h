@@ -35,8 +35,6 @@ struct ArchScene
     int chosenFdi = 0;                       ///< tinted
     glm::dvec4 clipPlane{0.0};               ///< scene frame; what is behind it is not drawn, unless it is zero
     double dimmed = 0.0;                     ///< 0 .. 1: how far all of it steps back behind something else
-    glm::vec2 lamp{0.0F};  ///< where the room is brightest, clip coordinates: what fades turns into it
-    float aspect = 1.0F;   ///< of the picture, width by height
 };
 
 /// Draws teeth and gums of core::teeth::Arch with OpenGL 3.3 core, lit as ToothRenderer lights the single tooth. The
@@ -77,6 +75,7 @@ private:
     QOpenGLVertexArrayObject m_layout;
     QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_indices{QOpenGLBuffer::IndexBuffer};
+    bool m_fades = false;  ///< some of the pieces do
     std::vector<core::teeth::ArchPiece> m_pieces;
     std::map<const core::teeth::LookMesh*, Span> m_spans;
     std::uint64_t m_uploadedBytes = 0;

@@ -10,7 +10,6 @@ bool buildProgram(QOpenGLShaderProgram& program, const char* vertex, const char*
     };
     const bool built = program.addShaderFromSourceFile(QOpenGLShader::Vertex, file(vertex, ".vert")) &&
                        program.addShaderFromSourceFile(QOpenGLShader::Fragment, file(fragment, ".frag")) &&
-                       program.addShaderFromSourceFile(QOpenGLShader::Fragment, file("room", ".frag")) &&
                        program.link();
     if (!built)
         reason = QStringLiteral("shader '%1': %2").arg(QLatin1String(fragment), program.log());

@@ -234,8 +234,6 @@ void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
         beside.towardsLight = scene.towardsLight;
         beside.clipPlane = glm::dvec4(m_clipPlane);
         beside.dimmed = kNeighboursDimmed;
-        beside.lamp = crownInClip(scene);
-        beside.aspect = scene.sizePx.x / scene.sizePx.y;
         m_neighbours.draw(beside);
     }
     if (!m_maps.isEmpty())
@@ -372,20 +370,15 @@ void ToothRenderer::drawPart(Part& part)
     glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, nullptr);
 }
 
-glm::vec2 ToothRenderer::crownInClip(const Scene& scene) const
-{
-    const glm::dvec4 crown = scene.clipFromEye * scene.eyeFromTooth * glm::dvec4(m_crownMm, 1.0);
-    return {glm::dvec2(crown) / crown.w};
-}
-
 void ToothRenderer::drawBackdrop(const Scene& scene)
 {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
-    const glm::vec2 crown = crownInClip(scene);
+    const glm::dvec4 crown = scene.clipFromEye * scene.eyeFromTooth * glm::dvec4(m_crownMm, 1.0);
     m_backdropProgram.bind();
-    m_backdropProgram.setUniformValue("crown", crown.x, crown.y);
+    m_backdropProgram.setUniformValue("crown", static_cast<float>(crown.x / crown.w),
+                                      static_cast<float>(crown.y / crown.w));
     m_backdropProgram.setUniformValue("aspect", scene.sizePx.x / scene.sizePx.y);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -414,9 +407,6 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     useTooth(m_toothProgram, scene);
     m_toothProgram.setUniformValue("distinct", scene.look.palette == Palette::Distinct);
     m_toothProgram.setUniformValue("wet", scene.look.isWet ? 1.0F : 0.0F);
-    const glm::vec2 crown = crownInClip(scene);
-    m_toothProgram.setUniformValue("crown", crown.x, crown.y);
-    m_toothProgram.setUniformValue("aspect", scene.sizePx.x / scene.sizePx.y);
     m_toothProgram.setUniformValue("fadeMm", m_fadeMm.x, m_fadeMm.y);
     const DepthColours colours = scene.look.depthColours;
     m_toothProgram.setUniformValue("depthColours", static_cast<int>(colours));
@@ -427,6 +417,11 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     const auto isSeen = [&](const TileBounds& tile) {
         return tile.mayFace(scene.eyeMm) && pixelsOf(tile.box, clipFromTooth, size).intersects(part);
     };
+    if (m_fadeMm.x > kNoFadeMm) {
+        glEnable(GL_BLEND);
+        // Alpha of the picture stays one: it is laid over a window.
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
     glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
     m_toothProgram.setUniformValue("facing", 1.0F);
     m_maps.bind(m_toothProgram, ToothMaps::Side::Upper);
@@ -435,6 +430,7 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     m_toothProgram.setUniformValue("facing", -1.0F);
     m_maps.bind(m_toothProgram, ToothMaps::Side::Lower);
     m_maps.draw(m_maps.select(ToothMaps::Side::Lower, isSeen));
+    glDisable(GL_BLEND);
     glFrontFace(GL_CCW);
 }
 

@@ -112,7 +112,6 @@ private:
     [[nodiscard]] static glm::dmat4 toothFromHand(const Scene& scene);
     void fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFromHand);
     void drawBackdrop(const Scene& scene);
-    [[nodiscard]] glm::vec2 crownInClip(const Scene& scene) const;
     void drawTooth(const Scene& scene, const QRect& part);
     void drawInstrument(const Scene& scene);
     void drawCue(const Scene& scene);

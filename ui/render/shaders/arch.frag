@@ -6,9 +6,8 @@ in vec3 normalInScene;
 in float openHere;
 in float tissueHere;  // 0 enamel, 1 root, 2 gum, 3 mucosa
 in float neckwards;
-in float shownHere;  // 0: faded into the room
+in float shownHere;  // 0: faded into the room behind
 
-uniform mat4 clipFromScene;
 uniform vec3 eyeMm;
 uniform vec3 towardsLight;
 uniform vec3 towardsSky;
@@ -28,8 +27,6 @@ const vec3 kChosen = vec3(0.10, 0.62, 0.62);
 const vec3 kLamp = vec3(1.0, 0.97, 0.91);
 const vec3 kSky = vec3(0.86, 0.93, 1.0);
 const vec3 kGround = vec3(0.50, 0.36, 0.31);
-
-vec3 roomColour(vec2 place);
 
 void main()
 {
@@ -79,9 +76,5 @@ void main()
     lit = mix(lit, vec3(dot(lit, vec3(0.3, 0.5, 0.2))) * 0.55, dimmed);
     if (!gl_FrontFacing)
         lit *= 0.7;
-    colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), 1.0);
-    if (shownHere < 1.0) {
-        vec4 clip = clipFromScene * vec4(positionMm, 1.0);
-        colour.rgb = mix(roomColour(clip.xy / clip.w), colour.rgb, shownHere);
-    }
+    colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), shownHere);
 }

@@ -18,7 +18,6 @@ uniform bool distinct;         // colours and patterns that nobody confuses
 uniform float wet;             // 1 under a film of water
 uniform int depthColours;      // 0 none, 1 below the uncut surface, 2 against the ideal one
 uniform float scaleMm;         // end of their scale
-uniform mat4 clipFromTooth;
 uniform vec2 fadeMm;           // heights between which the root fades into the room, as the gum around it does
 
 out vec4 colour;
@@ -34,8 +33,6 @@ const vec3 kPulp = vec3(0.68, 0.13, 0.14);
 const vec3 kLamp = vec3(1.0, 0.97, 0.91);
 const vec3 kSky = vec3(0.86, 0.93, 1.0);
 const vec3 kGround = vec3(0.50, 0.36, 0.31);  // what the mouth throws back
-
-vec3 roomColour(vec2 place);
 
 /// Stripes and dots of 0.3 mm that do not depend on the view: 1 on them, 0 between.
 float stripes(float along)
@@ -144,9 +141,5 @@ void main()
     // Translucent edges: cool and faintly bright where the enamel is seen edge on.
     lit += vec3(0.085, 0.10, 0.12) * grazing * polish * open;
 
-    colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), 1.0);
-    if (z < fadeMm.x) {
-        vec4 clip = clipFromTooth * vec4(positionMm, 1.0);
-        colour.rgb = mix(colour.rgb, roomColour(clip.xy / clip.w), 1.0 - smoothstep(fadeMm.y, fadeMm.x, z));
-    }
+    colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), smoothstep(fadeMm.y, fadeMm.x, z));
 }
