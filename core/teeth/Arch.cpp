@@ -142,8 +142,8 @@ constexpr double kRootStumpMm = 2.5;
 /// root of a neighbour.
 constexpr double kFadeFromMm = 0.8;
 constexpr double kFadeToMm = 3.8;
-constexpr double kRootFadeFromMm = 0.2;
-constexpr double kRootFadeToMm = 1.4;
+constexpr double kRootFadeFromMm = -0.2;
+constexpr double kRootFadeToMm = 0.9;
 /// The same from where the gum would go on to the next tooth.
 constexpr double kEndFadeFromMm = 0.8;
 constexpr double kEndFadeToMm = 5.0;

@@ -475,12 +475,8 @@ void ToothRenderer::drawInstrument(const Scene& scene)
     setMatrix(*this, m_metalProgram, "toothFromPart", glm::mat4(toothFromPart));
     drawPart(*m_shanks[scene.burIndex]);
 
-    // The handpiece is solid, except where it would hide the work. First its depth alone, so that only its nearest side
-    // is blended.
+    // The handpiece is solid, except where it would hide the work.
     fadeOverTheCut(scene, toothFromPart);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawPart(m_handpiece);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_BLEND);
     // Alpha of the picture stays one: it is laid over a window.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
