@@ -195,9 +195,19 @@ double depthToCutMm(const Assignment& assignment)
     const core::grading::IdealTop ideal = assignment.anatomy ? assignment.shownIdeal() : nullptr;
     if (ideal == nullptr)
         return kUsualMm;
+    // The floor of a box lies lower than the occlusal floor, and is cut later.
+    constexpr float kSameFloorMm = 1.0F;
+    const auto isFloor = [&](std::size_t k) {
+        return assignment.ideal && assignment.ideal->parts[k] == core::grading::Part::Floor;
+    };
+    std::optional<float> highest;  // nothing: the ideal has no floor of its own, as in decay
+    for (std::size_t k = 0; k < ideal->size(); ++k)
+        if (isFloor(k))
+            highest = std::max(highest.value_or((*ideal)[k]), (*ideal)[k]);
     std::vector<double> depths;
     for (std::size_t k = 0; k < ideal->size(); ++k)
-        if (assignment.anatomy->top[k] > assignment.anatomy->bottom[k] && (*ideal)[k] < assignment.anatomy->top[k])
+        if (assignment.anatomy->top[k] > assignment.anatomy->bottom[k] && (*ideal)[k] < assignment.anatomy->top[k] &&
+            (!highest || (isFloor(k) && (*ideal)[k] >= *highest - kSameFloorMm)))
             depths.push_back(static_cast<double>(assignment.anatomy->top[k]) -
                              static_cast<double>(std::max((*ideal)[k], assignment.anatomy->bottom[k])));
     if (depths.empty())

@@ -3851,6 +3851,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
         <translation>Ein Blindvergleich zweier Voreinstellungen läuft, deshalb sind ihre Werte verborgen. „Vergleich beenden“ neben dem Zahn beendet ihn.</translation>
     </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>How fast the bur goes down at most while you press.</source>
+        <translation>Wie schnell der Bohrer höchstens nach unten geht, während Sie drücken.</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>

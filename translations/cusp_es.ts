@@ -3851,6 +3851,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
         <translation>Hay en curso una comparación a ciegas de dos ajustes, así que sus valores están ocultos. «Terminar la comparación», junto al diente, le pone fin.</translation>
     </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>How fast the bur goes down at most while you press.</source>
+        <translation>A qué velocidad baja la fresa como máximo mientras pulsa.</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>

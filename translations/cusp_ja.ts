@@ -3829,6 +3829,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>A blind comparison of two presets is running, so their values are hidden. &quot;End the comparison&quot; beside the tooth ends it.</source>
         <translation>2つのプリセットをブラインド比較中のため、値は表示されません。歯の横の「比較を終える」で終わります。</translation>
     </message>
+    <message>
+        <source>Feed</source>
+        <translation>送り</translation>
+    </message>
+    <message>
+        <source>How fast the bur goes down at most while you press.</source>
+        <translation>押している間にバーが下がる最大の速さ。</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>

@@ -159,6 +159,23 @@ class TestAssignment : public QObject
     Q_OBJECT
 
 private slots:
+    void theDepthStopBeginsAtTheFloorThatIsCutFirst_data()
+    {
+        QTest::addColumn<double>("least");
+        QTest::addColumn<double>("most");
+        QTest::newRow("class1-36") << 1.4 << 2.6;
+        QTest::newRow("class2-36-mesial") << 1.4 << 2.6;
+        QTest::newRow("class2-35-distal") << 1.3 << 2.4;
+        QTest::newRow("decay-36-moderate") << 1.4 << 3.5;
+    }
+    void theDepthStopBeginsAtTheFloorThatIsCutFirst()
+    {
+        QFETCH(const double, least);
+        QFETCH(const double, most);
+        const double depth = depthToCutMm(assigned(QTest::currentDataTag()));
+        QVERIFY2(depth >= least && depth <= most, qPrintable(QString::number(depth)));
+    }
+
     void everyIdealEarnsFullPoints_data()
     {
         QTest::addColumn<QString>("id");

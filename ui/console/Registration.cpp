@@ -127,6 +127,20 @@ void registerSwitch(Parameters& parameters, const char* name, QAction* action, b
     parameters.add(std::move(parameter));
 }
 
+void registerFeed(Parameters& parameters, std::function<double()> read, std::function<void(double mmPerS)> write)
+{
+    using tooth::PointerControl;
+    parameters.add(
+        {"hand.feed", "mm/s", PointerControl::kSlowestMmPerS, PointerControl::kFastestMmPerS, false, std::move(read),
+         [] { return PointerControl::kFirstMmPerS; },
+         [write = std::move(write)](double mmPerS) {
+             write(mmPerS);
+             return std::string();
+         },
+         [] { return RegistrationWords::tr("Feed").toStdString(); },
+         [] { return RegistrationWords::tr("How fast the bur goes down at most while you press.").toStdString(); }});
+}
+
 void registerPush(Parameters& parameters, std::function<double()> read, std::function<void(double newtons)> write)
 {
     using tooth::PointerControl;

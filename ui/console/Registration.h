@@ -45,6 +45,10 @@ void registerFeel(core::settings::Parameters& parameters, const std::function<co
 /// @param initially  whether it is on where nobody has touched it
 void registerSwitch(core::settings::Parameters& parameters, const char* name, QAction* action, bool initially = false);
 
+/// "hand.feed": how fast the bur goes down at most while the mouse button is pressed.
+void registerFeed(core::settings::Parameters& parameters, std::function<double()> read,
+                  std::function<void(double mmPerS)> write);
+
 /// "hand.push": how hard a mouse presses.
 void registerPush(core::settings::Parameters& parameters, std::function<double()> read,
                   std::function<void(double newtons)> write);

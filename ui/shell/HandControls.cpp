@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
+#include "ui/shell/Memory.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
@@ -19,6 +20,8 @@
 
 namespace ui::shell {
 namespace {
+
+constexpr const char* kFeedKey = "hand/feed";
 
 using tooth::PointerControl;
 
@@ -84,10 +87,11 @@ HandControls::HandControls(QWidget* parent) : QWidget(parent)
 void HandControls::control(tooth::ToothView& view)
 {
     m_view = &view;
-    connect(m_feed, &QSlider::valueChanged, this, [this](int steps) {
-        m_view->setFeed(steps * PointerControl::kStepMmPerS);
-        showHand();
-    });
+    bool isNumber = false;
+    const double kept = memory().value(QLatin1String(kFeedKey)).toDouble(&isNumber);
+    if (isNumber && kept >= PointerControl::kSlowestMmPerS && kept <= PointerControl::kFastestMmPerS)
+        m_view->setFeed(kept);
+    connect(m_feed, &QSlider::valueChanged, this, [this](int steps) { setFeed(steps * PointerControl::kStepMmPerS); });
     connect(m_stop, &QSlider::valueChanged, this,
             [this](int steps) { setStop(m_stopOn->isChecked(), steps * PointerControl::kStepMm); });
     connect(m_stopOn, &QCheckBox::toggled, this, [this](bool on) { setStop(on, m_view->hand().stopDepthMm()); });
@@ -110,9 +114,16 @@ void HandControls::setStop(bool on, double depthMm)
     showHand();
 }
 
+void HandControls::setFeed(double mmPerS)
+{
+    m_view->setFeed(mmPerS);
+    memory().setValue(QLatin1String(kFeedKey), m_view->hand().feedMmPerS());
+    showHand();
+}
+
 void HandControls::reset()
 {
-    m_view->setFeed(PointerControl::kFirstMmPerS);
+    setFeed(PointerControl::kFirstMmPerS);
     m_view->setPushForce(PointerControl::kFirstN);
     showHand();
 }

@@ -25,6 +25,8 @@ public:
     void control(tooth::ToothView& view);
     /// Switches the depth stop on at this depth. If it is not allowed, as in an exam, switches it off for good.
     void begin(bool stopIsAllowed, double depthMm);
+    /// Sets the feed, and remembers it from run to run.
+    void setFeed(double mmPerS);
     /// Restores the default feed and force.
     void reset();
     [[nodiscard]] double pushForce() const;

@@ -888,6 +888,9 @@ void MainWindow::registerParameters()
     console::registerSwitch(m_parameters, "view.hand_place", m_actions->handPlace);
     console::registerSwitch(m_parameters, "view.every_eye", m_actions->distinctColours);
     console::registerSwitch(m_parameters, "view.less_motion", m_actions->reducedMotion);
+    console::registerFeed(
+        m_parameters, [this] { return m_view->hand().feedMmPerS(); },
+        [this](double mmPerS) { m_room->panel().hand().setFeed(mmPerS); });
     console::registerPush(
         m_parameters, [this] { return m_view->pushForce(); },
         [this](double newtons) { m_view->setPushForce(newtons); });
