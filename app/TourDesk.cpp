@@ -2,7 +2,6 @@
 #include "app/TourDesk.h"
 
 #include "database/sql/Settings.h"
-#include "ui/shell/Memory.h"
 
 namespace app {
 namespace {
@@ -10,7 +9,6 @@ namespace {
 using database::sql::School;
 
 const std::string kSeen = "tour.seen";
-const QString kSeenByGuest = QStringLiteral("tour/seen");
 
 }  // namespace
 
@@ -23,11 +21,8 @@ void TourDesk::welcome(SchoolDesk* desk, const database::Session& who)
 {
     m_desk = desk;
     m_who = who;
-    if (who.isGuest()) {
-        if (!ui::shell::recalled(ui::shell::memory(), kSeenByGuest, false))
-            m_window.beginTour();
+    if (who.isGuest())  // who wants to practise now is not kept from the tooth
         return;
-    }
     m_desk->ask(
         this, [who](const School& school) { return database::sql::readSettings(school, who); },
         [this, who](const core::Result<database::sql::SettingsMap>& settings) {
@@ -40,10 +35,8 @@ void TourDesk::welcome(SchoolDesk* desk, const database::Session& who)
 /// Not told if it fails: then the tour is offered once more.
 void TourDesk::keep()
 {
-    if (m_who.isGuest()) {
-        ui::shell::memory().setValue(kSeenByGuest, true);
+    if (m_who.isGuest())
         return;
-    }
     m_desk->ask(
         this,
         [who = m_who](const School& school) -> core::Result<bool> {

@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// Shows everybody round once: whether somebody has seen the tour is kept with his settings in the database, a guest's
-/// on this computer. Ui thread.
+/// Starts the tour at the first login of each user: their settings in the database tell whether they have seen it. A
+/// guest starts it themselves. Ui thread.
 class TourDesk final : public QObject
 {
     Q_OBJECT
@@ -18,8 +18,8 @@ class TourDesk final : public QObject
 public:
     explicit TourDesk(ui::shell::MainWindow& window);
 
-    /// Somebody begins to work here.
-    /// @param desk  where his settings are kept, outlives this; null for a guest
+    /// A user has logged in, or a guest begins.
+    /// @param desk  reads and keeps the user's settings, outlives this; null for a guest
     void welcome(SchoolDesk* desk, const database::Session& who);
 
 private:

@@ -9423,10 +9423,6 @@ ungesichert</translation>
         <translation>Wie sich die Punkte zusammensetzen und nach welchen Regeln</translation>
     </message>
     <message>
-        <source>Show how it ended</source>
-        <translation>Zeigen, wie es endete</translation>
-    </message>
-    <message>
         <source>Show it at %1</source>
         <translation>Bei %1 zeigen</translation>
     </message>

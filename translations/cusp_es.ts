@@ -9423,10 +9423,6 @@ sin guardar</translation>
         <translation>Cómo se suman los puntos y con qué reglas</translation>
     </message>
     <message>
-        <source>Show how it ended</source>
-        <translation>Mostrar cómo terminó</translation>
-    </message>
-    <message>
         <source>Show it at %1</source>
         <translation>Mostrar en %1</translation>
     </message>

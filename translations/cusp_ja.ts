@@ -9359,10 +9359,6 @@ unsaved</source>
         <translation>得点の内訳と評価規則</translation>
     </message>
     <message>
-        <source>Show how it ended</source>
-        <translation>終わりの様子を見る</translation>
-    </message>
-    <message>
         <source>Show it at %1</source>
         <translation>%1の場面を見る</translation>
     </message>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/WelcomeChoices.h"
 
-#include <QCommandLinkButton>
+#include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "ui/shell/Theme.h"
@@ -16,41 +17,61 @@ constexpr int kHeightPx = 92;
 
 }  // namespace
 
-WelcomeChoices::WelcomeChoices(QWidget* parent)
-    : QWidget(parent), m_practise(new QCommandLinkButton(this)), m_school(new QCommandLinkButton(this))
+WelcomeChoices::WelcomeChoices(QWidget* parent) : QWidget(parent)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace4);
-    m_practise->setObjectName(QStringLiteral("practiseNow"));
-    m_practise->setProperty("kind", "filled");
-    m_school->setObjectName(QStringLiteral("setUpSchool"));
-    for (QCommandLinkButton* button : {m_practise, m_school}) {
-        button->setIcon({});
-        button->setFont(typeface(kBody));
-        button->setMinimumHeight(kHeightPx);
-        button->setAutoDefault(true);
-        column->addWidget(button);
-    }
-    connect(m_practise, &QPushButton::clicked, this, &WelcomeChoices::practiceWanted);
-    connect(m_school, &QPushButton::clicked, this, &WelcomeChoices::schoolWanted);
+    m_practise = addChoice("practiseNow", *column);
+    m_practise.button->setProperty("kind", "filled");
+    // On its colour, as the words of any such button are.
+    for (QLabel* label : {m_practise.title, m_practise.words})
+        label->setStyleSheet(QStringLiteral("color: white"));
+    m_school = addChoice("setUpSchool", *column);
+    connect(m_practise.button, &QPushButton::clicked, this, &WelcomeChoices::practiceWanted);
+    connect(m_school.button, &QPushButton::clicked, this, &WelcomeChoices::schoolWanted);
     text::inEveryLanguage(this, [this] { speak(); });
+}
+
+WelcomeChoices::Choice WelcomeChoices::addChoice(const char* name, QVBoxLayout& column)
+{
+    Choice choice;
+    choice.button = new QPushButton(this);
+    choice.button->setObjectName(QLatin1String(name));
+    choice.button->setAutoDefault(true);
+    choice.button->setFixedHeight(kHeightPx);
+    column.addWidget(choice.button);
+    auto* lines = new QVBoxLayout(choice.button);
+    lines->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
+    lines->setSpacing(kSpace1);
+    choice.title = new QLabel(choice.button);
+    choice.title->setFont(typeface(kTitle, QFont::DemiBold));
+    choice.words = new QLabel(choice.button);
+    choice.words->setFont(typeface(kBody));
+    lines->addStretch(1);
+    for (QLabel* label : {choice.title, choice.words}) {
+        label->setWordWrap(true);
+        label->setAttribute(Qt::WA_TransparentForMouseEvents);
+        lines->addWidget(label);
+    }
+    lines->addStretch(1);
+    return choice;
 }
 
 QWidget* WelcomeChoices::first() const
 {
-    return m_practise;
+    return m_practise.button;
 }
 
 void WelcomeChoices::speak()
 {
-    m_practise->setText(tr("Practise now"));
-    m_practise->setDescription(tr("A tooth with decay is ready. Nothing is saved."));
-    m_school->setText(tr("Set up a school"));
-    m_school->setDescription(tr("Users, lessons and score histories. You become the admin."));
-    for (QCommandLinkButton* button : {m_practise, m_school}) {
-        button->setAccessibleName(button->text());
-        button->setAccessibleDescription(button->description());
+    m_practise.title->setText(tr("Practise now"));
+    m_practise.words->setText(tr("A tooth with decay is ready. Nothing is saved."));
+    m_school.title->setText(tr("Set up a school"));
+    m_school.words->setText(tr("Users, lessons and score histories. You become the admin."));
+    for (const Choice& choice : {m_practise, m_school}) {
+        choice.button->setAccessibleName(choice.title->text());
+        choice.button->setAccessibleDescription(choice.words->text());
     }
 }
 

@@ -3,7 +3,9 @@
 
 #include <QWidget>
 
-class QCommandLinkButton;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
 
 namespace ui::people {
 
@@ -22,10 +24,18 @@ signals:
     void schoolWanted();
 
 private:
+    /// A button with a title, and a line below that says what it leads to.
+    struct Choice
+    {
+        QPushButton* button = nullptr;
+        QLabel* title = nullptr;
+        QLabel* words = nullptr;
+    };
+    Choice addChoice(const char* name, QVBoxLayout& column);
     void speak();
 
-    QCommandLinkButton* m_practise;
-    QCommandLinkButton* m_school;
+    Choice m_practise;
+    Choice m_school;
 };
 
 }  // namespace ui::people

@@ -820,14 +820,14 @@ void ScorePage::tellAdvice()
         return;
     const ::lessons::Advice& first = all.front();
     m_advice->setText(adviceWords(first, m_sheet.criteria[first.criterion]));
-    m_showMoment->setVisible(first.moment.has_value());
-    if (!first.moment)
+    // What was never done has no moment: the pictures show where it is missing.
+    const bool hasMoment = first.moment && first.moment->kind != ::lessons::Moment::Kind::Never;
+    m_showMoment->setVisible(hasMoment);
+    if (!hasMoment)
         return;
     m_adviceAtS = first.moment->seconds;
     //: %1: minutes and seconds of the attempt
-    m_showMoment->setText(first.moment->kind == ::lessons::Moment::Kind::Never
-                              ? tr("Show how it ended")
-                              : tr("Show it at %1").arg(text::duration(std::floor(m_adviceAtS))));
+    m_showMoment->setText(tr("Show it at %1").arg(text::duration(std::floor(m_adviceAtS))));
 }
 
 void ScorePage::fillCriteria()
