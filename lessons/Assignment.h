@@ -59,7 +59,8 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
 /// Returns the depth of the ideal floor below the original surface, mm: the median over the columns of the floor. In a
-/// box, the floor of the occlusal part counts, which is cut first. Returns 1.5 if no ideal is shown. This is the first value of the depth stop.
+/// box, the floor of the occlusal part counts, which is cut first. Returns 1.5 if no ideal is shown. This is the first
+/// value of the depth stop.
 [[nodiscard]] double depthToCutMm(const Assignment& assignment);
 
 /// What a tooth without a lesson is marked by: removal of decay.

@@ -169,6 +169,47 @@ private slots:
         QVERIFY(std::abs(window().view().camera().azimuthDeg() - 40.0) < 0.1);
     }
 
+    /// After another bur, another view, a zoom and a jump of the pointer. Deeper down the bur leaves the ray: it goes
+    /// straight down while the pointer rests.
+    void whatIsCutIsUnderThePointer()
+    {
+        start();
+        auto& view = window().view();
+        QPoint at;
+        double mostMm = 0.0;
+        bool hasCut = false;
+        const auto compare = [&](const core::session::ServoState& state) {
+            if (!state.cutting || std::exchange(hasCut, true))
+                return;
+            const ui::render::Ray ray = view.camera().rayThrough({at.x() + 0.5, at.y() + 0.5});
+            mostMm = std::max(mostMm, glm::length(glm::cross(state.anchorMm - ray.originMm, ray.direction)));
+        };
+        connect(&view, &ui::tooth::ToothView::frameAdvanced, this, compare);
+        struct Jump
+        {
+            int bur;
+            double azimuthDeg;
+            double elevationDeg;
+            double distanceMm;
+            glm::dvec3 placeMm;
+        };
+        for (const Jump& jump : {Jump{0, 0.0, 88.0, 40.0, {-2.5, 1.0, -1.0}},
+                                 {1, 40.0, 60.0, 30.0, {2.0, -1.0, -1.0}},
+                                 {3, -60.0, 50.0, 45.0, {-1.5, -2.0, -1.0}},
+                                 {0, 0.0, 75.0, 25.0, {1.5, 1.5, -1.0}}}) {
+            actions().burs[static_cast<std::size_t>(jump.bur)]->trigger();
+            view.setCamera(jump.azimuthDeg, jump.elevationDeg, jump.distanceMm);
+            const QString before = removed();
+            hasCut = false;
+            at = press(jump.placeMm);
+            WAIT_FOR(removed() != before && hasCut);
+            QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+            waitForStrokeEnd();
+        }
+        disconnect(&view, &ui::tooth::ToothView::frameAdvanced, this, nullptr);
+        QVERIFY2(mostMm > 0.0 && mostMm < 0.15, qPrintable(QString("%1 mm").arg(mostMm)));
+    }
+
     void stoppingAReplayBringsTheOwnWorkBack()
     {
         start();

@@ -39,9 +39,9 @@ constexpr int kSoonMs = 600;  ///< what takes longer is told; to look at a passw
 LoginPage::LoginPage(QWidget* parent)
     : QWidget(parent), m_card(new QFrame(this)), m_column(new QVBoxLayout(m_card)), m_title(new QLabel(m_card)),
       m_words(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
-      m_choices(new WelcomeChoices(m_card)), m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
-      m_old(field("oldPassword", true)), m_password(field("password", true)), m_again(field("passwordAgain", true)),
-      m_keep(new QCheckBox(m_card)), m_fault(study::faultLabel(m_card)),
+      m_choices(new WelcomeChoices(m_card)), m_name(field("username", false)), m_given(field("givenName", false)),
+      m_family(field("familyName", false)), m_old(field("oldPassword", true)), m_password(field("password", true)),
+      m_again(field("passwordAgain", true)), m_keep(new QCheckBox(m_card)), m_fault(study::faultLabel(m_card)),
       m_waiting(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
       m_untilTold(new QTimer(this)), m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)),
       m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
@@ -212,10 +212,10 @@ void LoginPage::ask(Door door, bool isIn)
 
 QWidget* LoginPage::firstInput() const
 {
-    return m_door == Door::Welcome ? m_choices->first()
+    return m_door == Door::Welcome                              ? m_choices->first()
            : m_door == Door::Login || m_door == Door::NewSchool ? m_name
-           : m_door == Door::OwnPassword                      ? m_old
-                                                              : m_password;
+           : m_door == Door::OwnPassword                        ? m_old
+                                                                : m_password;
 }
 
 void LoginPage::showEvent(QShowEvent* event)

@@ -23,8 +23,8 @@ using namespace ui::shell;
 
 constexpr double kSecondsAMinute = 60.0;
 constexpr double kSoonS = 60.0;
-constexpr double kSomeMm3 = 0.01;       ///< more than the bur takes by accident
-constexpr double kDecayLeftMost = 0.01; ///< of the lesion
+constexpr double kSomeMm3 = 0.01;        ///< more than the bur takes by accident
+constexpr double kDecayLeftMost = 0.01;  ///< of the lesion
 
 }  // namespace
 
@@ -160,8 +160,7 @@ void LessonStrip::showStep()
             ? tr("The exam is over and cutting is disabled. Press G for the score or R for another attempt.")
             : tr("The exam is over and cutting is disabled. Press G for the score.");
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : m_isConcluded ? over : stepWords());
-    m_text->setToolTip(m_isPractice ? QString()
-                                    : QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
+    m_text->setToolTip(m_isPractice ? QString() : QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());

@@ -465,7 +465,8 @@ QWidget* ScorePage::makeAdvice()
     m_showMoment->setProperty("kind", "chip");
     m_showMoment->setFont(typeface(kSmall, QFont::Medium));
     m_showMoment->setAutoDefault(true);
-    text::inEveryLanguage(m_showMoment, [this] { m_showMoment->setAccessibleName(tr("Show the moment in the replay")); });
+    text::inEveryLanguage(m_showMoment,
+                          [this] { m_showMoment->setAccessibleName(tr("Show the moment in the replay")); });
     connect(m_showMoment, &QPushButton::clicked, this, [this] { emit momentWanted(m_adviceAtS); });
     column->addWidget(m_showMoment, 0, Qt::AlignLeft);
     return m_adviceBox;
