@@ -23,6 +23,7 @@
 #include "ui/study/LessonStrip.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
+#include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
 namespace {
@@ -40,7 +41,7 @@ constexpr int kReferenceFromPx = 1000;  ///< a narrower room has no place for wh
 
 }  // namespace
 
-PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* view, QWidget* parent)
+PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent)
     : QWidget(parent), m_view(view)
 {
     // Before any child is made, so that all of them take their icons and colours from this room.
@@ -48,6 +49,7 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     setAutoFillBackground(true);
     view->setParent(this);
     view->installEventFilter(this);
+    connect(view, &tooth::ToothView::pressedChanged, this, &PracticeRoom::keepLayout);
     m_panel = new SidePanel(actions, this);
     m_section = new inside::SectionView(this);
     m_section->hide();
@@ -317,10 +319,21 @@ void PracticeRoom::setSectionVisible(bool visible)
     fitSection();
 }
 
+void PracticeRoom::keepLayout(bool kept)
+{
+    layout()->setEnabled(!kept);
+    if (kept)
+        return;
+    fitSection();
+    layout()->update();  // what changed meanwhile
+}
+
 /// A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth as
 /// much as it can, and beside a trial for which there is no room it waits.
 void PracticeRoom::fitSection()
 {
+    if (m_view->isPressed())
+        return;  // keepLayout() calls this after the release
     const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);
     const bool isTried = m_trial != nullptr && m_trial->isVisibleTo(this);
     const int trialPx = isTried ? m_trial->width() + 1 : 0;

@@ -23,6 +23,10 @@ namespace ui::study {
 class LessonStrip;
 }
 
+namespace ui::tooth {
+class ToothView;
+}
+
 namespace ui::shell {
 
 class Actions;
@@ -33,12 +37,15 @@ class ViewMenu;
 
 /// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
 /// buttons, the side panel the figures. Dark grey in either theme.
+///
+/// While the tooth view is pressed, the room keeps its layout: what opens, closes or changes size takes its place after
+/// the release, so that the tooth never moves under the bur.
 class PracticeRoom : public QWidget
 {
     Q_OBJECT
 public:
     /// @param view  the tooth; becomes a child
-    PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* view, QWidget* parent);
+    PracticeRoom(const Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent);
 
     [[nodiscard]] SidePanel& panel() { return *m_panel; }
     [[nodiscard]] inside::SectionView& section() { return *m_section; }
@@ -82,6 +89,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void keepLayout(bool kept);
     void fitSection();
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions, ViewMenu& viewMenu);
@@ -91,7 +99,7 @@ private:
     void placeNotice();
     void placeAtFoot(QLabel& words, const QRect& area) const;
 
-    QWidget* m_view;
+    tooth::ToothView* m_view;
     SidePanel* m_panel;
     inside::SectionView* m_section;
     bool m_isSectionWanted = false;

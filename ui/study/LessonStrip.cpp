@@ -23,8 +23,8 @@ using namespace ui::shell;
 
 constexpr double kSecondsAMinute = 60.0;
 constexpr double kSoonS = 60.0;
-constexpr double kSomeMm3 = 0.01;       ///< more than the bur takes by accident
-constexpr double kDecayLeftMost = 0.01; ///< of the lesion
+constexpr double kSomeMm3 = 0.01;        ///< more than the bur takes by accident
+constexpr double kDecayLeftMost = 0.01;  ///< of the lesion
 
 }  // namespace
 
@@ -55,6 +55,8 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_text->setFont(typeface(kBody, QFont::Medium));
     m_text->setObjectName(QStringLiteral("lessonStep"));
+    // Two lines always: a step that goes on by itself must not move the tooth.
+    m_text->setMinimumHeight(m_text->fontMetrics().size(0, QStringLiteral("M\nM")).height());
     m_hint = new QPushButton(this);
     text::inEveryLanguage(m_hint, [this] { m_hint->setText(tr("Hint")); });
     m_hint->setProperty("kind", "segment");
@@ -160,8 +162,7 @@ void LessonStrip::showStep()
             ? tr("The exam is over and cutting is disabled. Press G for the score or R for another attempt.")
             : tr("The exam is over and cutting is disabled. Press G for the score.");
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : m_isConcluded ? over : stepWords());
-    m_text->setToolTip(m_isPractice ? QString()
-                                    : QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
+    m_text->setToolTip(m_isPractice ? QString() : QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());

@@ -733,6 +733,7 @@ void ToothView::takeChanges(const render::ToothSurface::Changes& changes)
 
 void ToothView::publishPointer()
 {
+    updatePressed();
     const core::session::PointerInput wish =
         m_control.input(m_servo.tick > 0 ? std::optional(m_servo.anchorMm) : std::nullopt);
     if (wish == m_published)
@@ -741,6 +742,19 @@ void ToothView::publishPointer()
         redraw();
     m_published = wish;
     m_links.pointer.publish(wish);
+}
+
+void ToothView::setButtonDown(bool down)
+{
+    m_buttonIsDown = down;
+    updatePressed();
+}
+
+void ToothView::updatePressed()
+{
+    const bool isPressed = m_buttonIsDown || m_control.isPushing();
+    if (std::exchange(m_isPressed, isPressed) != isPressed)
+        emit pressedChanged(isPressed);
 }
 
 render::Ray ToothView::rayAt(QPointF position) const
@@ -824,6 +838,8 @@ void ToothView::pushAt(QPointF position)
 
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
+    if (event->button() == Qt::LeftButton)
+        setButtonDown(true);
     if (const auto end = gizmoEndAt(event->position()); end && event->button() == Qt::LeftButton) {
         lookFromEnd(m_camera, *end);
         redrawMoving();
@@ -864,6 +880,9 @@ void ToothView::leaveEvent(QEvent* event)
 void ToothView::mouseMoveEvent(QMouseEvent* event)
 {
     pointAt(event->position());
+    // Another window may have had the release.
+    if (!event->buttons().testFlag(Qt::LeftButton))
+        setButtonDown(false);
     if (m_mirrorHeld && m_mirror) {
         dragMirror(presentedWay(event->position() - m_turnedAt), event->modifiers().testFlag(Qt::ShiftModifier));
         m_turnedAt = event->position();
@@ -886,6 +905,7 @@ void ToothView::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
         m_mirrorHeld = false;
+        m_buttonIsDown = false;
         m_control.push(false);
         publishPointer();
     }
@@ -926,8 +946,10 @@ void ToothView::tabletEvent(QTabletEvent* event)
     const bool isTip = event->button() == Qt::LeftButton;
     const bool takesMirror = m_mirrorHeld || (event->type() == QEvent::TabletPress && isOnMirror(event->position()));
     if (event->type() == QEvent::TabletPress && isTip && !takesMirror) {
+        m_buttonIsDown = true;
         pushAt(event->position());
     } else if (event->type() == QEvent::TabletRelease && isTip && !takesMirror) {
+        m_buttonIsDown = false;
         m_control.push(false);
     } else if (event->type() == QEvent::TabletMove && m_turning == Qt::NoButton && event->buttons() <= Qt::LeftButton &&
                !takesMirror) {
@@ -1057,6 +1079,13 @@ void ToothView::focusOutEvent(QFocusEvent* event)
 {
     release();
     SceneWidget::focusOutEvent(event);
+}
+
+void ToothView::hideEvent(QHideEvent* event)
+{
+    m_buttonIsDown = false;
+    release();
+    SceneWidget::hideEvent(event);
 }
 
 void ToothView::release()

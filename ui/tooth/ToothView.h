@@ -66,6 +66,9 @@ public:
     void setDepthStop(bool on, double depthMm);
     /// Returns the settings of the hand: feed, depth stop and force.
     [[nodiscard]] const PointerControl& hand() const { return m_control; }
+    /// True while the bur is pushed or the left button, or the tip of the pen, is down in the view. The button may be
+    /// down without a push: a view that loses the focus stops pushing.
+    [[nodiscard]] bool isPressed() const { return m_isPressed; }
     /// Nothing is pushed or turned any more, whatever is held down.
     void release();
     /// For the look of the bur only.
@@ -123,6 +126,8 @@ signals:
     /// Once a frame, with the newest state of the servo.
     void frameAdvanced(const core::session::ServoState& state);
     void pushForceChanged(double newtons);
+    /// Emitted when isPressed() has changed.
+    void pressedChanged(bool pressed);
     /// Emitted when the wheel or a key has moved the depth stop.
     void depthStopChanged(double depthMm);
     /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
@@ -144,6 +149,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void advanceFrame();
@@ -154,6 +160,8 @@ private:
     void stepByKey(int key, double lengthMm);
     void pushAt(QPointF position);
     void publishPointer();
+    void setButtonDown(bool down);
+    void updatePressed();
     void turnCamera(double azimuthDeg, double elevationDeg);
     void turnHandpiece(double degrees);
     void showNeighbours();
@@ -193,6 +201,8 @@ private:
     bool m_mirrorIsPlaced = false;  ///< by a person
     QPointF m_pointer;              ///< where the mouse was last
     bool m_pointerHasLeft = true;
+    bool m_buttonIsDown = false;  ///< the left one, or the tip of the pen
+    bool m_isPressed = false;
     bool m_pointerAims = false;  ///< the bur was last moved with the pointer, not with keys
     PatchInbox m_inbox;
     Camera m_camera;
