@@ -90,6 +90,53 @@ private slots:
         QCOMPARE(view.geometry().top(), before.top());
     }
 
+    void whatLiesOverTheToothKeepsOffTheBur()
+    {
+        spoil();
+        auto& view = m_window->view();
+        const auto* notice = child<QLabel>("notice")->parentWidget();
+        const auto* card = child<ui::study::InfractionCard>();
+        SessionState session;
+        session.toothGeneration = m_generation;
+        const auto openPulp = [&](const core::session::ServoState& servo) {
+            session.removedMm3[3] = 0.0;
+            take(servo, session);
+            session.removedMm3[3] = 0.01;
+            take(servo, session);
+        };
+        const auto burUnder = [&](const QWidget& overlay) {
+            const QPoint at = overlay.geometry().center() - view.pos();
+            const ui::render::Ray ray = view.camera().rayThrough({at.x(), at.y()});
+            core::session::ServoState servo;
+            servo.tick = 1;
+            servo.anchorMm = ray.originMm + ray.direction * view.camera().distanceMm();
+            return servo;
+        };
+        const auto isOff = [&](const QWidget& overlay) {
+            const auto bur = view.burAt();
+            return bur && !overlay.geometry().contains(view.pos() + bur->toPoint());
+        };
+        QTest::mousePress(&view, Qt::LeftButton);
+        openPulp({});
+        QVERIFY(notice->isVisible());
+        take(burUnder(*notice), session);
+        QTRY_VERIFY(isOff(*notice));
+        openPulp(burUnder(*notice));
+        QVERIFY(notice->isVisible());
+        QTRY_VERIFY(isOff(*notice));
+        m_window->tellInfraction({}, true);
+        take(burUnder(*card), session);
+        QTRY_VERIFY(isOff(*card));
+        QTest::mouseRelease(&view, Qt::LeftButton);
+        frame();
+        frame();  // the section has opened
+        // The pointer goes to the card's button, and the bur follows it: the card stays.
+        const QRect before = card->geometry();
+        take(burUnder(*card), session);
+        frame();
+        QCOMPARE(card->geometry(), before);
+    }
+
     void oneOfTheDepthColoursIsShown()
     {
         using ui::render::DepthColours;

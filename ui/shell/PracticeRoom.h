@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QTimer>
 #include <QWidget>
 
@@ -79,9 +81,13 @@ public:
     void setSectionVisible(bool visible);
     /// Where the tooth is, in this widget's coordinates.
     [[nodiscard]] QRect viewArea() const;
+    /// Returns the place that overlays keep off, in this widget's coordinates: the bur while the view is pressed or a
+    /// recording is played, and afterwards where it was last. The pointer may be on its way to a card, and the card
+    /// must not move away from it.
+    [[nodiscard]] const std::optional<QPointF>& burPlace() const { return m_bur; }
 
 signals:
-    /// viewArea() is another one.
+    /// Emitted when viewArea() or burPlace() has changed.
     void viewAreaChanged();
 
 protected:
@@ -98,6 +104,7 @@ private:
     void placeOverlays();
     void placeNotice();
     void placeAtFoot(QLabel& words, const QRect& area) const;
+    void followBur();
 
     tooth::ToothView* m_view;
     SidePanel* m_panel;
@@ -124,6 +131,8 @@ private:
     QLabel* m_noticeToDo = nullptr;
     QTimer m_noticeTimer;
     bool m_hintWanted = true;
+    std::optional<QPointF> m_bur;
+    bool m_areaIsNew = false;  ///< m_bur is from before the view was resized
 };
 
 }  // namespace ui::shell

@@ -105,6 +105,9 @@ public:
     [[nodiscard]] QImage toothPicture();
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
+    /// Returns where the tip of the bur is seen in this widget. Empty if no bur is shown, or if the picture has two
+    /// halves.
+    [[nodiscard]] std::optional<QPointF> burAt() const;
     /// The dental mirror where it is held; nothing while it is put away.
     [[nodiscard]] const std::optional<render::DentalMirror>& mirror() const { return m_mirror; }
     /// The tooth that is shown, as cut so far, at its own grid; null before the first. Valid until the next setTooth().
