@@ -76,6 +76,19 @@ private slots:
         QVERIFY(words() != first);
     }
 
+    void aLongStepIsNoHigherThanAShortOne()
+    {
+        lessons::Lesson lesson = threeSteps();
+        lesson.steps[1].text = {{"en", std::string(30, 'a') + ' ' + std::string(30, 'b')}};
+        lesson.steps[1].hint = lesson.steps[0].hint;
+        m_strip->setLesson(lesson);
+        const int widthPx = m_strip->sizeHint().width() + 150;
+        const int heightPx = m_strip->heightForWidth(widthPx);
+        arrow("Next step").click();
+        QVERIFY2(m_strip->findChild<QLabel*>("lessonStep")->sizeHint().width() > 150, "the words need two lines");
+        QCOMPARE(m_strip->heightForWidth(widthPx), heightPx);
+    }
+
     void aHintIsForWhoAsks()
     {
         QCOMPARE(words(), QString("First"));

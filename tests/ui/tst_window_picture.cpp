@@ -9,10 +9,12 @@
 #include "core/teeth/Block.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/ui/WindowTest.h"
+#include "ui/inside/SectionView.h"
 #include "ui/replay/TimeLine.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/StereoCard.h"
+#include "ui/study/InfractionCard.h"
 #include "ui/study/LessonsPage.h"
 
 using namespace core::session;
@@ -54,6 +56,85 @@ private slots:
         QVERIFY(!card->isVisible());
         QCOMPARE(shown().stereo, Stereo::SideBySide);
         spoil();
+    }
+
+    void thePressedToothKeepsItsPlace()
+    {
+        spoil();
+        beginLesson(support::assigned(support::shippedWhere([](const lessons::Lesson& lesson) {
+                                          return lesson.steps.size() > 1 &&
+                                                 lesson.steps[0].doneWhen == lessons::Reached::DecayFound;
+                                      }).lesson->id));
+        QCoreApplication::processEvents();
+        auto& view = m_window->view();
+        const QRect before = view.geometry();
+        const auto* section = child<ui::inside::SectionView>();
+        const auto* step = child<QLabel>("lessonStep");
+        const QString firstStep = step->text();
+        QTest::mousePress(&view, Qt::LeftButton);
+        QVERIFY(view.isPressed());
+        core::grading::Infraction breach;
+        breach.breach = core::grading::Breach::RidgeCut;
+        m_window->tellInfraction(breach, true);
+        SessionState session;
+        session.toothGeneration = m_generation;
+        session.removedMm3[static_cast<std::size_t>(Material::Caries)] = 1.0;
+        take({}, session);
+        QTRY_VERIFY(step->text() != firstStep);
+        frame();
+        QCOMPARE(view.geometry(), before);
+        QVERIFY(view.isPressed() && !section->isVisible());
+        QTest::mouseRelease(&view, Qt::LeftButton);
+        QVERIFY(!view.isPressed() && section->isVisible() && child<ui::study::InfractionCard>()->isVisible());
+        QTRY_VERIFY(view.geometry().left() > before.left());
+        QCOMPARE(view.geometry().top(), before.top());
+    }
+
+    void whatLiesOverTheToothKeepsOffTheBur()
+    {
+        spoil();
+        auto& view = m_window->view();
+        const auto* notice = child<QLabel>("notice")->parentWidget();
+        const auto* card = child<ui::study::InfractionCard>();
+        SessionState session;
+        session.toothGeneration = m_generation;
+        const auto openPulp = [&](const core::session::ServoState& servo) {
+            session.removedMm3[3] = 0.0;
+            take(servo, session);
+            session.removedMm3[3] = 0.01;
+            take(servo, session);
+        };
+        const auto burUnder = [&](const QWidget& overlay) {
+            const QPoint at = overlay.geometry().center() - view.pos();
+            const ui::render::Ray ray = view.camera().rayThrough({at.x(), at.y()});
+            core::session::ServoState servo;
+            servo.tick = 1;
+            servo.anchorMm = ray.originMm + ray.direction * view.camera().distanceMm();
+            return servo;
+        };
+        const auto isOff = [&](const QWidget& overlay) {
+            const auto bur = view.burAt();
+            return bur && !overlay.geometry().contains(view.pos() + bur->toPoint());
+        };
+        QTest::mousePress(&view, Qt::LeftButton);
+        openPulp({});
+        QVERIFY(notice->isVisible());
+        take(burUnder(*notice), session);
+        QTRY_VERIFY(isOff(*notice));
+        openPulp(burUnder(*notice));
+        QVERIFY(notice->isVisible());
+        QTRY_VERIFY(isOff(*notice));
+        m_window->tellInfraction({}, true);
+        take(burUnder(*card), session);
+        QTRY_VERIFY(isOff(*card));
+        QTest::mouseRelease(&view, Qt::LeftButton);
+        frame();
+        frame();  // the section has opened
+        // The pointer goes to the card's button, and the bur follows it: the card stays.
+        const QRect before = card->geometry();
+        take(burUnder(*card), session);
+        frame();
+        QCOMPARE(card->geometry(), before);
     }
 
     void oneOfTheDepthColoursIsShown()

@@ -1844,8 +1844,9 @@ void MainWindow::placeOverlays()
     const int belowConsole = m_console->isVisible() ? m_console->geometry().bottom() : area.top();
     m_watch->move(area.right() - kSpace4 - m_watch->width(), belowConsole + kSpace4);
     m_console->raise();
-    m_infractionCard->placeIn(area);
-    m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
+    m_infractionCard->placeIn(area, m_room->burPlace());
+    m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle,
+                        m_room->burPlace());
     // What stays must not lie over the ways to other pages.
     const bool isAbove = m_messages->stays() && !inRoom && !isAtDoor();
     m_pages->setContentsMargins(0, isAbove ? m_messages->geometry().bottom() + 1 : 0, 0, 0);

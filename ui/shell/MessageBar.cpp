@@ -15,6 +15,7 @@
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/tooth/OffBur.h"
 
 namespace ui::shell {
 namespace {
@@ -178,7 +179,7 @@ void MessageBar::present(const Message& message)
     emit changed();
 }
 
-void MessageBar::placeIn(const QRect& area, Place place)
+void MessageBar::placeIn(const QRect& area, Place place, const std::optional<QPointF>& bur)
 {
     m_area = area;
     m_place = place;
@@ -189,10 +190,13 @@ void MessageBar::placeIn(const QRect& area, Place place)
     for (QLayout* inner : layout()->findChildren<QLayout*>())
         inner->invalidate();  // else the height is that of the words before
     const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
-    if (place == Place::OverTheView)
-        setGeometry(area.center().x() - width / 2, area.top() + kSpace4, width, height);
-    else
+    if (place == Place::OverTheView) {
+        const QRect atTop(area.center().x() - width / 2, area.top() + kSpace4, width, height);
+        setGeometry(
+            tooth::placeOffBur(bur, atTop, atTop.translated(0, area.bottom() - kSpace4 - atTop.bottom())).toRect());
+    } else {
         setGeometry(area.right() - kSpace4 - width, area.top() + kSpace1, width, height);
+    }
 }
 
 void MessageBar::enterEvent(QEnterEvent* event)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <QFrame>
 #include <QList>
@@ -67,8 +68,9 @@ public:
     [[nodiscard]] bool stays() const { return isVisibleTo(parentWidget()) && m_now.kind != Kind::News; }
     /// Over the middle of the tooth's view; on a page in the line of its title, or above the page where it stays.
     enum class Place { OverTheView, BesideTheTitle };
-    /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs.
-    void placeIn(const QRect& area, Place place);
+    /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs. Over the view it goes to the foot
+    /// where it would lie over the bur.
+    void placeIn(const QRect& area, Place place, const std::optional<QPointF>& bur = {});
 
 signals:
     /// Another message is shown, or none any more.

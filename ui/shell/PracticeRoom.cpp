@@ -2,10 +2,12 @@
 #include "ui/shell/PracticeRoom.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineF>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -23,14 +25,16 @@
 #include "ui/study/LessonStrip.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
+#include "ui/tooth/OffBur.h"
+#include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
 namespace {
 
 constexpr int kNoticeMs = 8000;
 constexpr int kNoticeIconPx = 32;
-constexpr int kAccountPx = 110;   ///< widest name
-constexpr int kNoticeTopPx = 88;  ///< below the place of a message
+constexpr int kAccountPx = 110;       ///< widest name
+constexpr double kBurMovedPx = 16.0;  ///< overlays are placed anew after so much
 constexpr int kSectionPercent = 27;
 constexpr int kUsualSectionPx = 344;
 constexpr int kNarrowestSectionPx = 300;
@@ -40,7 +44,7 @@ constexpr int kReferenceFromPx = 1000;  ///< a narrower room has no place for wh
 
 }  // namespace
 
-PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* view, QWidget* parent)
+PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent)
     : QWidget(parent), m_view(view)
 {
     // Before any child is made, so that all of them take their icons and colours from this room.
@@ -48,6 +52,8 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     setAutoFillBackground(true);
     view->setParent(this);
     view->installEventFilter(this);
+    connect(view, &tooth::ToothView::pressedChanged, this, &PracticeRoom::keepLayout);
+    connect(view, &tooth::ToothView::frameAdvanced, this, &PracticeRoom::followBur);
     m_panel = new SidePanel(actions, this);
     m_section = new inside::SectionView(this);
     m_section->hide();
@@ -317,10 +323,21 @@ void PracticeRoom::setSectionVisible(bool visible)
     fitSection();
 }
 
+void PracticeRoom::keepLayout(bool kept)
+{
+    layout()->setEnabled(!kept);
+    if (kept)
+        return;
+    fitSection();
+    layout()->update();  // what changed meanwhile
+}
+
 /// A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth as
 /// much as it can, and beside a trial for which there is no room it waits.
 void PracticeRoom::fitSection()
 {
+    if (m_view->isPressed())
+        return;  // keepLayout() calls this after the release
     const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);
     const bool isTried = m_trial != nullptr && m_trial->isVisibleTo(this);
     const int trialPx = isTried ? m_trial->width() + 1 : 0;
@@ -338,6 +355,7 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 {
     if ((watched == m_view || watched == m_beside) &&
         (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
+        m_areaIsNew = true;  // the view itself takes its size after this
         placeOverlays();
         emit viewAreaChanged();
     }
@@ -373,13 +391,30 @@ void PracticeRoom::placeOverlays()
     placeNotice();
 }
 
+void PracticeRoom::followBur()
+{
+    std::optional<QPointF> bur = m_view->burAt();
+    if (bur)
+        *bur += m_view->pos();
+    const bool isFollowed = m_view->isPressed() || m_replay->isVisibleTo(this) || !m_bur || !bur;
+    if (!std::exchange(m_areaIsNew, false) && !isFollowed)
+        return;
+    if (m_bur.has_value() == bur.has_value() && (!bur || QLineF(*m_bur, *bur).length() < kBurMovedPx))
+        return;
+    m_bur = bur;
+    placeOverlays();
+    emit viewAreaChanged();
+}
+
 /// One of them is seen at a time.
 void PracticeRoom::placeAtFoot(QLabel& words, const QRect& area) const
 {
     const QSize oneLine = words.fontMetrics().size(0, words.text());
     const int width = std::min(area.width() - 2 * kSpace4, oneLine.width() + 2 * kSpace6);
     const int height = words.heightForWidth(width);
-    words.setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
+    const QRect atFoot(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
+    const QRect atTop(atFoot.left(), area.top() + kBelowMessagePx, width, height);
+    words.setGeometry(tooth::placeOffBur(m_bur, atFoot, atTop).toRect());
     words.raise();
 }
 
@@ -393,7 +428,10 @@ void PracticeRoom::placeNotice()
     const int around = kSpace4 + kNoticeIconPx + kSpace4 + kSpace6 + 2 * kSpace1;
     const int width = std::min(area.width() - 2 * kSpace2, words + around);
     m_notice->resize(width, m_notice->layout()->totalHeightForWidth(width));
-    m_notice->move(area.center().x() - width / 2, area.top() + kNoticeTopPx);
+    const QRect atTop(QPoint(area.center().x() - width / 2, area.top() + kBelowMessagePx), m_notice->size());
+    const int foot = m_remark->isVisibleTo(this) ? m_remark->y() : area.bottom();
+    const QRect atFoot(QPoint(atTop.left(), foot - kSpace4 - atTop.height()), atTop.size());
+    m_notice->move(tooth::placeOffBur(m_bur, atTop, atFoot).topLeft().toPoint());
     m_notice->raise();
 }
 

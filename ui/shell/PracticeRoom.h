@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QTimer>
 #include <QWidget>
 
@@ -23,6 +25,10 @@ namespace ui::study {
 class LessonStrip;
 }
 
+namespace ui::tooth {
+class ToothView;
+}
+
 namespace ui::shell {
 
 class Actions;
@@ -33,12 +39,15 @@ class ViewMenu;
 
 /// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
 /// buttons, the side panel the figures. Dark grey in either theme.
+///
+/// While the tooth view is pressed, the room keeps its layout: what opens, closes or changes size takes its place after
+/// the release, so that the tooth never moves under the bur.
 class PracticeRoom : public QWidget
 {
     Q_OBJECT
 public:
     /// @param view  the tooth; becomes a child
-    PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* view, QWidget* parent);
+    PracticeRoom(const Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent);
 
     [[nodiscard]] SidePanel& panel() { return *m_panel; }
     [[nodiscard]] inside::SectionView& section() { return *m_section; }
@@ -72,9 +81,13 @@ public:
     void setSectionVisible(bool visible);
     /// Where the tooth is, in this widget's coordinates.
     [[nodiscard]] QRect viewArea() const;
+    /// Returns the place that overlays keep off, in this widget's coordinates: the bur while the view is pressed or a
+    /// recording is played, and afterwards where it was last. The pointer may be on its way to a card, and the card
+    /// must not move away from it.
+    [[nodiscard]] const std::optional<QPointF>& burPlace() const { return m_bur; }
 
 signals:
-    /// viewArea() is another one.
+    /// Emitted when viewArea() or burPlace() has changed.
     void viewAreaChanged();
 
 protected:
@@ -82,6 +95,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void keepLayout(bool kept);
     void fitSection();
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions, ViewMenu& viewMenu);
@@ -90,8 +104,9 @@ private:
     void placeOverlays();
     void placeNotice();
     void placeAtFoot(QLabel& words, const QRect& area) const;
+    void followBur();
 
-    QWidget* m_view;
+    tooth::ToothView* m_view;
     SidePanel* m_panel;
     inside::SectionView* m_section;
     bool m_isSectionWanted = false;
@@ -116,6 +131,8 @@ private:
     QLabel* m_noticeToDo = nullptr;
     QTimer m_noticeTimer;
     bool m_hintWanted = true;
+    std::optional<QPointF> m_bur;
+    bool m_areaIsNew = false;  ///< m_bur is from before the view was resized
 };
 
 }  // namespace ui::shell

@@ -24,6 +24,7 @@ inline constexpr int kSpace1 = 4;
 inline constexpr int kSpace2 = 8;
 inline constexpr int kSpace4 = 16;
 inline constexpr int kSpace6 = 24;
+inline constexpr int kBelowMessagePx = 88;  ///< from the top of the view: what lies below the place of a message
 inline constexpr int kRadius = 6;
 
 /// Type sizes, px. kHero is for one number a page.

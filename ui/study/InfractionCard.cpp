@@ -14,6 +14,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
+#include "ui/tooth/OffBur.h"
 
 namespace ui::study {
 namespace {
@@ -172,7 +173,7 @@ void InfractionCard::tell(const core::grading::Infraction& infraction, bool canT
     setFocusProxy(canTakeBack ? m_takeBack : m_goOnButton);
 }
 
-void InfractionCard::placeIn(const QRect& area)
+void InfractionCard::placeIn(const QRect& area, const std::optional<QPointF>& bur)
 {
     const int width = std::min(kWidthPx, area.width() - 2 * kSpace2);
     // One below the other where they do not stand side by side.
@@ -180,7 +181,10 @@ void InfractionCard::placeIn(const QRect& area)
     m_buttons->setDirection(beside <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     layout()->activate();  // words that have just changed may take another line
     resize(width, layout()->totalHeightForWidth(width));
-    move(area.center().x() - width / 2, area.bottom() - kSpace6 - height());
+    const QRect atFoot(QPoint(area.center().x() - width / 2, area.bottom() - kSpace6 - height()), size());
+    move(tooth::placeOffBur(bur, atFoot, QRect({atFoot.left(), area.top() + kBelowMessagePx}, size()))
+             .topLeft()
+             .toPoint());
 }
 
 void InfractionCard::keyPressEvent(QKeyEvent* event)

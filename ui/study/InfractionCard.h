@@ -27,8 +27,8 @@ public:
     void goOn();
     /// As its other button; false where it is not there to be pressed.
     bool takeBack();
-    /// In the middle of the lower part of `area`.
-    void placeIn(const QRect& area);
+    /// Puts the card at the foot of `area`, or below its top where the card would lie over the bur.
+    void placeIn(const QRect& area, const std::optional<QPointF>& bur);
 
 signals:
     void takeBackWanted();

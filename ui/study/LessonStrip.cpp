@@ -55,6 +55,8 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_text->setFont(typeface(kBody, QFont::Medium));
     m_text->setObjectName(QStringLiteral("lessonStep"));
+    // Two lines always: a step that goes on by itself must not move the tooth.
+    m_text->setMinimumHeight(m_text->fontMetrics().size(0, QStringLiteral("M\nM")).height());
     m_hint = new QPushButton(this);
     text::inEveryLanguage(m_hint, [this] { m_hint->setText(tr("Hint")); });
     m_hint->setProperty("kind", "segment");

@@ -24,6 +24,7 @@
 #include "ui/render/SharedArch.h"
 #include "ui/render/WholeSurface.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/tooth/OffBur.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -46,7 +47,6 @@ constexpr int kForceToldMs = 1200;
 constexpr double kNearStopMm = 0.1;  ///< nearer to the stop the ring changes colour
 constexpr double kStopRing = 1.35;   ///< radius of the ring in radii of the bur
 constexpr int kStopCorners = 48;
-constexpr double kPlateAsidePx = 56.0;
 constexpr double kPlateBelowPx = 26.0;
 constexpr double kLiftFollowS = 0.05;
 constexpr double kTurnRadPerS = 55.0;  ///< of a bur that runs: as fast as an eye can follow, a real one is a blur
@@ -463,9 +463,9 @@ void ToothView::paintMarks(QPainter& painter)
         paintArrowOut(painter, size, {bur.x, bur.y}, {hand.x, hand.y});
         if (m_settings.look.depthColours == render::DepthColours::Off)
             continue;
-        paintDepthScale(painter, size, m_settings.look, how);
+        paintDepthScale(painter, size, m_settings.look, how, QPointF(bur.x, bur.y));
         if (const auto under = m_pointerHasLeft ? std::nullopt : m_surface->meetTooth(rayAt(m_pointer)))
-            paintPlate(painter, presented(m_pointer) + QPointF(m_leftHanded ? -22.0 : 22.0, 18.0),
+            paintPlate(painter, size, presented(m_pointer) - QPointF(0.0, kPlateBelowPx),
                        depthWords(*m_surface, *under, m_settings.look.depthColours), m_leftHanded);
     }
 }
@@ -528,6 +528,15 @@ QPointF ToothView::presented(QPointF position) const
     if (how.stereo == render::Stereo::TopBottom)
         position.setY(std::fmod(2.0 * position.y(), height()));
     return position;
+}
+
+std::optional<QPointF> ToothView::burAt() const
+{
+    const render::Presentation& how = m_settings.presentation;
+    if (!showsInstrument() || how.stereo != render::Stereo::Off)
+        return std::nullopt;
+    const glm::dvec2 at = m_camera.pixelOf(m_servo.anchorMm);
+    return QPointF(how.flipLeftRight ? width() - at.x : at.x, how.flipUpDown ? height() - at.y : at.y);
 }
 
 /// Which sides of the tooth look where, in a corner.
@@ -600,8 +609,7 @@ void ToothView::drawForce(QPainter& painter)
         large.setPixelSize(18);
         painter.setFont(large);
         const double width = QFontMetricsF(large).horizontalAdvance(text) + 16.0;
-        const QRectF label(m_leftHanded ? tip.x + kRadiusPx + 10.0 : tip.x - kRadiusPx - 10.0 - width, tip.y - 14.0,
-                           width, 28.0);
+        const QRectF label(m_leftHanded ? tip.x + kOffBurPx : tip.x - kOffBurPx - width, tip.y - 14.0, width, 28.0);
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor(20, 22, 24, 190));
         painter.drawRoundedRect(label, 6.0, 6.0);
@@ -643,8 +651,7 @@ void ToothView::drawStop(QPainter& painter)
             //: The depth at which the bur will stop
             : tr("Stop %1 mm").arg(figure(m_control.stopDepthMm(), 1));
     const glm::dvec2 tip = m_camera.pixelOf(m_pose.anchorMm);
-    paintPlate(painter, QPointF(tip.x + (m_leftHanded ? -kPlateAsidePx : kPlateAsidePx), tip.y + kPlateBelowPx), words,
-               m_leftHanded);
+    paintPlate(painter, QSizeF(width(), height()), QPointF(tip.x, tip.y + kPlateBelowPx), words, m_leftHanded);
 }
 
 void ToothView::advanceFrame()
@@ -733,6 +740,7 @@ void ToothView::takeChanges(const render::ToothSurface::Changes& changes)
 
 void ToothView::publishPointer()
 {
+    updatePressed();
     const core::session::PointerInput wish =
         m_control.input(m_servo.tick > 0 ? std::optional(m_servo.anchorMm) : std::nullopt);
     if (wish == m_published)
@@ -741,6 +749,19 @@ void ToothView::publishPointer()
         redraw();
     m_published = wish;
     m_links.pointer.publish(wish);
+}
+
+void ToothView::setButtonDown(bool down)
+{
+    m_buttonIsDown = down;
+    updatePressed();
+}
+
+void ToothView::updatePressed()
+{
+    const bool isPressed = m_buttonIsDown || m_control.isPushing();
+    if (std::exchange(m_isPressed, isPressed) != isPressed)
+        emit pressedChanged(isPressed);
 }
 
 render::Ray ToothView::rayAt(QPointF position) const
@@ -824,6 +845,8 @@ void ToothView::pushAt(QPointF position)
 
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
+    if (event->button() == Qt::LeftButton)
+        setButtonDown(true);
     if (const auto end = gizmoEndAt(event->position()); end && event->button() == Qt::LeftButton) {
         lookFromEnd(m_camera, *end);
         redrawMoving();
@@ -864,6 +887,9 @@ void ToothView::leaveEvent(QEvent* event)
 void ToothView::mouseMoveEvent(QMouseEvent* event)
 {
     pointAt(event->position());
+    // Another window may have had the release.
+    if (!event->buttons().testFlag(Qt::LeftButton))
+        setButtonDown(false);
     if (m_mirrorHeld && m_mirror) {
         dragMirror(presentedWay(event->position() - m_turnedAt), event->modifiers().testFlag(Qt::ShiftModifier));
         m_turnedAt = event->position();
@@ -886,6 +912,7 @@ void ToothView::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
         m_mirrorHeld = false;
+        m_buttonIsDown = false;
         m_control.push(false);
         publishPointer();
     }
@@ -926,8 +953,10 @@ void ToothView::tabletEvent(QTabletEvent* event)
     const bool isTip = event->button() == Qt::LeftButton;
     const bool takesMirror = m_mirrorHeld || (event->type() == QEvent::TabletPress && isOnMirror(event->position()));
     if (event->type() == QEvent::TabletPress && isTip && !takesMirror) {
+        m_buttonIsDown = true;
         pushAt(event->position());
     } else if (event->type() == QEvent::TabletRelease && isTip && !takesMirror) {
+        m_buttonIsDown = false;
         m_control.push(false);
     } else if (event->type() == QEvent::TabletMove && m_turning == Qt::NoButton && event->buttons() <= Qt::LeftButton &&
                !takesMirror) {
@@ -1057,6 +1086,13 @@ void ToothView::focusOutEvent(QFocusEvent* event)
 {
     release();
     SceneWidget::focusOutEvent(event);
+}
+
+void ToothView::hideEvent(QHideEvent* event)
+{
+    m_buttonIsDown = false;
+    release();
+    SceneWidget::hideEvent(event);
 }
 
 void ToothView::release()

@@ -66,6 +66,9 @@ public:
     void setDepthStop(bool on, double depthMm);
     /// Returns the settings of the hand: feed, depth stop and force.
     [[nodiscard]] const PointerControl& hand() const { return m_control; }
+    /// True while the bur is pushed or the left button, or the tip of the pen, is down in the view. The button may be
+    /// down without a push: a view that loses the focus stops pushing.
+    [[nodiscard]] bool isPressed() const { return m_isPressed; }
     /// Nothing is pushed or turned any more, whatever is held down.
     void release();
     /// For the look of the bur only.
@@ -102,6 +105,9 @@ public:
     [[nodiscard]] QImage toothPicture();
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
+    /// Returns where the tip of the bur is seen in this widget. Empty if no bur is shown, or if the picture has two
+    /// halves.
+    [[nodiscard]] std::optional<QPointF> burAt() const;
     /// The dental mirror where it is held; nothing while it is put away.
     [[nodiscard]] const std::optional<render::DentalMirror>& mirror() const { return m_mirror; }
     /// The tooth that is shown, as cut so far, at its own grid; null before the first. Valid until the next setTooth().
@@ -123,6 +129,8 @@ signals:
     /// Once a frame, with the newest state of the servo.
     void frameAdvanced(const core::session::ServoState& state);
     void pushForceChanged(double newtons);
+    /// Emitted when isPressed() has changed.
+    void pressedChanged(bool pressed);
     /// Emitted when the wheel or a key has moved the depth stop.
     void depthStopChanged(double depthMm);
     /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
@@ -144,6 +152,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void advanceFrame();
@@ -154,6 +163,8 @@ private:
     void stepByKey(int key, double lengthMm);
     void pushAt(QPointF position);
     void publishPointer();
+    void setButtonDown(bool down);
+    void updatePressed();
     void turnCamera(double azimuthDeg, double elevationDeg);
     void turnHandpiece(double degrees);
     void showNeighbours();
@@ -193,6 +204,8 @@ private:
     bool m_mirrorIsPlaced = false;  ///< by a person
     QPointF m_pointer;              ///< where the mouse was last
     bool m_pointerHasLeft = true;
+    bool m_buttonIsDown = false;  ///< the left one, or the tip of the pen
+    bool m_isPressed = false;
     bool m_pointerAims = false;  ///< the bur was last moved with the pointer, not with keys
     PatchInbox m_inbox;
     Camera m_camera;

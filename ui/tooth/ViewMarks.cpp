@@ -10,6 +10,7 @@
 #include <QPainterPath>
 
 #include "ui/text/Texts.h"
+#include "ui/tooth/OffBur.h"
 
 namespace ui::tooth {
 namespace {
@@ -94,7 +95,8 @@ QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointM
                        : QCoreApplication::translate("ViewMarks", "%1 to cut").arg(millimetres(below));
 }
 
-void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how)
+void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how,
+                     const std::optional<QPointF>& bur)
 {
     const bool aboutIdeal = look.depthColours == render::DepthColours::AgainstIdeal;
     const double endMm = aboutIdeal ? render::kIdealScaleMm : render::kDepthScaleMm;
@@ -113,10 +115,13 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
         std::max(words.horizontalAdvance(title),
                  kScaleWide + 9.0 + std::max(words.horizontalAdvance(first), words.horizontalAdvance(last)));
     // At the right, half way up: at the left lies the history, below a hint or the bar of a replay.
-    const QRectF bar(view.width() - kMargin - wide, 0.5 * (view.height() - kScaleHigh), kScaleWide, kScaleHigh);
+    const QRectF usual(view.width() - kMargin - wide - 10.0, 0.5 * (view.height() - kScaleHigh) - 34.0, wide + 20.0,
+                       kScaleHigh + 46.0);
+    const QRectF plate = placeOffBur(bur, usual, QRectF(QPointF(kMargin - 10.0, usual.top()), usual.size()));
+    const QRectF bar(plate.left() + 10.0, plate.top() + 34.0, kScaleWide, kScaleHigh);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlate);
-    painter.drawRoundedRect(QRectF(bar.left() - 10.0, bar.top() - 34.0, wide + 20.0, kScaleHigh + 46.0), 6.0, 6.0);
+    painter.drawRoundedRect(plate, 6.0, 6.0);
     QLinearGradient colours(bar.topLeft(), bar.bottomLeft());
     // As in tooth.frag, after its tone curve.
     colours.setColorAt(0.0, render::seenAs(QColor(102, 158, 214), how.stereo));
@@ -137,11 +142,13 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     }
 }
 
-void paintPlate(QPainter& painter, QPointF beside, const QString& text, bool onTheLeft)
+void paintPlate(QPainter& painter, QSizeF view, QPointF bur, const QString& text, bool onTheLeft)
 {
     painter.setFont(wordsFont(painter));
     const double width = QFontMetricsF(painter.font()).horizontalAdvance(text) + 16.0;
-    const QRectF plate(onTheLeft ? beside.x() - width : beside.x(), beside.y() - 13.0, width, 26.0);
+    const bool hasRoom = onTheLeft ? bur.x() - kOffBurPx - width > 0.0 : bur.x() + kOffBurPx + width < view.width();
+    const double left = onTheLeft == hasRoom ? bur.x() - kOffBurPx - width : bur.x() + kOffBurPx;
+    const QRectF plate(left, bur.y() - 13.0, width, 26.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlate);
     painter.drawRoundedRect(plate, 6.0, 6.0);

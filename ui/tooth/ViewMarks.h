@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QPainter>
 #include <QPointF>
 #include <QRectF>
@@ -26,14 +28,16 @@ inline constexpr int kGizmoInPx = 16;
 /// not.
 void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards);
 
-/// The scale of the depth colours with its figures, at the left.
-void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how);
+/// The scale of the depth colours with its figures, at the right; at the left while the bur is at the right.
+void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how,
+                     const std::optional<QPointF>& bur = {});
 
 /// How deep the tooth is cut at a place, in the words of that scale.
 [[nodiscard]] QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointMm,
                                  render::DepthColours colours);
 
-/// A short text on a dark plate beside a place.
-void paintPlate(QPainter& painter, QPointF beside, const QString& text, bool onTheLeft);
+/// A short text on a dark plate beside the bur, clear of the cut around it. It goes to the other side where the view
+/// ends.
+void paintPlate(QPainter& painter, QSizeF view, QPointF bur, const QString& text, bool onTheLeft);
 
 }  // namespace ui::tooth
