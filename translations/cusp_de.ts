@@ -6926,6 +6926,15 @@ ungesichert</translation>
         <source>Search on this page, or among the lessons</source>
         <translation>Auf dieser Seite suchen, oder unter den Lektionen</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <extracomment>Of the ideal preparation, drawn on the tooth</extracomment>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Show or hide the outline of the ideal preparation on the tooth</source>
+        <translation>Umriss der idealen Präparation auf dem Zahn zeigen oder verbergen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7572,6 +7581,14 @@ ungesichert</translation>
     <message>
         <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>Der Einmalcode gilt nicht mehr. Bitten Sie die Verwaltung um einen neuen.</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>Der Umriss ist in einer Prüfung nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>Für diesen Zahn gibt es keine ideale Präparation.</translation>
     </message>
 </context>
 <context>

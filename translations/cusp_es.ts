@@ -6926,6 +6926,15 @@ sin guardar</translation>
         <source>Search on this page, or among the lessons</source>
         <translation>Buscar en esta página o entre las lecciones</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <extracomment>Of the ideal preparation, drawn on the tooth</extracomment>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Show or hide the outline of the ideal preparation on the tooth</source>
+        <translation>Mostrar u ocultar el contorno de la preparación ideal sobre el diente</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7572,6 +7581,14 @@ sin guardar</translation>
     <message>
         <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>El código de un solo uso ya no es válido. Pida otro a un administrador.</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>El contorno no está disponible en un examen.</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>Este diente no tiene una preparación ideal.</translation>
     </message>
 </context>
 <context>

@@ -6876,6 +6876,15 @@ unsaved</source>
         <source>Search on this page, or among the lessons</source>
         <translation>このページ、またはレッスンを検索します</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <extracomment>Of the ideal preparation, drawn on the tooth</extracomment>
+        <translation>外形線</translation>
+    </message>
+    <message>
+        <source>Show or hide the outline of the ideal preparation on the tooth</source>
+        <translation>理想的な窩洞の外形線を歯の上に表示または非表示にします</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7520,6 +7529,14 @@ unsaved</source>
     <message>
         <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>ワンタイムコードは無効になりました。新しいコードを管理者に依頼してください。</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>試験では外形線を使用できません。</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>この歯には理想的な窩洞がありません。</translation>
     </message>
 </context>
 <context>

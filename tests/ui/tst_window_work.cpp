@@ -333,7 +333,7 @@ private slots:
         spoil();
         const QList<QAction*> aids{actions().section,      actions().turnSection, actions().radiograph,
                                    actions().depthColours, actions().mirror,      actions().burColour,
-                                   actions().fixture};
+                                   actions().fixture,      actions().outline};
         const auto tips = [&] {
             QStringList all;
             for (const QAction* aid : aids)

@@ -1255,6 +1255,10 @@ void MainWindow::showIdeal()
     given.ideal = m_aids.ideal && m_ideal != nullptr;
     Actions::setAllowed(m_actions->idealColours, m_aids.heatMap && given.ideal,
                         m_aids.ideal ? tr("Only a tooth with decay has an ideal preparation.") : QString());
+    Actions::setAllowed(m_actions->outline, given.ideal && !isExam(),
+                        isExam()       ? tr("The outline is not available in an exam.")
+                        : m_aids.ideal ? tr("This tooth has no ideal preparation.")
+                                       : QString());
     m_viewMenu->setAllowed(given);
     m_room->section().setIdeal(given.ideal ? m_ideal : nullptr);
 }
@@ -1551,7 +1555,9 @@ void MainWindow::tellAids()
         inUse(m_aids.mirror && m_actions->mirror->isChecked(), kMirrorAid) |
         inUse(m_aids.burColour && m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
         inUse(m_aids.fixture && m_actions->fixture->isChecked(), kFixtureAid) |
-        inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
+        inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked() ||
+                            m_actions->outline->isChecked()),
+              kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
 }
@@ -1773,6 +1779,7 @@ void MainWindow::enableActions()
     m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && !m_replaying && m_aids.burColour &&
                                      seesIdeal);
     m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
+    m_actions->outline->setEnabled(inRoom && m_view->isUsable() && seesIdeal && !isExam());
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
@@ -2230,6 +2237,9 @@ QString MainWindow::workTitle() const
 
 void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
+    const bool isSame = m_assignment && m_assignment->lesson && assignment.lesson &&
+                        m_assignment->lesson->id == assignment.lesson->id &&
+                        m_assignment->lesson->exam == assignment.lesson->exam;
     m_assignment = assignment;
     m_trialCard->hide();
     m_isGraded = false;
@@ -2246,6 +2256,8 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     m_viewMenu->showNeighbours(assignment.neighbours != nullptr);
+    if (!isSame)
+        m_viewMenu->outlineIdeal(assignment.lesson && m_aids.ideal && !isExam() && assignment.shownIdeal() != nullptr);
     showHistory();
     if (!assignment.lesson) {
         m_room->lesson().setPractice();
