@@ -1905,6 +1905,29 @@
     </message>
 </context>
 <context>
+    <name>Landmark</name>
+    <message>
+        <source>central pit</source>
+        <translation>zentrale Grube</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>mesiale Grube</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>distale Grube</translation>
+    </message>
+    <message>
+        <source>mesial marginal ridge</source>
+        <translation>mesiale Randleiste</translation>
+    </message>
+    <message>
+        <source>distal marginal ridge</source>
+        <translation>distale Randleiste</translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>

@@ -1905,6 +1905,29 @@
     </message>
 </context>
 <context>
+    <name>Landmark</name>
+    <message>
+        <source>central pit</source>
+        <translation>fosa central</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>fosa mesial</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>fosa distal</translation>
+    </message>
+    <message>
+        <source>mesial marginal ridge</source>
+        <translation>cresta marginal mesial</translation>
+    </message>
+    <message>
+        <source>distal marginal ridge</source>
+        <translation>cresta marginal distal</translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>

@@ -1903,6 +1903,29 @@
     </message>
 </context>
 <context>
+    <name>Landmark</name>
+    <message>
+        <source>central pit</source>
+        <translation>中央小窩</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>近心小窩</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>遠心小窩</translation>
+    </message>
+    <message>
+        <source>mesial marginal ridge</source>
+        <translation>近心辺縁隆線</translation>
+    </message>
+    <message>
+        <source>distal marginal ridge</source>
+        <translation>遠心辺縁隆線</translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>

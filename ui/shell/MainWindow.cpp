@@ -32,6 +32,7 @@
 #include <QToolButton>
 
 #include "core/drilling/Bur.h"
+#include "core/guidance/Landmarks.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
@@ -239,6 +240,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(m_scorePage, &study::ScorePage::nextWanted, m_lessonsPage, &study::LessonsPage::startNext);
+    connect(&m_room->lesson(), &study::LessonStrip::stepShown, this, &MainWindow::markExercise);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
@@ -1304,6 +1306,11 @@ void MainWindow::markExercise()
     if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
         for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
             marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
+    // The place that the step names.
+    const bool isAtWork = m_assignment && m_assignment->anatomy == m_tooth && m_ideal != nullptr && !m_replaying;
+    if (const auto named = m_room->lesson().mark(); named && isAtWork && !isExam())
+        for (const auto& [landmark, placeMm] : core::guidance::findLandmark(*named, *m_tooth, *m_ideal))
+            marks.points.push_back({placeMm, 0.0, false, study::landmarkName(landmark)});
     const bool isUnseen = isBlindfolded();
     if (isUnseen) {
         const glm::dvec2 half(0.5 * core::teeth::kPadWidthMm, 0.5 * core::teeth::kPadLengthMm);

@@ -23,8 +23,8 @@ using namespace ui::shell;
 
 constexpr double kSecondsAMinute = 60.0;
 constexpr double kSoonS = 60.0;
-constexpr double kSomeMm3 = 0.01;       ///< more than the bur takes by accident
-constexpr double kDecayLeftMost = 0.01; ///< of the lesion
+constexpr double kSomeMm3 = 0.01;        ///< more than the bur takes by accident
+constexpr double kDecayLeftMost = 0.01;  ///< of the lesion
 
 }  // namespace
 
@@ -108,6 +108,13 @@ void LessonStrip::setPractice()
     showStep();
 }
 
+std::optional<core::guidance::Landmark> LessonStrip::mark() const
+{
+    if (m_isConcluded || m_lesson.steps.empty())
+        return std::nullopt;
+    return m_lesson.steps[m_step].mark;
+}
+
 void LessonStrip::follow(const std::set<::lessons::Reached>& reached)
 {
     if (std::exchange(m_reached, reached) == reached || m_isConcluded)
@@ -160,11 +167,11 @@ void LessonStrip::showStep()
             ? tr("The exam is over and cutting is disabled. Press G for the score or R for another attempt.")
             : tr("The exam is over and cutting is disabled. Press G for the score.");
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : m_isConcluded ? over : stepWords());
-    m_text->setToolTip(m_isPractice ? QString()
-                                    : QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
+    m_text->setToolTip(m_isPractice ? QString() : QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());
+    emit stepShown();
 }
 
 void LessonStrip::setMayBeginAgain(bool may)
