@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/grading/Exercise.h"
+#include "core/guidance/Landmarks.h"
 #include "core/settings/FeelPreset.h"
 #include "core/settings/Handpiece.h"
 #include "lessons/Aids.h"
@@ -100,7 +101,6 @@ struct LeewayZone
     bool operator==(const LeewayZone&) const = default;
 };
 
-/// A step of the work, with a hint for who asks.
 /// What the program can see of an attempt: a step that asks for it ends by itself.
 enum class Reached : std::uint8_t {
     DecayFound,    ///< the bur has removed some decay
@@ -108,11 +108,13 @@ enum class Reached : std::uint8_t {
     DecayRemoved,  ///< at most 1 % of the decay is left
 };
 
+/// A step of the work, with a hint for who asks.
 struct Step
 {
     LocalText text;
     LocalText hint;
-    std::optional<Reached> doneWhen = {};  ///< nothing: the student goes on
+    std::optional<Reached> doneWhen = {};               ///< nothing: the student goes on
+    std::optional<core::guidance::Landmark> mark = {};  ///< marked on the tooth while the step is shown
     bool operator==(const Step&) const = default;
 };
 

@@ -34,6 +34,10 @@ constexpr double kFarthestPointMm = 30.0;
 constexpr qint64 kLargestSeed = qint64{1} << 53;
 constexpr int kNewestFormat = 1'000'000;
 const QStringList kReached{QStringLiteral("decay_found"), QStringLiteral("junction"), QStringLiteral("decay_removed")};
+const QStringList kLandmarks{QStringLiteral("central_pit"),  QStringLiteral("mesial_pit"),
+                             QStringLiteral("distal_pit"),   QStringLiteral("mesial_ridge"),
+                             QStringLiteral("distal_ridge"), QStringLiteral("ridges_to_keep"),
+                             QStringLiteral("ridges_to_cut")};
 const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"),  QStringLiteral("trace_shape"),
                          QStringLiteral("touch_points"), QStringLiteral("hold_force"), QStringLiteral("tell_layers")};
 
@@ -104,6 +108,8 @@ public:
             lesson.steps.push_back({step.local("text", true), step.local("hint", false)});
             if (const int when = step.choice("done_when", kReached); when >= 0)
                 lesson.steps.back().doneWhen = static_cast<Reached>(when);
+            if (const int mark = step.choice("mark", kLandmarks); mark >= 0)
+                lesson.steps.back().mark = static_cast<core::guidance::Landmark>(mark);
             step.nameTheRest();
         });
         lesson.minutes = m_keys.number("minutes", 0.0, 600.0, "minutes", 0.0);

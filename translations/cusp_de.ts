@@ -1905,6 +1905,29 @@
     </message>
 </context>
 <context>
+    <name>Landmark</name>
+    <message>
+        <source>central pit</source>
+        <translation>zentrale Grube</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>mesiale Grube</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>distale Grube</translation>
+    </message>
+    <message>
+        <source>mesial marginal ridge</source>
+        <translation>mesiale Randleiste</translation>
+    </message>
+    <message>
+        <source>distal marginal ridge</source>
+        <translation>distale Randleiste</translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>
@@ -6934,6 +6957,15 @@ ungesichert</translation>
         <source>Search on this page, or among the lessons</source>
         <translation>Auf dieser Seite suchen, oder unter den Lektionen</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <extracomment>Of the ideal preparation, drawn on the tooth</extracomment>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Show or hide the outline of the ideal preparation on the tooth</source>
+        <translation>Umriss der idealen Präparation auf dem Zahn zeigen oder verbergen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7580,6 +7612,14 @@ ungesichert</translation>
     <message>
         <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>Der Einmalcode gilt nicht mehr. Bitten Sie die Verwaltung um einen neuen.</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>Der Umriss ist in einer Prüfung nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>Für diesen Zahn gibt es keine ideale Präparation.</translation>
     </message>
 </context>
 <context>

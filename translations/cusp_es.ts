@@ -1905,6 +1905,29 @@
     </message>
 </context>
 <context>
+    <name>Landmark</name>
+    <message>
+        <source>central pit</source>
+        <translation>fosa central</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>fosa mesial</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>fosa distal</translation>
+    </message>
+    <message>
+        <source>mesial marginal ridge</source>
+        <translation>cresta marginal mesial</translation>
+    </message>
+    <message>
+        <source>distal marginal ridge</source>
+        <translation>cresta marginal distal</translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>
@@ -6934,6 +6957,15 @@ sin guardar</translation>
         <source>Search on this page, or among the lessons</source>
         <translation>Buscar en esta página o entre las lecciones</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <extracomment>Of the ideal preparation, drawn on the tooth</extracomment>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Show or hide the outline of the ideal preparation on the tooth</source>
+        <translation>Mostrar u ocultar el contorno de la preparación ideal sobre el diente</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7580,6 +7612,14 @@ sin guardar</translation>
     <message>
         <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>El código de un solo uso ya no es válido. Pida otro a un administrador.</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>El contorno no está disponible en un examen.</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>Este diente no tiene una preparación ideal.</translation>
     </message>
 </context>
 <context>

@@ -1903,6 +1903,29 @@
     </message>
 </context>
 <context>
+    <name>Landmark</name>
+    <message>
+        <source>central pit</source>
+        <translation>中央小窩</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>近心小窩</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>遠心小窩</translation>
+    </message>
+    <message>
+        <source>mesial marginal ridge</source>
+        <translation>近心辺縁隆線</translation>
+    </message>
+    <message>
+        <source>distal marginal ridge</source>
+        <translation>遠心辺縁隆線</translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>
@@ -6884,6 +6907,15 @@ unsaved</source>
         <source>Search on this page, or among the lessons</source>
         <translation>このページ、またはレッスンを検索します</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <extracomment>Of the ideal preparation, drawn on the tooth</extracomment>
+        <translation>外形線</translation>
+    </message>
+    <message>
+        <source>Show or hide the outline of the ideal preparation on the tooth</source>
+        <translation>理想的な窩洞の外形線を歯の上に表示または非表示にします</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7528,6 +7560,14 @@ unsaved</source>
     <message>
         <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
         <translation>ワンタイムコードは無効になりました。新しいコードを管理者に依頼してください。</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>試験では外形線を使用できません。</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>この歯には理想的な窩洞がありません。</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,11 @@ double Outline::Segment::lengthMm() const
     return std::sqrt(glm::dot(along, along));
 }
 
+double Outline::Segment::distanceMm(glm::dvec2 pointMm) const
+{
+    return std::sqrt(distance2(pointMm, *this));
+}
+
 Outline::Outline(const terrain::ToothAnatomy& anatomy, std::span<const float> end)
     : m_grid(anatomy.grid), m_level(kOutlineDepthMm), m_depth(anatomy.grid.count(), 0.0)
 {

@@ -32,6 +32,7 @@ public:
         std::size_t node;     ///< nearest
         [[nodiscard]] glm::dvec2 middleMm() const { return 0.5 * (fromMm + toMm); }
         [[nodiscard]] double lengthMm() const;
+        [[nodiscard]] double distanceMm(glm::dvec2 pointMm) const;
     };
     [[nodiscard]] std::span<const Segment> segments() const { return m_segments; }
 

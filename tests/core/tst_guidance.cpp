@@ -5,8 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "core/guidance/Fixture.h"
+#include "core/guidance/Landmarks.h"
 #include "core/guidance/Margin.h"
+#include "core/preparation/ToothPreparation.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Scenes.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
@@ -43,6 +46,47 @@ class TestGuidance : public QObject
 {
     Q_OBJECT
 private slots:
+    void landmarksLieWhereTheSurfaceHasThem()
+    {
+        using guidance::Landmark;
+        using preparation::Kind;
+        for (const auto& [kind, fdi] : {std::pair(Kind::ClassOne, 36),
+                                        {Kind::ClassOne, 26},
+                                        {Kind::ClassOne, 37},
+                                        {Kind::ClassTwoMesial, 36},
+                                        {Kind::ClassTwoMesial, 26},
+                                        {Kind::ClassTwoDistal, 35}}) {
+            const auto tooth = support::soundTooth(fdi, 150, 0);
+            const auto design = preparation::fittedDesign(kind, *tooth).value();
+            const grading::IdealTop ideal = preparation::makePreparation(kind, design, *tooth).value().top;
+            const auto heightMm = [&](glm::dvec2 at) {
+                const glm::dvec2 node = tooth->grid.latticeOf(at) + 0.5;
+                return tooth->top[tooth->grid.index(static_cast<int>(node.x), static_cast<int>(node.y))];
+            };
+            const auto find = [&](Landmark landmark) { return guidance::findLandmark(landmark, *tooth, *ideal); };
+            const auto pit = find(Landmark::CentralPit);
+            QCOMPARE(pit.size(), 1U);
+            const auto kept = find(Landmark::RidgesToKeep);
+            const auto cut = find(Landmark::RidgesToCut);
+            QCOMPARE(kept.size(), kind == Kind::ClassOne ? 2U : 1U);
+            QCOMPARE(cut.size(), kind == Kind::ClassOne ? 0U : 1U);
+            for (const auto& [landmark, placeMm] : kept) {
+                QVERIFY(heightMm(placeMm) > heightMm(pit.front().placeMm) + 0.5F);
+                QVERIFY((placeMm.x < pit.front().placeMm.x) == (landmark == Landmark::MesialRidge));
+            }
+            if (fdi != 36)
+                continue;
+            // The fissures cross near the middle of the crown.
+            glm::dvec2 deepest{0.0};
+            for (double y = -1.5; y <= 1.5; y += 0.05)
+                for (double x = -1.5; x <= 1.5; x += 0.05)
+                    if (heightMm({x, y}) < heightMm(deepest))
+                        deepest = {x, y};
+            QVERIFY(glm::distance(pit.front().placeMm, deepest) < 1.0);
+        }
+        QVERIFY(guidance::findLandmark(Landmark::CentralPit, *Trench().anatomy, Trench().ideal).empty());
+    }
+
     void marginIsTheDistanceToWhatIsKept()
     {
         const Trench trench;

@@ -45,7 +45,7 @@ private slots:
                                          {"axial_share", 0.5}};
         object["breaks_off"] = true;
         object["aids"] = QJsonArray{"section", "mirror", "fixture"};
-        object["steps"] = QJsonArray{QJsonObject{{"text", "Look."}, {"hint", "Closer."}}};
+        object["steps"] = QJsonArray{QJsonObject{{"text", "Look."}, {"hint", "Closer."}, {"mark", "distal_pit"}}};
         object["minutes"] = 12.5;
         object["exam"] = true;
         object["rules"] = QJsonObject{{"pulp_exposed", false}, {"perforated", false},   {"neighbour_hit", true},
@@ -78,6 +78,7 @@ private slots:
         QVERIFY(got.hardness == soft);
         QVERIFY(got.breakOff);
         QCOMPARE(inLanguage(got.steps.at(0).hint, "en"), std::string("Closer."));
+        QCOMPARE(got.steps.at(0).mark, core::guidance::Landmark::DistalPit);
         QCOMPARE(got.minutes, 12.5);
         QVERIFY(got.exam);
         QCOMPARE(got.rules, (Rules{false, false, true, 2.5, 1.2, 0.5, 3.0, 30.0}));

@@ -2,6 +2,7 @@
 // The strip above the tooth: a lesson's steps, their hints, and who hears of them.
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
@@ -56,6 +57,21 @@ private slots:
         arrow("Previous step").click();
         m_strip->follow({Reached::Junction, Reached::DecayFound});
         QCOMPARE(words(), QString("Second"));
+    }
+
+    void itTellsThePlaceThatTheStepNames()
+    {
+        using core::guidance::Landmark;
+        lessons::Lesson lesson = threeSteps();
+        lesson.steps[1].mark = Landmark::RidgesToKeep;
+        const QSignalSpy shown(m_strip.get(), &LessonStrip::stepShown);
+        m_strip->setLesson(lesson);
+        QVERIFY(!m_strip->mark());
+        arrow("Next step").click();
+        QCOMPARE(m_strip->mark(), Landmark::RidgesToKeep);
+        QVERIFY(shown.count() >= 2);
+        m_strip->conclude(LessonStrip::Ending::WithScore);
+        QVERIFY(!m_strip->mark());
     }
 
     void practiceSaysWhatToDo()

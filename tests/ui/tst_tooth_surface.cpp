@@ -349,6 +349,31 @@ private slots:
         QVERIFY(near(surface.belowIdealMm({middle, whole}), -1.0, 1e-4));
     }
 
+    void theOutlineOfAnIdealIsNoStaircase()
+    {
+        constexpr double kRadiusMm = 2.0;
+        const auto tooth = support::makeBlock({});
+        const auto ideal = std::make_shared<std::vector<float>>(
+            support::loweredTop(*tooth, [](glm::dvec2 at) { return glm::length(at) < kRadiusMm ? -1.5 : 0.0; }));
+        ToothSurface surface(tooth, kLight);
+        surface.setIdeal(ideal);
+        const core::terrain::Grid& lattice = surface.lattice();
+        double mostOffMm = 0.0;
+        int told = 0;
+        for (int j = 0; j < lattice.side; ++j)
+            for (int i = 0; i < lattice.side; ++i) {
+                const double awayMm = static_cast<double>(surface.ideal()[lattice.index(i, j)].y);
+                if (std::abs(awayMm) > 0.15)
+                    continue;
+                ++told;
+                mostOffMm = std::max(mostOffMm, std::abs(awayMm - (glm::length(lattice.nodeMm(i, j)) - kRadiusMm)));
+            }
+        QVERIFY(told > 50);
+        QVERIFY2(mostOffMm < 0.5 * lattice.cellMm, qPrintable(QString::number(mostOffMm)));
+        surface.setIdeal(nullptr);
+        QVERIFY(surface.ideal() == std::vector(lattice.count(), glm::vec2(0.0F, ToothSurface::kOutlineFarMm)));
+    }
+
     void metalMeshesAreWholeAndFaceOutwards()
     {
         std::vector<ui::render::SolidMesh> meshes{ui::render::handpieceMesh()};

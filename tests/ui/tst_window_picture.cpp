@@ -137,6 +137,39 @@ private slots:
         QCOMPARE(card->geometry(), before);
     }
 
+    void aLessonBeginsWithTheOutlineOfItsIdeal()
+    {
+        const auto isSeen = [this] { return m_window->view().settings().look.idealOutline; };
+        std::uint8_t told = 0;
+        const auto isTold = [&] {
+            frame();
+            for (const SessionCommand& command : allSent())
+                if (const auto* aids = std::get_if<SetAids>(&command))
+                    told = aids->aids;
+            return (told & kIdealAid) != 0;
+        };
+        beginLesson(support::assigned("class1-36"));
+        QVERIFY(actions().outline->isEnabled() && actions().outline->isChecked() && isSeen());
+        QVERIFY(isTold());
+        // What is chosen holds while the lesson is repeated.
+        press(Qt::Key_O);
+        QVERIFY(!isSeen() && !isTold());
+        beginLesson(support::assigned("class1-36"));
+        QVERIFY(!isSeen());
+        beginLesson(support::assigned("class1-37"));
+        QVERIFY(isSeen());
+        for (const lessons::Assignment& locked : {support::exam(), support::assigned(lessons::Task::TouchPoints)}) {
+            beginLesson(locked);
+            const QString tip = actions().outline->toolTip();
+            QVERIFY(!actions().outline->isEnabled() && !actions().outline->isChecked());
+            press(Qt::Key_O);
+            QVERIFY(!isSeen());
+            beginLesson(support::assigned("class1-36"));
+            QVERIFY(isSeen() && actions().outline->toolTip() != tip);
+        }
+        spoil();
+    }
+
     void oneOfTheDepthColoursIsShown()
     {
         using ui::render::DepthColours;

@@ -5,6 +5,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
@@ -14,6 +15,7 @@
 #include "ui/shell/ViewMenu.h"
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonEditor.h"
+#include "ui/study/LessonStrip.h"
 #include "ui/study/ScorePage.h"
 
 using namespace core::session;
@@ -27,6 +29,7 @@ using support::sheet;
 using ui::inside::SectionView;
 using ui::replay::TimeLine;
 using ui::study::InfractionCard;
+using ui::study::LessonStrip;
 
 class TestWindowWork : public support::WindowTest
 {
@@ -149,6 +152,22 @@ private slots:
         beginLesson(assigned("decay-36-moderate"));
         QVERIFY(!actions().idealColours->isChecked() && !actions().depthColours->isChecked());
         QVERIFY(!actions().section->isChecked());
+    }
+
+    void whatAStepNamesIsMarkedOnTheTooth()
+    {
+        const auto marked = [this] { return m_window->view().exercise().points.size(); };
+        const auto goOn = [this] { child<LessonStrip>()->findChildren<QToolButton*>().back()->click(); };
+        beginLesson(assigned("class1-36"));
+        QCOMPARE(marked(), 1U);
+        goOn();
+        QCOMPARE(marked(), 0U);
+        goOn();
+        QCOMPARE(marked(), 2U);
+        beginLesson(support::exam());
+        QCOMPARE(marked(), 0U);
+        beginLesson(assigned("decay-36-moderate"));
+        QCOMPARE(marked(), 0U);
     }
 
     void aLessonsTimeEndsWithTheLesson()
@@ -333,7 +352,7 @@ private slots:
         spoil();
         const QList<QAction*> aids{actions().section,      actions().turnSection, actions().radiograph,
                                    actions().depthColours, actions().mirror,      actions().burColour,
-                                   actions().fixture};
+                                   actions().fixture,      actions().outline};
         const auto tips = [&] {
             QStringList all;
             for (const QAction* aid : aids)

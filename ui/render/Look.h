@@ -30,6 +30,7 @@ struct Look
     bool isWet = false;
     bool burLight = false;  ///< a light at the handpiece's head, with the shadows that it throws into a cavity
     DepthColours depthColours = DepthColours::Off;
+    bool idealOutline = false;  ///< a line around what the ideal preparation removes, on the uncut surface
     bool operator==(const Look&) const = default;
 };
 

@@ -85,7 +85,7 @@ void ToothMaps::setSurface(const ToothSurface& surface)
         make(m_light, QOpenGLTexture::RGBA8_UNorm, 4);
         make(m_upperLayers, QOpenGLTexture::RGBA32F, 16);
         make(m_lowerLayers, QOpenGLTexture::RGBA32F, 16);
-        make(m_ideal, QOpenGLTexture::R32F, 4);
+        make(m_ideal, QOpenGLTexture::RG32F, 8);
     }
     m_lattice = lattice;
     m_tilesPerSide = surface.tilesPerSide();
@@ -107,7 +107,7 @@ void ToothMaps::setSurface(const ToothSurface& surface)
 
 void ToothMaps::writeIdeal(const ToothSurface& surface)
 {
-    write(m_ideal, surface.idealBelow().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, wholeOf(*m_lattice));
+    write(m_ideal, surface.ideal().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, wholeOf(*m_lattice));
 }
 
 void ToothMaps::update(const ToothSurface& surface, const ToothSurface::Changes& changes)

@@ -410,6 +410,7 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     m_toothProgram.setUniformValue("fadeMm", m_fadeMm.x, m_fadeMm.y);
     const DepthColours colours = scene.look.depthColours;
     m_toothProgram.setUniformValue("depthColours", static_cast<int>(colours));
+    m_toothProgram.setUniformValue("idealOutline", scene.look.idealOutline);
     m_toothProgram.setUniformValue(
         "scaleMm", static_cast<float>(colours == DepthColours::AgainstIdeal ? kIdealScaleMm : kDepthScaleMm));
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/grading/Outline.h"
 #include "core/terrain/Rim.h"
 #include "ui/render/Junction.h"
 
@@ -54,8 +55,10 @@ constexpr float kFlankShift = 0.5F;     ///< cells at most that a node at a flan
 constexpr int kFlankReach = 5;          ///< how far, nodes
 constexpr int kLipReach = 2;            ///< nodes over which a normal that turns sharply is averaged
 constexpr float kLipFades = 0.5F;
-constexpr float kLipTurns = 0.7F;    ///< cosine between neighbours from which it does so wholly
-constexpr float kLipFlat = 0.95F;    ///< and not at all
+constexpr float kLipTurns = 0.7F;  ///< cosine between neighbours from which it does so wholly
+constexpr float kLipFlat = 0.95F;  ///< and not at all
+constexpr int kOutlineBlur = 2;    ///< times that an outline is averaged over its neighbours
+constexpr glm::vec2 kNoIdeal(0.0F, ToothSurface::kOutlineFarMm);
 constexpr int kFissureReach = 5;     ///< along a fissure to each side, nodes
 constexpr float kGrooveFrom = 1.0F;  ///< bend across less that along, 1/mm, from which a groove is a fissure
 constexpr float kGrooveFull = 3.0F;
@@ -123,7 +126,7 @@ void ToothSurface::takeAnatomy()
     m_solidBottom.assign(count, kEmptyBottom);
     m_steep.emplace(m_lattice);
     m_drawnTop.assign(count, 0.0F);
-    m_idealBelow.assign(count, 0.0F);
+    m_ideal.assign(count, kNoIdeal);
     m_shifts.assign(count, glm::vec2(0.0F));
     m_drawnBottom.assign(count, 0.0F);
     m_risen.assign(count, kEmptyTop);
@@ -1023,12 +1026,12 @@ double ToothSurface::belowUncutMm(const glm::dvec3& pointMm) const
 
 double ToothSurface::belowIdealMm(const glm::dvec3& pointMm) const
 {
-    return belowUncutMm(pointMm) - between(glm::dvec2(pointMm), [this](std::size_t k) { return m_idealBelow[k]; });
+    return belowUncutMm(pointMm) - between(glm::dvec2(pointMm), [this](std::size_t k) { return m_ideal[k].x; });
 }
 
 void ToothSurface::setIdeal(const core::grading::IdealTop& ideal)
 {
-    m_idealBelow.assign(m_lattice.count(), 0.0F);
+    m_ideal.assign(m_lattice.count(), kNoIdeal);
     if (!ideal)
         return;
     for (int j = 0; j < m_lattice.side; ++j) {
@@ -1036,7 +1039,45 @@ void ToothSurface::setIdeal(const core::grading::IdealTop& ideal)
             const std::size_t k = m_lattice.index(i, j);
             const float wanted = (*ideal)[m_anatomy->grid.index(i * m_stride, j * m_stride)];
             if (m_wholeTop[k] > m_wholeBottom[k])
-                m_idealBelow[k] = m_wholeTop[k] - std::max(wanted, m_wholeBottom[k]);
+                m_ideal[k].x = m_wholeTop[k] - std::max(wanted, m_wholeBottom[k]);
+        }
+    }
+    const core::grading::Outline outline(*m_anatomy, *ideal);
+    for (const core::grading::Outline::Segment& segment : outline.segments()) {
+        const glm::dvec2 reach(kOutlineFarMm);
+        const glm::dvec2 low = m_lattice.latticeOf(glm::min(segment.fromMm, segment.toMm) - reach);
+        const glm::dvec2 high = m_lattice.latticeOf(glm::max(segment.fromMm, segment.toMm) + reach);
+        for (int j = std::max(0, static_cast<int>(low.y)); j <= std::min(m_lattice.side - 1, static_cast<int>(high.y));
+             ++j)
+            for (int i = std::max(0, static_cast<int>(low.x));
+                 i <= std::min(m_lattice.side - 1, static_cast<int>(high.x)); ++i) {
+                float& awayMm = m_ideal[m_lattice.index(i, j)].y;
+                awayMm = std::min(awayMm, static_cast<float>(segment.distanceMm(m_lattice.nodeMm(i, j))));
+            }
+    }
+    for (int j = 0; j < m_lattice.side; ++j)
+        for (int i = 0; i < m_lattice.side; ++i)
+            if (outline.insideMm(i * m_stride, j * m_stride) > 0.0)
+                m_ideal[m_lattice.index(i, j)].y *= -1.0F;
+    smoothIdealOutline();
+}
+
+/// Averages over neighbours (1 2 1 along x and along y): what is left of the lattice in the outline of an upright wall.
+void ToothSurface::smoothIdealOutline()
+{
+    const auto side = static_cast<std::size_t>(m_lattice.side);
+    for (int pass = 0; pass < 2 * kOutlineBlur; ++pass) {
+        const std::size_t step = pass % 2 == 0 ? 1 : side;
+        const std::size_t next = pass % 2 == 0 ? side : 1;
+        for (std::size_t line = 0; line < side; ++line) {
+            float before = m_ideal[line * next].y;
+            for (std::size_t n = 0; n + 1 < side; ++n) {
+                float& here = m_ideal[line * next + n * step].y;
+                const float after = m_ideal[line * next + (n + 1) * step].y;
+                const float was = here;
+                here = 0.25F * (before + after) + 0.5F * was;
+                before = was;
+            }
         }
     }
 }

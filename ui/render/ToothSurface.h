@@ -133,8 +133,10 @@ public:
     /// x: floor of the pulp, mm. y: share of decayed columns around a node, one half on the outline of a lesion. z: the
     /// uncut surface, mm. w: share of columns around whose decay is open.
     [[nodiscard]] const std::vector<glm::vec4>& lowerLayers() const { return m_lowerLayers; }
-    /// How far the ideal surface lies below the uncut one, mm.
-    [[nodiscard]] const std::vector<float>& idealBelow() const { return m_idealBelow; }
+    /// Of the ideal preparation at each node: how far its surface lies below the uncut one, and how far the node is
+    /// outside its outline, negative inside, at most kOutlineFarMm; mm.
+    [[nodiscard]] const std::vector<glm::vec2>& ideal() const { return m_ideal; }
+    static constexpr float kOutlineFarMm = 0.4F;
     /// Triangles of the upper surface, tile by tile; the lower surface has the same ones turned over.
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return m_indices; }  ///< kTileIndices a tile
@@ -153,6 +155,7 @@ private:
     void sew(const core::terrain::NodeRect& written);
     void smoothRim(const core::terrain::NodeRect& rect);
     void smoothOutline(const core::terrain::NodeRect& rect);
+    void smoothIdealOutline();
     [[nodiscard]] float flankNormal(std::size_t map, std::size_t k, glm::vec3& normal) const;
     [[nodiscard]] float uncutAround(int i, int j) const;
     [[nodiscard]] glm::vec3 softNormal(int map, int i, int j) const;
@@ -211,7 +214,7 @@ private:
     std::vector<Light> m_light;
     std::vector<glm::vec4> m_upperLayers;
     std::vector<glm::vec4> m_lowerLayers;
-    std::vector<float> m_idealBelow;
+    std::vector<glm::vec2> m_ideal;
     std::vector<std::uint32_t> m_indices;
     std::vector<int> m_indexCounts;
     std::vector<std::uint8_t> m_beside;  ///< 1: outside the chewing surface, a bur waits at the resting height

@@ -138,6 +138,11 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     radiograph = add("film", QT_TR_NOOP("X-ray"),
                      QT_TR_NOOP("Show X-ray pictures of the tooth, before and now, or close them"), {Qt::Key_F});
 
+    //: Of the ideal preparation, drawn on the tooth
+    outline = add("outline", QT_TR_NOOP("Outline"),
+                  QT_TR_NOOP("Show or hide the outline of the ideal preparation on the tooth"), {Qt::Key_O});
+    outline->setCheckable(true);
+
     m_groups.push_back({QT_TR_NOOP("View"), {}});
     resetView = add("view", QT_TR_NOOP("Reset view"), QT_TR_NOOP("Return to the initial view"), {Qt::Key_V});
     turnRound = add("turn", QT_TR_NOOP("Rotate 180°"), QT_TR_NOOP("Look at the tooth from the opposite side"),

@@ -92,6 +92,7 @@ public:
     QAction* section = nullptr;  ///< checkable: the cross-section is there
     QAction* turnSection = nullptr;
     QAction* radiograph = nullptr;
+    QAction* outline = nullptr;  ///< checkable: the ideal preparation is outlined on the tooth
     QAction* turnRound = nullptr;
     // Of the view (ViewMenu); all but the last two checkable.
     QAction* mirror = nullptr;

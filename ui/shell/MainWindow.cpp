@@ -32,6 +32,7 @@
 #include <QToolButton>
 
 #include "core/drilling/Bur.h"
+#include "core/guidance/Landmarks.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
@@ -239,6 +240,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(m_scorePage, &study::ScorePage::nextWanted, m_lessonsPage, &study::LessonsPage::startNext);
+    connect(&m_room->lesson(), &study::LessonStrip::stepShown, this, &MainWindow::markExercise);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
@@ -1258,6 +1260,10 @@ void MainWindow::showIdeal()
     given.ideal = m_aids.ideal && m_ideal != nullptr;
     Actions::setAllowed(m_actions->idealColours, m_aids.heatMap && given.ideal,
                         m_aids.ideal ? tr("Only a tooth with decay has an ideal preparation.") : QString());
+    Actions::setAllowed(m_actions->outline, given.ideal && !isExam(),
+                        isExam()       ? tr("The outline is not available in an exam.")
+                        : m_aids.ideal ? tr("This tooth has no ideal preparation.")
+                                       : QString());
     m_viewMenu->setAllowed(given);
     m_room->section().setIdeal(given.ideal ? m_ideal : nullptr);
 }
@@ -1303,6 +1309,11 @@ void MainWindow::markExercise()
     if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
         for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
             marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
+    // The place that the step names.
+    const bool isAtWork = m_assignment && m_assignment->anatomy == m_tooth && m_ideal != nullptr && !m_replaying;
+    if (const auto named = m_room->lesson().mark(); named && isAtWork && !isExam())
+        for (const auto& [landmark, placeMm] : core::guidance::findLandmark(*named, *m_tooth, *m_ideal))
+            marks.points.push_back({placeMm, 0.0, false, study::landmarkName(landmark)});
     const bool isUnseen = isBlindfolded();
     if (isUnseen) {
         const glm::dvec2 half(0.5 * core::teeth::kPadWidthMm, 0.5 * core::teeth::kPadLengthMm);
@@ -1554,7 +1565,9 @@ void MainWindow::tellAids()
         inUse(m_aids.mirror && m_actions->mirror->isChecked(), kMirrorAid) |
         inUse(m_aids.burColour && m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
         inUse(m_aids.fixture && m_actions->fixture->isChecked(), kFixtureAid) |
-        inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
+        inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked() ||
+                            m_actions->outline->isChecked()),
+              kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
 }
@@ -1776,6 +1789,7 @@ void MainWindow::enableActions()
     m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && !m_replaying && m_aids.burColour &&
                                      seesIdeal);
     m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
+    m_actions->outline->setEnabled(inRoom && m_view->isUsable() && seesIdeal && !isExam());
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
@@ -2234,6 +2248,9 @@ QString MainWindow::workTitle() const
 
 void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
+    const bool isSame = m_assignment && m_assignment->lesson && assignment.lesson &&
+                        m_assignment->lesson->id == assignment.lesson->id &&
+                        m_assignment->lesson->exam == assignment.lesson->exam;
     m_assignment = assignment;
     m_trialCard->hide();
     m_isGraded = false;
@@ -2250,6 +2267,8 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     m_viewMenu->showNeighbours(assignment.neighbours != nullptr);
+    if (!isSame)
+        m_viewMenu->outlineIdeal(assignment.lesson && m_aids.ideal && !isExam() && assignment.shownIdeal() != nullptr);
     showHistory();
     if (!assignment.lesson) {
         m_room->lesson().setPractice();

@@ -228,6 +228,7 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addSpacing(kSpace4);
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));
+    row->addWidget(barButton(actions.outline, false, frame));
     row->addSpacing(kSpace2);
     row->addWidget(guestSign(actions, frame));
     row->addWidget(accountName(actions, frame));

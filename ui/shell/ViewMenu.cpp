@@ -74,6 +74,7 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
         m_choseNeighbours = on;
         take();
     });
+    connect(actions.outline, &QAction::triggered, this, &ViewMenu::take);
     connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
 }
 
@@ -110,6 +111,7 @@ tooth::ViewSettings ViewMenu::settings() const
     tooth::ViewSettings shown = m_settings;
     if (!m_aids.heatMap || (shown.look.depthColours == render::DepthColours::AgainstIdeal && !m_aids.ideal))
         shown.look.depthColours = render::DepthColours::Off;
+    shown.look.idealOutline = shown.look.idealOutline && m_aids.ideal;
     shown.showsMirror = shown.showsMirror && m_aids.mirror;
     shown.showsMargin = shown.showsMargin && m_aids.burColour && m_aids.ideal;
     return shown;
@@ -125,6 +127,12 @@ void ViewMenu::colourAgainstIdeal(bool on)
 {
     m_actions.depthColours->setChecked(false);
     m_actions.idealColours->setChecked(on);
+    take();
+}
+
+void ViewMenu::outlineIdeal(bool on)
+{
+    m_actions.outline->setChecked(on);
     take();
 }
 
@@ -198,6 +206,7 @@ void ViewMenu::take()
                                                                                 : render::DepthColours::Off;
     m_actions.depthColours->setChecked(now.look.depthColours == render::DepthColours::BelowOriginal);
     m_actions.idealColours->setChecked(now.look.depthColours == render::DepthColours::AgainstIdeal);
+    now.look.idealOutline = m_actions.outline->isChecked();
     now.presentation.stereo = m_actions.stereo->isChecked() ? m_lastStereo : render::Stereo::Off;
     now.presentation.flipLeftRight = m_actions.flipLeftRight->isChecked();
     now.presentation.flipUpDown = m_actions.flipUpDown->isChecked();

@@ -31,6 +31,8 @@ public:
     void setAllowed(const lessons::Aids& aids);
     /// A lesson begins with the colours against its ideal, or with none.
     void colourAgainstIdeal(bool on);
+    /// A lesson with an ideal begins with its outline on the tooth. Not kept for the next start.
+    void outlineIdeal(bool on);
     /// A lesson that watches the neighbouring teeth begins with them shown, any other lesson as the person chose.
     void showNeighbours(bool areWatched);
     /// The way to the eyes that switching stereo on brings.

@@ -110,6 +110,13 @@ void LessonStrip::setPractice()
     showStep();
 }
 
+std::optional<core::guidance::Landmark> LessonStrip::mark() const
+{
+    if (m_isConcluded || m_lesson.steps.empty())
+        return std::nullopt;
+    return m_lesson.steps[m_step].mark;
+}
+
 void LessonStrip::follow(const std::set<::lessons::Reached>& reached)
 {
     if (std::exchange(m_reached, reached) == reached || m_isConcluded)
@@ -166,6 +173,7 @@ void LessonStrip::showStep()
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());
+    emit stepShown();
 }
 
 void LessonStrip::setMayBeginAgain(bool may)

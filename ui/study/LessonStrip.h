@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include <QFrame>
@@ -29,6 +30,8 @@ public:
     void setLesson(const ::lessons::Lesson& lesson);
     /// Says what to do on a tooth with decay that is practised on without a lesson.
     void setPractice();
+    /// Returns the place that the shown step names.
+    [[nodiscard]] std::optional<core::guidance::Landmark> mark() const;
     /// Goes on by itself when what the step asks for has been reached.
     void follow(const std::set<::lessons::Reached>& reached);
     /// @param workedS  seconds of this attempt so far
@@ -43,6 +46,7 @@ public:
     void conclude(Ending ending);
 
 signals:
+    void stepShown();
     /// The lesson's time is over; said once.
     void timeOver();
 

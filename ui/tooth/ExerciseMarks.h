@@ -11,12 +11,13 @@
 
 namespace ui::tooth {
 
-/// A point of the tooth that is to be touched.
+/// A point of the tooth that is to be touched, or one with a name, which is shown until it is cut.
 struct PointMark
 {
     glm::dvec2 placeMm{0.0};  ///< tooth frame, seen from above
     double reachMm = 0.6;
     bool isTouched = false;
+    QString name = {};
     bool operator==(const PointMark&) const = default;
 };
 

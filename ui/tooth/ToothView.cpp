@@ -42,7 +42,11 @@ constexpr double kMirrorStepMm = 1.0;      ///< a notch of the wheel
 constexpr double kMirrorStepPx = 12.0;     ///< a key
 constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
 constexpr double kBeforeMm = 0.6;          ///< what is seen so far before a point hides it
-constexpr double kHeightBesidePx = 60.0;   ///< of the bur
+constexpr double kBeforePitMm = 1.5;       ///< the same for a pit, which lies between the walls of a fissure
+constexpr double kCutMm = 0.1;             ///< below the uncut surface
+constexpr double kNameBesidePx = 18.0;
+constexpr double kNameAbovePx = 22.0;
+constexpr double kHeightBesidePx = 60.0;  ///< of the bur
 constexpr int kForceToldMs = 1200;
 constexpr double kNearStopMm = 0.1;  ///< nearer to the stop the ring changes colour
 constexpr double kStopRing = 1.35;   ///< radius of the ring in radii of the bur
@@ -476,11 +480,15 @@ void ToothView::drawPoints(QPainter& painter)
         return;
     for (const PointMark& mark : m_exercise.points) {
         const glm::dvec3 place(mark.placeMm, m_surface->topMm(mark.placeMm).value_or(0.0));
+        if (!mark.name.isEmpty() && m_surface->belowUncutMm(place) > kCutMm)
+            continue;
         const glm::dvec3 beside = place + glm::dvec3(m_camera.rightOnTooth() * mark.reachMm, 0.0);
         const glm::dvec2 at = m_camera.pixelOf(place);
         const auto seen = m_surface->meetTooth(m_camera.rayThrough(at));
-        const bool isHidden = seen && glm::distance(*seen, place) > kBeforeMm;
+        const bool isHidden = seen && glm::distance(*seen, place) > (mark.name.isEmpty() ? kBeforeMm : kBeforePitMm);
         paintPoint(painter, {at.x, at.y}, glm::distance(at, m_camera.pixelOf(beside)), mark.isTouched, isHidden);
+        if (!mark.name.isEmpty())
+            paintPlate(painter, {at.x + kNameBesidePx, at.y - kNameAbovePx}, mark.name, false);
     }
 }
 

@@ -87,6 +87,7 @@ public:
     [[nodiscard]] const ViewSettings& settings() const { return m_settings; }
     /// What an exercise marks on the tooth, or that the view is blindfolded; a new tooth has nothing of it.
     void setExercise(const ExerciseMarks& marks);
+    [[nodiscard]] const ExerciseMarks& exercise() const { return m_exercise; }
     /// Places that somebody remarked something of, mm, in the tooth's frame; a new tooth has none.
     void setPins(std::vector<glm::dvec3> placesMm);
     void resetCamera();

@@ -11,12 +11,15 @@ in vec2 onLattice;
 uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
 uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around; uncut, mm; share of open ones
 
+uniform sampler2D ideal;        // how far the ideal surface lies below the uncut one; how far outside its outline, mm
+
 uniform float facing;          // 1 upper surface, -1 lower
 uniform vec3 eyeMm;
 uniform vec3 towardsLight;
 uniform bool distinct;         // colours and patterns that nobody confuses
 uniform float wet;             // 1 under a film of water
 uniform int depthColours;      // 0 none, 1 below the uncut surface, 2 against the ideal one
+uniform bool idealOutline;     // a line around what the ideal removes
 uniform float scaleMm;         // end of their scale
 uniform vec2 fadeMm;           // heights between which the root fades into the room, as the gum around it does
 
@@ -29,6 +32,10 @@ const vec3 kDentin = vec3(0.84, 0.65, 0.36);
 const vec3 kDecay = vec3(0.060, 0.026, 0.011);
 const vec3 kDecayEdge = vec3(0.36, 0.19, 0.07);
 const vec3 kPulp = vec3(0.68, 0.13, 0.14);
+
+// On the screen; as the ideal is drawn in the section.
+const vec3 kOutline = vec3(1.0, 0.82, 0.25);
+const vec3 kUnderOutline = vec3(0.06, 0.07, 0.08);
 
 const vec3 kLamp = vec3(1.0, 0.97, 0.91);
 const vec3 kSky = vec3(0.86, 0.93, 1.0);
@@ -142,4 +149,14 @@ void main()
     lit += vec3(0.085, 0.10, 0.12) * grazing * polish * open;
 
     colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), smoothstep(fadeMm.y, fadeMm.x, z));
+    if (idealOutline && facing > 0.0) {
+        float outsideMm = texture(ideal, onLattice).g;
+        float awayMm = abs(outsideMm);
+        float pixelMm = max(length(vec2(dFdx(outsideMm), dFdy(outsideMm))), 1e-4);
+        float halfMm = max(0.03, 0.8 * pixelMm);
+        float uncut = 1.0 - smoothstep(0.02, 0.06, cutMm);
+        float under = 1.0 - smoothstep(2.0 * halfMm - 0.5 * pixelMm, 2.0 * halfMm + 0.5 * pixelMm, awayMm);
+        float line = 1.0 - smoothstep(halfMm - 0.5 * pixelMm, halfMm + 0.5 * pixelMm, awayMm);
+        colour.rgb = mix(mix(colour.rgb, kUnderOutline, 0.7 * under * uncut), kOutline, line * uncut);
+    }
 }

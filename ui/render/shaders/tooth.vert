@@ -8,7 +8,7 @@ uniform sampler2D heights;  // as drawn, mm
 uniform sampler2D normals;  // x, y of the unit normal
 uniform sampler2D upperLayers;  // of it only the dentin, mm
 uniform sampler2D lowerLayers;  // of it only the uncut surface, mm
-uniform sampler2D ideal;    // how far the ideal surface lies below the uncut one, mm
+uniform sampler2D ideal;    // of it only how far the ideal surface lies below the uncut one, mm
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
 uniform vec4 clipPlane;     // of the mirror, tooth frame; zero: nothing is cut off
 uniform float facing;       // 1 upper surface, -1 lower

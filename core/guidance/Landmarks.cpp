@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/guidance/Landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "core/grading/Columns.h"
+
+namespace core::guidance {
+namespace {
+
+// In mesiodistal widths of the tooth, from its middle.
+constexpr double kMiddleEnds = 0.15;
+constexpr double kPitsEnd = 0.4;
+constexpr double kRidgesBegin = 0.3;
+constexpr double kPitMm = 0.4;  ///< around its lowest point
+
+/// Premolars with two cusps have a mesial and a distal pit alone.
+bool hasCentralPit(int fdi)
+{
+    return fdi % 10 > 5 || fdi == 35 || fdi == 45;
+}
+
+/// Mesial is towards -x.
+class Crown
+{
+public:
+    Crown(const terrain::ToothAnatomy& anatomy, const std::vector<float>& ideal) : m_anatomy(anatomy), m_ideal(ideal)
+    {
+        const terrain::Grid& grid = anatomy.grid;
+        int first = grid.side;
+        int last = 0;
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i)
+                if (grading::wasSolid(anatomy, grid.index(i, j))) {
+                    first = std::min(first, i);
+                    last = std::max(last, i);
+                }
+        m_middleMm = 0.5 * (grid.nodeMm(first, 0).x + grid.nodeMm(last, 0).x);
+        m_widthMm = grid.nodeMm(last, 0).x - grid.nodeMm(first, 0).x;
+    }
+
+    [[nodiscard]] bool isRemoved(std::size_t k) const
+    {
+        return grading::wasSolid(m_anatomy, k) && m_ideal[k] < m_anatomy.top[k];
+    }
+
+    /// The lowest node that the ideal removes, with x between two shares of the width.
+    [[nodiscard]] std::optional<std::size_t> pit(double from, double to) const
+    {
+        std::optional<std::size_t> lowest;
+        forEachNode([&](std::size_t k, double share, double) {
+            if (share >= from && share <= to && isRemoved(k) && (!lowest || m_anatomy.top[k] < m_anatomy.top[*lowest]))
+                lowest = k;
+        });
+        return lowest && isLowestAround(*lowest) ? lowest : std::nullopt;
+    }
+
+    /// @param sign  -1 mesial, 1 distal
+    [[nodiscard]] std::optional<std::size_t> ridge(double sign) const
+    {
+        const std::optional<double> line = lineMm([&](double share) { return sign * share > kMiddleEnds; });
+        const std::optional<double> y = line ? line : lineMm([](double) { return true; });
+        if (!y)
+            return std::nullopt;
+        std::optional<std::size_t> highest;
+        forEachNode([&](std::size_t k, double share, double nodeY) {
+            const bool isOnLine = std::abs(nodeY - *y) <= 0.5 * m_anatomy.grid.cellMm;
+            if (isOnLine && sign * share > kRidgesBegin && grading::wasSolid(m_anatomy, k) &&
+                (!highest || m_anatomy.top[k] > m_anatomy.top[*highest]))
+                highest = k;
+        });
+        return highest;
+    }
+
+private:
+    /// The mean y of what the ideal removes where isWanted(distance distal of the middle in widths).
+    template <class IsWanted>
+    [[nodiscard]] std::optional<double> lineMm(const IsWanted& isWanted) const
+    {
+        double sumMm = 0.0;
+        int count = 0;
+        forEachNode([&](std::size_t k, double share, double y) {
+            if (isWanted(share) && isRemoved(k)) {
+                sumMm += y;
+                ++count;
+            }
+        });
+        return count > 0 ? std::optional(sumMm / count) : std::nullopt;
+    }
+
+    /// Whether the ideal removes nothing lower near a node: what only slopes towards the end of a stretch is no pit.
+    [[nodiscard]] bool isLowestAround(std::size_t node) const
+    {
+        const terrain::Grid& grid = m_anatomy.grid;
+        const int reach = static_cast<int>(kPitMm / grid.cellMm);
+        const int middleI = static_cast<int>(node) % grid.side;
+        const int middleJ = static_cast<int>(node) / grid.side;
+        for (int j = middleJ - reach; j <= middleJ + reach; ++j)
+            for (int i = middleI - reach; i <= middleI + reach; ++i)
+                if (grid.contains(i, j) && isRemoved(grid.index(i, j)) &&
+                    m_anatomy.top[grid.index(i, j)] < m_anatomy.top[node])
+                    return false;
+        return true;
+    }
+
+    /// Calls visit(index, distance distal of the middle in widths, y in mm).
+    template <class Visit>
+    void forEachNode(const Visit& visit) const
+    {
+        const terrain::Grid& grid = m_anatomy.grid;
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i) {
+                const glm::dvec2 at = grid.nodeMm(i, j);
+                visit(grid.index(i, j), (at.x - m_middleMm) / m_widthMm, at.y);
+            }
+    }
+
+    const terrain::ToothAnatomy& m_anatomy;
+    const std::vector<float>& m_ideal;
+    double m_middleMm = 0.0;
+    double m_widthMm = 0.0;
+};
+
+}  // namespace
+
+std::vector<PlacedLandmark> findLandmark(Landmark landmark, const terrain::ToothAnatomy& anatomy,
+                                         const std::vector<float>& ideal)
+{
+    const bool isPosterior = anatomy.fdi % 10 > 3;
+    if (!isPosterior)
+        return {};
+    const Crown crown(anatomy, ideal);
+    std::vector<PlacedLandmark> found;
+    const auto add = [&](Landmark which, std::optional<std::size_t> node) {
+        const int side = anatomy.grid.side;
+        if (node)
+            found.push_back(
+                {which, anatomy.grid.nodeMm(static_cast<int>(*node) % side, static_cast<int>(*node) / side)});
+    };
+    // Without a central pit the others begin at the middle.
+    const double middleEnds = hasCentralPit(anatomy.fdi) ? kMiddleEnds : 0.0;
+    const auto mesial = [&] { return crown.ridge(-1.0); };
+    const auto distal = [&] { return crown.ridge(1.0); };
+    switch (landmark) {
+    case Landmark::CentralPit:
+        if (hasCentralPit(anatomy.fdi))
+            add(landmark, crown.pit(-kMiddleEnds, kMiddleEnds));
+        break;
+    case Landmark::MesialPit:
+        add(landmark, crown.pit(-kPitsEnd, -middleEnds));
+        break;
+    case Landmark::DistalPit:
+        add(landmark, crown.pit(middleEnds, kPitsEnd));
+        break;
+    case Landmark::MesialRidge:
+        add(landmark, mesial());
+        break;
+    case Landmark::DistalRidge:
+        add(landmark, distal());
+        break;
+    case Landmark::RidgesToKeep:
+    case Landmark::RidgesToCut:
+        for (const auto& [which, node] :
+             {std::pair(Landmark::MesialRidge, mesial()), {Landmark::DistalRidge, distal()}})
+            if (node && crown.isRemoved(*node) == (landmark == Landmark::RidgesToCut))
+                add(which, node);
+        break;
+    }
+    return found;
+}
+
+}  // namespace core::guidance
