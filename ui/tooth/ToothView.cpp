@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <QCursor>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
@@ -373,6 +374,11 @@ void ToothView::resizeEvent(QResizeEvent* event)
 {
     SceneWidget::resizeEvent(event);
     m_camera.setViewport({width(), height()});
+    // A panel that has opened beside the view moves the view under a pointer that rests, and no event follows.
+    if (!m_pointerHasLeft) {
+        m_pointer = mapFromGlobal(QPointF(QCursor::pos()));
+        m_pointerHasLeft = !rect().contains(m_pointer.toPoint());
+    }
 }
 
 void ToothView::drawScene(QSize sizePx, int samples)
