@@ -225,11 +225,10 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addWidget(barButton(actions.saveRecording, false, frame));
     m_saveReference = barButton(actions.saveReference, false, frame);
     row->addWidget(m_saveReference);
-    row->addSpacing(kSpace4);
+    row->addSpacing(kSpace2);
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));
     row->addWidget(barButton(actions.outline, false, frame));
-    row->addSpacing(kSpace2);
     row->addWidget(guestSign(actions, frame));
     row->addWidget(accountName(actions, frame));
     auto* account = barButton(actions.account, false, frame);
