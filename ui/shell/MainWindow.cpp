@@ -2268,7 +2268,9 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     m_viewMenu->showNeighbours(assignment.neighbours != nullptr);
     if (!isSame)
-        m_viewMenu->outlineIdeal(assignment.lesson && m_aids.ideal && !isExam() && assignment.shownIdeal() != nullptr);
+        // Of decay it would tell what is to be found.
+        m_viewMenu->outlineIdeal(assignment.lesson && assignment.lesson->task != lessons::Task::RemoveDecay &&
+                                 m_aids.ideal && !isExam() && assignment.shownIdeal() != nullptr);
     showHistory();
     if (!assignment.lesson) {
         m_room->lesson().setPractice();

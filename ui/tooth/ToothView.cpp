@@ -494,7 +494,9 @@ void ToothView::drawPoints(QPainter& painter)
         const bool isHidden = seen && glm::distance(*seen, place) > (mark.name.isEmpty() ? kBeforeMm : kBeforePitMm);
         paintPoint(painter, {at.x, at.y}, glm::distance(at, m_camera.pixelOf(beside)), mark.isTouched, isHidden);
         if (!mark.name.isEmpty())
-            paintPlate(painter, {at.x + kNameBesidePx, at.y - kNameAbovePx}, mark.name, false);
+            // Just beside the ring: a name is nearer to its place than a figure is to the bur.
+            paintPlate(painter, QSizeF(width(), height()),
+                       {at.x + kNameBesidePx - kOffBurPx, at.y - kNameAbovePx}, mark.name, false);
     }
 }
 
