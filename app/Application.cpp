@@ -2187,6 +2187,7 @@ bool Application::play(const core::recording::Recording& recording, std::optiona
     } else {
         stopLoops();
         m_handAtRest = m_links.servo.latest();
+        m_ownView = m_window->view().camera();
     }
     ++m_generation;
     m_replay = std::move(*replay);
@@ -2287,6 +2288,8 @@ void Application::stopReplay()
     for (core::session::TilePatch late; m_links.patches.tryPop(late);) {
     }
     m_window->showTooth(m_assignment.anatomy, m_ownGeneration, {});
+    if (m_ownView)
+        m_window->view().lookAs(*m_ownView);
     // A tooth that was taken a moment before the replay may still be on its way to the session.
     if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_assignment.anatomy)
         m_window->view().setHeights(own->top);

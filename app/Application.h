@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <QObject>
 #include <QString>
@@ -37,6 +38,7 @@
 #include "ui/render/Presenter.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/study/ScorePage.h"
+#include "ui/tooth/Camera.h"
 
 namespace app {
 
@@ -300,6 +302,7 @@ private:
     std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by what it is seen in
     bool m_isTakenUp = false;                   ///< it was not finished when it was left
     QTimer m_demoBeat;
+    std::optional<ui::tooth::Camera> m_ownView;  ///< from where the student looked before a replay
     std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
     core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began

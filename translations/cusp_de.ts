@@ -2299,7 +2299,7 @@
     <message>
         <source>original surface</source>
         <extracomment>In the key of a picture, beside a line</extracomment>
-        <translation>Oberfläche vorher</translation>
+        <translation>ursprüngliche Oberfläche</translation>
     </message>
     <message>
         <source>ideal preparation</source>

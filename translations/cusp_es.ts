@@ -7061,7 +7061,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>Depth stop</source>
-        <translation>Tope de profundidad</translation>
+        <translation>Tope</translation>
     </message>
     <message>
         <source>The bur stops at this depth below the original surface</source>
@@ -7077,7 +7077,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>Push with</source>
-        <translation>Presionar con</translation>
+        <translation>Fuerza</translation>
     </message>
     <message>
         <source>Push with, newtons</source>
@@ -7139,7 +7139,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>Depth stop</source>
-        <translation>Tope de profundidad</translation>
+        <translation>Tope</translation>
     </message>
     <message>
         <source>wheel while pressed</source>

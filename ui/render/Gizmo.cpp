@@ -18,8 +18,9 @@ namespace {
 constexpr QRgb kDisc = 0xFF16191A;
 constexpr QRgb kInk = 0xFFECEEEE;
 constexpr QRgb kOcclusal = 0xFF56C7C9;
-constexpr double kArm = 0.74;   ///< of the radius: where the letters stand
-constexpr double kKnob = 0.21;  ///< radius of a letter's knob, at the depth of the centre
+constexpr double kArm = 0.74;      ///< of the radius: where the letters stand
+constexpr double kKnob = 0.21;     ///< radius of a letter's knob, at the depth of the centre
+constexpr double kHitKnobs = 1.8;  ///< a click so many radii away is meant for the letter
 
 struct End
 {
@@ -58,7 +59,7 @@ std::optional<std::size_t> gizmoEndAt(QPointF point, QPointF centre, double radi
     std::optional<std::size_t> found;
     for (const End& end : endsOf(eyeFromTooth, letters)) {
         const QPointF off = point - placeOf(end, centre, radiusPx);
-        if (std::hypot(off.x(), off.y()) <= 1.2 * knobOf(end, radiusPx))
+        if (std::hypot(off.x(), off.y()) <= kHitKnobs * knobOf(end, radiusPx))
             found = end.letter;
     }
     return found;

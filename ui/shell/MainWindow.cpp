@@ -483,7 +483,8 @@ void MainWindow::setUsedUp(bool usedUp)
 /// It runs while one works: not on other pages, but in an exam, and not once there is a grade.
 void MainWindow::runClock()
 {
-    const bool runs = !m_isGraded && (isExam() || m_pages->currentWidget() == m_room);
+    const bool isOver = m_isGraded && m_assignment->lesson;  // free practice goes on after its grade
+    const bool runs = !isOver && (isExam() || m_pages->currentWidget() == m_room);
     if (!runs)
         m_clockRestedS += m_session.recordedS - m_recordedAtS;
     m_recordedAtS = m_session.recordedS;

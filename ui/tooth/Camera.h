@@ -25,7 +25,7 @@ public:
     static constexpr double kFieldOfViewDeg = 27.0;  ///< vertical
     static constexpr double kStartAzimuthDeg = 18.0;
     static constexpr double kStartElevationDeg = 48.0;
-    static constexpr double kAboveDeg = 70.0;    ///< elevation from which a cavity is seen to its floor
+    static constexpr double kAboveDeg = 80.0;    ///< elevation from which a cavity is seen to its floor
     static constexpr double kLowestDeg = -85.0;  ///< from below, where a perforation shows
     static constexpr double kHighestDeg = 88.0;
 

@@ -495,8 +495,8 @@ void ToothView::drawPoints(QPainter& painter)
         paintPoint(painter, {at.x, at.y}, glm::distance(at, m_camera.pixelOf(beside)), mark.isTouched, isHidden);
         if (!mark.name.isEmpty())
             // Just beside the ring: a name is nearer to its place than a figure is to the bur.
-            paintPlate(painter, QSizeF(width(), height()),
-                       {at.x + kNameBesidePx - kOffBurPx, at.y - kNameAbovePx}, mark.name, false);
+            paintPlate(painter, QSizeF(width(), height()), {at.x + kNameBesidePx - kOffBurPx, at.y - kNameAbovePx},
+                       mark.name, false);
     }
 }
 
