@@ -73,13 +73,10 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
         line->setMinimumWidth(kNarrowWordsPx);
         words->addWidget(line);
     }
-    // Two lines of advice and the button keep their places: progress must not move the tooth.
+    // Two lines of advice keep their place: progress must not move the tooth.
     m_advice->setMinimumHeight(m_advice->fontMetrics().size(0, QStringLiteral("M\nM")).height());
     m_grade = pageButton(grade, "filled", block);
     m_grade->setObjectName(QStringLiteral("exerciseGrade"));
-    QSizePolicy reserved = m_grade->sizePolicy();
-    reserved.setRetainSizeWhenHidden(true);
-    m_grade->setSizePolicy(reserved);
     words->addWidget(m_grade, 0, Qt::AlignLeft);
     words->addStretch(1);
     row->addLayout(words, 1);
