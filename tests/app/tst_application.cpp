@@ -197,7 +197,7 @@ private slots:
                                  {1, 40.0, 60.0, 30.0, {2.0, -1.0, -1.0}},
                                  {3, -60.0, 50.0, 45.0, {-1.5, -2.0, -1.0}},
                                  {0, 0.0, 75.0, 25.0, {1.5, 1.5, -1.0}}}) {
-            actions().burs[static_cast<std::size_t>(jump.bur)]->trigger();
+            actions().burs[jump.bur]->trigger();
             view.setCamera(jump.azimuthDeg, jump.elevationDeg, jump.distanceMm);
             const QString before = removed();
             hasCut = false;
