@@ -47,6 +47,14 @@ std::pair<double, double> outlineOf(const Measured& measured)
     return {measured.deviation->outline->overMm.value, measured.deviation->outline->underMm.value};
 }
 
+/// Returns how much of the ideal preparation still stands, per cent.
+double leftPercent(const Measured& measured)
+{
+    if (!measured.deviation || measured.deviation->idealMm3 <= 0.0)
+        return 0.0;
+    return 100.0 * measured.deviation->undercutMm3 / measured.deviation->idealMm3;
+}
+
 Finding tooDeep(const Measured& measured, double feed)
 {
     return feed >= kFastFeedMmPerS ? Finding{Rule::TooDeepFast, feed} : Finding{Rule::TooDeep, depthOf(measured).first};
@@ -83,6 +91,10 @@ std::optional<Finding> ofForm(const Criterion& line, const Measured& measured, d
     const auto [beyond, behind] = outlineOf(measured);
     if (isOneOf(id, {"depth_too_deep", "overcut_below", "leeway_bottom", "container_bottom"}))
         return tooDeep(measured, feed);
+    // Where most of the preparation still stands, that is what to do, and not to lower its floor.
+    const double left = leftPercent(measured);
+    if (isOneOf(id, {"depth_", "outline_"}) && left > 50.0)
+        return Finding{Rule::NotAllCut, left};
     if (id.starts_with("depth_"))
         return deep >= shallow && id != "depth_too_shallow_mm" ? tooDeep(measured, feed)
                                                                : Finding{Rule::TooShallow, shallow};
