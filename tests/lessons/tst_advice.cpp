@@ -155,10 +155,10 @@ private slots:
     void whereMostIsLeftThatComesFirst()
     {
         const Assignment assignment = classOne();
-        const auto advice = adviceFor(
-            assignment, changed(assignment, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
-                return glm::length(at) < 0.8 ? z : a.anatomy->top[k];
-            }));
+        const auto advice =
+            adviceFor(assignment, changed(assignment, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+                          return glm::length(at) < 0.8 ? z : a.anatomy->top[k];
+                      }));
         QVERIFY(!advice.empty());
         QCOMPARE(advice.front().rule, Rule::NotAllCut);
         QVERIFY(advice.front().amount > 50.0);
