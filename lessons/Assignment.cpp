@@ -219,6 +219,13 @@ double depthToCutMm(const Assignment& assignment)
     return *middle;
 }
 
+bool beginsWithOutline(const Assignment& assignment)
+{
+    const std::optional<Lesson>& lesson = assignment.lesson;
+    return lesson && lesson->task != Task::RemoveDecay && lesson->aids.ideal && !lesson->exam &&
+           assignment.shownIdeal() != nullptr;
+}
+
 core::Result<Rubric> practiceRubric()
 {
     return shippedRubric(kFreeRubric);

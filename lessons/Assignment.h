@@ -58,10 +58,14 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 ///               recording, so that every replay asks the same
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
-/// Returns the depth of the ideal floor below the original surface, mm: the median over the columns of the floor. In a
-/// box, the floor of the occlusal part counts, which is cut first. Returns 1.5 if no ideal is shown. This is the first
-/// value of the depth stop.
+/// Returns the depth of the ideal floor below the original surface, mm: the median over the columns of the floor. A
+/// preparation with a box has two floors; the upper one counts, because it is cut first. Returns 1.5 if no ideal is
+/// shown. The depth stop starts with this depth.
 [[nodiscard]] double depthToCutMm(const Assignment& assignment);
+
+/// Returns whether the outline of the ideal is shown from the start: in practice lessons with an ideal. In lessons on
+/// decay it would show where the decay is, and in exams it is locked.
+[[nodiscard]] bool beginsWithOutline(const Assignment& assignment);
 
 /// What a tooth without a lesson is marked by: removal of decay.
 [[nodiscard]] core::Result<Rubric> practiceRubric();

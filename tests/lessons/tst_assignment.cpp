@@ -159,6 +159,16 @@ class TestAssignment : public QObject
     Q_OBJECT
 
 private slots:
+    void theOutlineBeginsOnlyWhereItGivesNothingAway()
+    {
+        QVERIFY(beginsWithOutline(assigned("class1-36")));
+        QVERIFY(!beginsWithOutline(assigned("exam-36-class1")));
+        QVERIFY(!beginsWithOutline(assigned("decay-36-moderate")));
+        Assignment free = assigned("class1-36");
+        free.lesson.reset();
+        QVERIFY(!beginsWithOutline(free));
+    }
+
     void theDepthStopBeginsAtTheFloorThatIsCutFirst_data()
     {
         QTest::addColumn<double>("least");

@@ -2269,9 +2269,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     m_viewMenu->showNeighbours(assignment.neighbours != nullptr);
     if (!isSame)
-        // Of decay it would tell what is to be found.
-        m_viewMenu->outlineIdeal(assignment.lesson && assignment.lesson->task != lessons::Task::RemoveDecay &&
-                                 m_aids.ideal && !isExam() && assignment.shownIdeal() != nullptr);
+        m_viewMenu->outlineIdeal(lessons::beginsWithOutline(assignment));
     showHistory();
     if (!assignment.lesson) {
         m_room->lesson().setPractice();

@@ -472,7 +472,7 @@ QWidget* ScorePage::makeAdvice()
     return m_adviceBox;
 }
 
-/// Makes what only who doubts the score wants to read.
+/// Makes the folded part: how the points add up, the rubric, and the score on other grids.
 QWidget* ScorePage::makeDetails()
 {
     auto* box = new QWidget(this);
