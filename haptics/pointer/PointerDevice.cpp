@@ -16,13 +16,15 @@ constexpr double kLiftLagS = 0.03;               ///< and is gone over this
 constexpr double kApproachMmPerS = 25.0;         ///< fastest descent of the leaning hand before it meets the tooth
 constexpr double kGlideMmPerS = 400.0;           ///< fastest travel in the air
 constexpr double kFeltN = 0.05;                  ///< less than this is no contact to a hand (haptics.md section 7)
-constexpr double kDragMmPerS = 40.0;             ///< fastest travel while leaning
+constexpr double kDragMmPerS = 40.0;             ///< fastest travel while leaning or touching
 
 // The hand with a feed.
 constexpr double kFirmness = 10.0;         ///< ratio of the lean to the height of the bur above the level
 constexpr double kTouchMm = 1.0e-3;        ///< a smaller distance between hand and bur is rounding
 constexpr double kYieldsMm = 0.15;         ///< the level rises with a bur that is lifted farther above it
 constexpr double kComesDownMmPerS = 10.0;  ///< speed of the approach
+constexpr double kLeavesMmPerS = 20.0;     ///< speed of the lift as long as the bur touches
+constexpr double kLeanS = 0.03;            ///< time from no lean to the wanted force
 constexpr double kFreeS = 0.05;            ///< the bur counts as in the air after this time without contact
 constexpr double kPedalLiftsAfterS = 0.3;  ///< a pressed bur stops turning after this time without contact
 
@@ -67,7 +69,8 @@ void PointerDevice::moveAside(const glm::dvec3& forceOnHandN, double forceN) noe
     const double glide = isFree ? 1.0 : std::min(1.0, m_period / kGlideLagS);
     m_between += (m_want.targetMm - m_between) * glide;
     glm::dvec2 step = (m_between - glm::dvec2(m_tip.x, m_tip.y)) * glide;
-    const double most = (m_want.pushing ? kDragMmPerS : kGlideMmPerS) * m_period;
+    const bool isSlow = m_want.pushing || (m_want.feedMmPerS > 0.0 && !isFree);
+    const double most = (isSlow ? kDragMmPerS : kGlideMmPerS) * m_period;
     const double length = std::sqrt(glm::dot(step, step));
     if (length > most)
         step *= most / length;
@@ -106,14 +109,19 @@ void PointerDevice::lower() noexcept
     else if (aboveMm < mostLeanMm / kFirmness)
         m_levelMm -= m_want.feedMmPerS * m_period;
     m_levelMm = std::max(m_levelMm, m_want.stopMm);
-    const double lean = m_isInAir ? 0.0 : std::min(kFirmness * std::max(0.0, m_burMm.z - m_levelMm), mostLeanMm);
-    m_tip.z = lean > 0.0 ? m_burMm.z - lean : m_levelMm;
+    const double wanted = m_isInAir ? 0.0 : std::min(kFirmness * std::max(0.0, m_burMm.z - m_levelMm), mostLeanMm);
+    // The force of a hand changes gradually, also where the bur slips off an edge.
+    const double lean = std::max(0.0, m_burMm.z - m_tip.z);
+    const double most = mostLeanMm * m_period / kLeanS;
+    const double next = std::clamp(wanted, lean - most, lean + most);
+    m_tip.z = next > 0.0 ? m_burMm.z - next : m_levelMm;
 }
 
 void PointerDevice::lift() noexcept
 {
     m_followMmPerS = 0.0;
-    const double most = kGlideMmPerS * m_period;
+    // The damper of the force law would pull at a faster hand.
+    const double most = (m_freeS > kFreeS ? kGlideMmPerS : kLeavesMmPerS) * m_period;
     m_tip.z += m_want.feedMmPerS > 0.0 ? std::clamp(m_want.hoverMm - m_tip.z, -most, most)
                                        : (m_want.hoverMm - m_tip.z) * std::min(1.0, m_period / kLiftLagS);
     m_levelMm = m_tip.z;

@@ -226,6 +226,43 @@ private slots:
         QVERIFY(std::abs(bench.force() - 0.8) < 0.05);
     }
 
+    void theForceOfAHandWithAFeedNeverJumps_data()
+    {
+        support::columns<double, bool>("stepMm", "drill");
+        QTest::newRow("over an edge") << -0.25 << false;
+        QTest::newRow("against a step") << 0.25 << false;
+        QTest::newRow("over an edge, drilling") << -0.25 << true;
+        QTest::newRow("against a step, drilling") << 0.25 << true;
+    }
+
+    void theForceOfAHandWithAFeedNeverJumps()
+    {
+        QFETCH(double, stepMm);
+        QFETCH(bool, drill);
+        support::Block block;
+        block.bottomMm = -13.0;
+        block.topMm = [=](double x, double) { return x < 0.0 ? 0.0 : stepMm; };
+        Bench bench(block, drill);
+        bench.want.feedMmPerS = 0.5;
+        bench.want.pushForceN = 0.6;
+        bench.want.targetMm = {-0.6, 0.0};
+        bench.run(200);
+        bench.want.pushing = true;
+        double most = bench.run(1500);
+        for (int n = 0; n < 600; ++n) {
+            bench.want.targetMm.x += 0.002;
+            most = std::max(most, bench.run(1));
+        }
+        // The hand leaves the cavity while the pointer goes on.
+        bench.want.pushing = false;
+        for (int n = 0; n < 300; ++n) {
+            bench.want.targetMm.x += 0.01;
+            most = std::max(most, bench.run(1));
+        }
+        QVERIFY2(most < 2.0 * 0.6, qPrintable(QString::number(most)));
+        QCOMPARE(bench.force(), 0.0);
+    }
+
     void theStopMakesAFlatFloor_data()
     {
         support::columns<double, double, double>("wave", "slope", "beyondMm");
@@ -275,7 +312,7 @@ private slots:
         bench.want.buttonIsPedal = true;
         bench.want.hoverMm = 0.5;
         bench.want.feedMmPerS = 0.5;
-        bench.run(10);
+        bench.run(200);
         QVERIFY(bench.pedal && !*bench.pedal);
         bench.want.pushing = true;
         bench.run(400);

@@ -48,6 +48,7 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
     std::optional<double> surfaceMm;  ///< original surface at the contact
     double deepestMm = 0.0;
     double mostOffRayPx = 0.0;
+    double mostForceN = 0.0;
     double seconds = 0.0;
     const auto before = [&](std::uint64_t tick, const core::session::ServoState& state,
                             const core::terrain::Tooth& tooth) -> std::optional<bool> {
@@ -88,6 +89,7 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
     options.burIndex = bur;
     options.onPatch = [&](const core::session::TilePatch& patch) { surface->write(patch); };
     const auto after = [&](std::uint64_t, const core::session::ServoState& state) {
+        mostForceN = std::max(mostForceN, glm::length(state.forceN));
         if (surfaceMm && state.cutting)
             deepestMm = std::max(deepestMm, *surfaceMm - state.anchorMm.z);
     };
@@ -95,7 +97,7 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
         haptics::simulate(anatomy, device, static_cast<std::uint64_t>(1000.0 * mostSeconds), options, before, after);
     if (!outcome)
         return tl::unexpected(outcome.error());
-    return Doing{std::move(outcome->tooth), outcome->last, seconds, deepestMm, mostOffRayPx};
+    return Doing{std::move(outcome->tooth), outcome->last, seconds, deepestMm, mostOffRayPx, mostForceN};
 }
 
 Person::Person(std::uint64_t seed) : m_rng(seed), m_delayS(0.3) {}

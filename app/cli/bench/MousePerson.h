@@ -50,6 +50,7 @@ struct Doing
     double seconds = 0.0;
     double deepestMm = 0.0;     ///< largest depth of the tip below the original surface at the first contact
     double mostOffRayPx = 0.0;  ///< largest distance of the tip from the pointer, button up
+    double mostForceN = 0.0;    ///< largest force on the hand
 };
 
 /// Runs a task with the program's own camera, PointerControl, PointerDevice and servo, at 60 pictures a second.

@@ -144,7 +144,8 @@ glm::dvec2 fissureThrough(const ToothAnatomy& anatomy, const glm::dvec3& place)
 struct Slot
 {
     double rmsMm = 0.0;
-    double offMm = 0.0;  ///< distance of its mean from the depth stop
+    double offMm = 0.0;       ///< distance of its mean from the depth stop
+    double mostForceN = 0.0;  ///< on the hand
 };
 
 /// Goes down to the depth stop, then moves to and fro along the fissure.
@@ -201,7 +202,7 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
             ++count;
         }
     const double mean = sum / count;
-    return Slot{std::sqrt(std::max(0.0, squares / count - mean * mean)), std::abs(mean)};
+    return Slot{std::sqrt(std::max(0.0, squares / count - mean * mean)), std::abs(mean), doing->mostForceN};
 }
 
 /// Returns the columns whose decay can be seen: on the floor, or on the wall beside a deeper column.
@@ -453,6 +454,9 @@ core::Status addSlots(Figures& figures)
         percentile(*cuts, &Slot::rmsMm, 1.0), "mm", "0.1");
     add(figures, QStringLiteral("slot_depth_off_mm"), QStringLiteral("its mean depth from 1.5 mm, the worst"),
         percentile(*cuts, &Slot::offMm, 1.0), "mm");
+    add(figures, QStringLiteral("slot_force_most_n"),
+        QStringLiteral("force while a slot is cut with 0.6 N, the largest"), percentile(*cuts, &Slot::mostForceN, 1.0),
+        "N");
     return {};
 }
 
