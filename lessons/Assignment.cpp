@@ -101,6 +101,22 @@ core::Result<core::grading::Preparation> idealOf(const Ideal& ideal, const core:
     return core::preparation::makePreparation(*kind, *design, anatomy);
 }
 
+/// Returns the depth of the flat occlusal floor of a Class I or II, below the groove, or nothing if the lesson asks for
+/// something else.
+std::optional<double> occlusalDepthMm(const Assignment& assignment)
+{
+    if (!assignment.lesson || !assignment.lesson->ideal || assignment.lesson->ideal->captured)
+        return {};
+    const Ideal& ideal = *assignment.lesson->ideal;
+    const auto kind = core::preparation::findKind(ideal.kind);
+    if (!kind || *kind == core::preparation::Kind::Access || ideal.sizes.contains("follows_junction"))
+        return {};
+    if (const auto named = ideal.sizes.find("depth_mm"); named != ideal.sizes.end())
+        return named->second;
+    const auto usual = core::preparation::usualDesign(*kind, assignment.anatomy->fdi);
+    return usual ? std::optional(usual->depthMm) : std::nullopt;
+}
+
 /// What is to be practised where nothing is to be cut; the sentence names the key.
 core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const core::terrain::ToothAnatomy& anatomy)
 {
@@ -195,19 +211,15 @@ double depthToCutMm(const Assignment& assignment)
     const core::grading::IdealTop ideal = assignment.anatomy ? assignment.shownIdeal() : nullptr;
     if (ideal == nullptr)
         return kUsualMm;
-    // The floor of a box lies lower than the occlusal floor, and is cut later.
-    constexpr float kSameFloorMm = 1.0F;
+    if (const auto depth = occlusalDepthMm(assignment))
+        return *depth;
     const auto isFloor = [&](std::size_t k) {
         return assignment.ideal && assignment.ideal->parts[k] == core::grading::Part::Floor;
     };
-    std::optional<float> highest;  // nothing: the ideal has no floor of its own, as in decay
-    for (std::size_t k = 0; k < ideal->size(); ++k)
-        if (isFloor(k))
-            highest = std::max(highest.value_or((*ideal)[k]), (*ideal)[k]);
     std::vector<double> depths;
     for (std::size_t k = 0; k < ideal->size(); ++k)
         if (assignment.anatomy->top[k] > assignment.anatomy->bottom[k] && (*ideal)[k] < assignment.anatomy->top[k] &&
-            (!highest || (isFloor(k) && (*ideal)[k] >= *highest - kSameFloorMm)))
+            (!assignment.ideal || isFloor(k)))
             depths.push_back(static_cast<double>(assignment.anatomy->top[k]) -
                              static_cast<double>(std::max((*ideal)[k], assignment.anatomy->bottom[k])));
     if (depths.empty())

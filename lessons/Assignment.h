@@ -58,9 +58,9 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 ///               recording, so that every replay asks the same
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
-/// Returns the depth of the ideal floor below the original surface, mm: the median over the columns of the floor. A
-/// preparation with a box has two floors; the upper one counts, because it is cut first. Returns 1.5 if no ideal is
-/// shown. The depth stop starts with this depth.
+/// Returns the depth that the depth stop starts with, mm below the original surface. For a Class I or II, it is the
+/// depth of the occlusal floor below the groove, where the bur enters; otherwise the median over the columns of the
+/// ideal floor, or 1.5 if no ideal is shown.
 [[nodiscard]] double depthToCutMm(const Assignment& assignment);
 
 /// Returns whether the outline of the ideal is shown from the start: in practice lessons with an ideal. In lessons on

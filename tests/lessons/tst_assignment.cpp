@@ -173,9 +173,11 @@ private slots:
     {
         QTest::addColumn<double>("least");
         QTest::addColumn<double>("most");
-        QTest::newRow("class1-36") << 1.4 << 2.6;
-        QTest::newRow("class2-36-mesial") << 1.4 << 2.6;
-        QTest::newRow("class2-35-distal") << 1.3 << 2.4;
+        QTest::newRow("class1-36") << 1.5 << 1.5;
+        QTest::newRow("class2-36-mesial") << 1.5 << 1.5;
+        QTest::newRow("class2-35-distal") << 1.5 << 1.5;
+        QTest::newRow("access-36") << 5.0 << 7.5;
+        QTest::newRow("block-square") << 1.49 << 1.51;
         QTest::newRow("decay-36-moderate") << 1.4 << 3.5;
     }
     void theDepthStopBeginsAtTheFloorThatIsCutFirst()
