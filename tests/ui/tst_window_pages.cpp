@@ -308,6 +308,23 @@ private slots:
         QCOMPARE(QString::fromStdString(begun.front().front().value<lessons::Lesson>().id), QString("class1-26"));
     }
 
+    void cardsAreAsHighAsTheirWords()
+    {
+        const auto* list = child<QListView>("lessonList");
+        actions().lessons->trigger();
+        m_window->setLessons(support::catalog(), {},
+                             {{"class1-36", {"Year 1", {}, {}}},
+                              {"class1-37", {"Year 1", QDateTime::currentDateTime().addDays(3), {}}}});
+        const auto high = [&](const char* lesson) {
+            search()->setText(QString::fromLatin1(lesson));
+            return list->sizeHintForIndex(list->currentIndex()).height();
+        };
+        QCOMPARE(high("class1-26"), high("class1-27"));
+        QVERIFY(high("class1-36") > high("class1-26"));  // it names the class
+        QCOMPARE(high("class1-36"), high("class1-37"));
+        QVERIFY(high("exam-36-class2") > high("exam-36-class1"));  // the title takes two lines
+    }
+
     void cardsTellTheBestScore()
     {
         auto* list = child<QListView>("lessonList");

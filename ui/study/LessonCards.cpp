@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QCoreApplication>
+#include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
 #include <QTextLayout>
@@ -21,36 +22,38 @@ using namespace ui::shell;
 
 constexpr int kCardPx = 208;
 constexpr int kPicturePx = 138;
-constexpr int kCardHighPx = kPicturePx + 70;
-constexpr int kDuePx = 18;  ///< the line of a card that says when it is due
 constexpr int kCardHeadPx = 36;
 constexpr int kPadPx = 10;
+constexpr int kAboveWordsPx = 6;
+constexpr int kBelowWordsPx = 8;
+constexpr double kCardEdgePx = 1.5;
 constexpr int kCardIconPx = 40;
 constexpr int kTitleLines = 2;
 constexpr QRgb kOnPicture = 0xFFE8EDED;
 
-/// At most so many lines, the last cut off where there are more. Returns how high they are.
-double paintLines(QPainter& painter, const QRectF& room, const QString& words, int lines)
+QFont titleFont()
 {
-    QTextLayout layout(words, painter.font());
+    return typeface(kBody, QFont::Medium);
+}
+
+/// The title in lines as wide as a card, the last one cut off if there are too many.
+QStringList titleLines(const QString& title)
+{
+    const double wide = kCardPx - 2.0 * (kCardEdgePx + kPadPx);
+    QTextLayout layout(title, titleFont());
     layout.beginLayout();
-    double y = room.top();
-    const double high = painter.fontMetrics().height();
-    for (int k = 0; k < lines; ++k) {
-        QTextLine line = layout.createLine();
-        if (!line.isValid())
+    QStringList lines;
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(wide);
+        if (lines.size() == kTitleLines - 1) {
+            lines << QFontMetrics(titleFont())
+                         .elidedText(title.mid(line.textStart()), Qt::ElideRight, static_cast<int>(wide));
             break;
-        line.setLineWidth(room.width());
-        const QRectF place(room.left(), y, room.width(), high);
-        const bool isLast = k == lines - 1;
-        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
-                         isLast ? painter.fontMetrics().elidedText(words.mid(line.textStart()), Qt::ElideRight,
-                                                                   static_cast<int>(room.width()))
-                                : words.mid(line.textStart(), line.textLength()).trimmed());
-        y += high;
+        }
+        lines << title.mid(line.textStart(), line.textLength()).trimmed();
     }
     layout.endLayout();
-    return y - room.top();
+    return lines;
 }
 
 }  // namespace
@@ -61,8 +64,14 @@ LessonCards::LessonCards(LessonThumbs& thumbs, std::function<const ::lessons::Le
 
 QSize LessonCards::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
 {
-    if (index.data(CardEntry).isValid())
-        return {kCardPx, kCardHighPx + (index.data(CardDue).toString().isEmpty() ? 0 : kDuePx)};
+    if (index.data(CardEntry).isValid()) {
+        // As high as its words: the title, the tooth, and the class if it is assigned.
+        const auto titles = static_cast<int>(titleLines(index.data(Qt::DisplayRole).toString()).size());
+        const int others = index.data(CardDue).toString().isEmpty() ? 1 : 2;
+        return {kCardPx, kPicturePx + kAboveWordsPx + titles * QFontMetrics(titleFont()).height() +
+                             others * QFontMetrics(typeface(kSmall)).height() + kBelowWordsPx +
+                             static_cast<int>(2.0 * kCardEdgePx)};
+    }
     return {m_view->viewport()->width() - 2 * m_view->spacing() - 1, kCardHeadPx};
 }
 
@@ -86,7 +95,7 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
     const QPalette palette = m_view->parentWidget()->palette();  // the view's own has no ground
     const bool isSelected = option.state.testFlag(QStyle::State_Selected);
     const bool isHovered = option.state.testFlag(QStyle::State_MouseOver);
-    const QRectF card = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5);
+    const QRectF card = QRectF(option.rect).adjusted(kCardEdgePx, kCardEdgePx, -kCardEdgePx, -kCardEdgePx);
     QPainterPath shape;
     shape.addRoundedRect(card, kRadius, kRadius);
     painter.fillPath(shape, palette.color(isHovered || isSelected ? QPalette::Midlight : QPalette::Base));
@@ -130,10 +139,14 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
         //: On the card of a lesson
         pill(QCoreApplication::translate("Lesson", "no attempts left"), true, true);
 
-    const QRectF words = card.adjusted(kPadPx, kPicturePx + 6.0, -kPadPx, -8.0);
-    painter.setFont(typeface(kBody, QFont::Medium));
+    const QRectF words = card.adjusted(kPadPx, kPicturePx + kAboveWordsPx, -kPadPx, -kBelowWordsPx);
+    painter.setFont(titleFont());
     painter.setPen(palette.color(QPalette::WindowText));
-    const double high = paintLines(painter, words, index.data(Qt::DisplayRole).toString(), kTitleLines);
+    double high = 0.0;
+    for (const QString& line : titleLines(index.data(Qt::DisplayRole).toString())) {
+        painter.drawText(words.adjusted(0.0, high, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop, line);
+        high += painter.fontMetrics().height();
+    }
     const QString score = index.data(CardScore).toString();
     painter.setFont(typeface(kBody, QFont::DemiBold));
     const int scoreWidth = score.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(score) + kSpace2;
@@ -144,7 +157,7 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
     painter.setPen(palette.color(QPalette::PlaceholderText));
     const QString due = index.data(CardDue).toString();
     const double besideScore = words.width() - scoreWidth;
-    painter.drawText(words.adjusted(0.0, high + 1.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+    painter.drawText(words.adjusted(0.0, high, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
                      shortTooth(index.data(CardTooth).toString(), painter.fontMetrics(),
                                 static_cast<int>(due.isEmpty() ? besideScore : words.width())));
     painter.setFont(typeface(kSmall, QFont::Medium));
