@@ -567,6 +567,19 @@ private slots:
         QVERIFY(!next->isVisible());
     }
 
+    /// Nothing is left to do at the tooth of an exam that is graded.
+    void afterAnExamTheLessonsFollow()
+    {
+        QSignalSpy wanted(m_window.get(), &MainWindow::lessonsWanted);
+        m_window->setLessons(support::catalog(), {});
+        beginLesson(support::exam());
+        m_window->showScore(sheet(40, 30, 0), {});
+        QVERIFY(!child<QPushButton>("nextLesson")->isVisible());
+        press(Qt::Key_Return);
+        QVERIFY(child<LessonsPage>()->isVisible());
+        QCOMPARE(wanted.count(), 1);  // with the score and the attempts that are left
+    }
+
     void theFirstWindowFitsTheScreen()
     {
         for (const auto& [screen, size] : {std::pair(QSize(1024, 560), QSize(1016, 520)),

@@ -274,6 +274,7 @@ private slots:
         };
         const auto showScoreAndGoBack = [&] {
             m_window->showScore(sheet(3.2, 40, 0.5), {});
+            actions().back->trigger();  // to the lessons
             actions().back->trigger();
         };
         for (const bool byTime : {true, false}) {

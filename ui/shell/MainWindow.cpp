@@ -1746,6 +1746,8 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_console->isVisible()) {
         m_actions->console->trigger();
+    } else if (pageBehind() == m_lessonsPage) {
+        openLessons();
     } else if (m_pages->currentWidget() != m_room) {
         goTo(pageBehind());
     } else if (m_infractionCard->isVisible()) {
@@ -2177,7 +2179,8 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
         m_lessonsPage->takeScore(sheet.totalTenths, sheet.passed());
         m_scorePage->setNext(m_lessonsPage->next());
     }
-    m_behindScore = m_room;
+    // Behind an exam there is nothing left to do at its tooth.
+    m_behindScore = isExam() ? static_cast<QWidget*>(m_lessonsPage) : m_room;
     goTo(m_scorePage);
 }
 
