@@ -56,6 +56,13 @@ private slots:
         press(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(!card->isVisible());
         QCOMPARE(back.count(), 2);
+        // Also if the tooth has been pressed meanwhile.
+        m_window->tellInfraction(breach(Breach::TooDeep), true);
+        m_window->view().setFocus(Qt::MouseFocusReason);
+        press(Qt::Key_Return);
+        QVERIFY(!card->isVisible());
+        QCOMPARE(back.count(), 3);
+        QVERIFY(m_window->view().hasFocus());
         // Where there is nothing to go back to, only going on is offered; and in the air nothing was cut.
         for (const auto& [kind, canTakeBack] : {std::pair(Breach::TooDeep, false), {Breach::BurInAir, true}}) {
             m_window->tellInfraction(breach(kind), canTakeBack);
@@ -63,7 +70,7 @@ private slots:
             press(Qt::Key_Escape);
             QVERIFY(!card->isVisible());
         }
-        QCOMPARE(back.count(), 2);
+        QCOMPARE(back.count(), 3);
     }
 
     void aBreachShowsWhereItIs()

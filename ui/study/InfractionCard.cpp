@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -15,6 +15,7 @@
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/OffBur.h"
+#include "ui/tooth/ToothView.h"
 
 namespace ui::study {
 namespace {
@@ -134,6 +135,11 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     row->addLayout(column, 1);
     connect(m_takeBack, &QPushButton::clicked, this, &InfractionCard::takeBack);
     connect(m_goOnButton, &QPushButton::clicked, this, &InfractionCard::goOn);
+    // A press on the tooth takes the keyboard; while the card is open, Enter stays with its button.
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
+        if (isVisible() && qobject_cast<const tooth::ToothView*>(now) != nullptr)
+            setFocus();
+    });
     text::inEveryLanguage(this, [this] { speak(); });
     hide();
 }
