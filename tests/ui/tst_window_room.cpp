@@ -365,6 +365,15 @@ private slots:
             QVERIFY(tile->isEnabled() && !tile->toolTip().contains("does not allow"));
     }
 
+    void theBursFitASmallScreen()
+    {
+        spoil();
+        m_window->resize(MainWindow::firstSize({1280, 800}));
+        beginLesson(support::assigned("class1-36"));
+        for (const BurTile* tile : child<BurChooser>()->findChildren<BurTile*>())
+            QTRY_COMPARE(tile->visibleRegion().boundingRect(), tile->rect());
+    }
+
     void harmIsToldWhenItHappens()
     {
         const auto* notice = child<QLabel>("notice");

@@ -109,6 +109,20 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_health->hide();
     column->addWidget(m_health);
 
+    column->addSpacing(kSpace1);
+    column->addWidget(line(content));
+    auto* burRow = new QHBoxLayout;
+    auto* bur = quietLabel(content);
+    burRow->addWidget(bur);
+    burRow->addStretch(1);
+    m_rpm = new TabularLabel(content);
+    m_rpm->setFont(typeface(kSmall, QFont::Medium));
+    m_rpm->setObjectName(QStringLiteral("burRpm"));
+    burRow->addWidget(m_rpm);
+    column->addLayout(burRow);
+    column->addWidget(new BurChooser(actions.burs, content));
+    column->addWidget(new HandpieceChooser(actions.handpieces, content));
+
     m_removedBlock = new QWidget(content);
     auto* volumes = new QVBoxLayout(m_removedBlock);
     volumes->setContentsMargins(0, kSpace1, 0, 0);
@@ -156,20 +170,6 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_overcutWords = new QLabel(content);
     m_overcut = addVolume(nullptr, m_overcutWords, "overcut");
     m_overcutRow = m_overcut->parentWidget();
-
-    column->addSpacing(kSpace1);
-    column->addWidget(line(content));
-    auto* burRow = new QHBoxLayout;
-    auto* bur = quietLabel(content);
-    burRow->addWidget(bur);
-    burRow->addStretch(1);
-    m_rpm = new TabularLabel(content);
-    m_rpm->setFont(typeface(kSmall, QFont::Medium));
-    m_rpm->setObjectName(QStringLiteral("burRpm"));
-    burRow->addWidget(m_rpm);
-    column->addLayout(burRow);
-    column->addWidget(new BurChooser(actions.burs, content));
-    column->addWidget(new HandpieceChooser(actions.handpieces, content));
     column->addStretch(1);
 
     auto* fill = new QVBoxLayout(this);
