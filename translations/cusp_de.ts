@@ -8357,10 +8357,6 @@ ungesichert</translation>
         <translation>Die schlimmste Stelle zeigen</translation>
     </message>
     <message>
-        <source>No stroke caused this. Show the end of the attempt</source>
-        <translation>Kein Strich hat das verursacht. Das Ende des Versuchs zeigen</translation>
-    </message>
-    <message>
         <source>Replay the attempt from this moment</source>
         <translation>Den Versuch ab diesem Moment abspielen</translation>
     </message>

@@ -8357,10 +8357,6 @@ sin guardar</translation>
         <translation>Mostrar el peor lugar</translation>
     </message>
     <message>
-        <source>No stroke caused this. Show the end of the attempt</source>
-        <translation>Ninguna pasada lo causó. Mostrar el final del intento</translation>
-    </message>
-    <message>
         <source>Replay the attempt from this moment</source>
         <translation>Reproducir el intento desde este momento</translation>
     </message>

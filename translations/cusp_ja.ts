@@ -8312,10 +8312,6 @@ unsaved</source>
         <translation>最も悪い箇所を表示します</translation>
     </message>
     <message>
-        <source>No stroke caused this. Show the end of the attempt</source>
-        <translation>原因となるストロークはありません。試行の最後を表示します</translation>
-    </message>
-    <message>
         <source>Replay the attempt from this moment</source>
         <translation>この時点から試行を再生します</translation>
     </message>

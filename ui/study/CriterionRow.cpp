@@ -37,7 +37,7 @@ bool isOfWhatIsLeft(const std::string& measure)
     return measure.starts_with("caries_") || measure.starts_with("undercut_") || measure == "target_removed_percent";
 }
 
-/// The label of a criterion that lets its row be clicked.
+/// A label that lets its row be clicked.
 QLabel* words(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(text, parent);
@@ -132,40 +132,29 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
                          ? tr("The attempt fails and all remaining points are lost")
                          : tr("At most %1 points can be lost here").arg(text::points(criterion.weightTenths)));
     m_slot->addWidget(lost, 0, 2);
-    m_advice = words({}, kBody, QFont::Normal, QPalette::WindowText, this);
-    m_advice->setWordWrap(true);
-    m_advice->setMinimumHeight(1);
-    m_advice->setObjectName(QStringLiteral("advice_") + id);
-    m_slot->addWidget(m_advice, 2, 0, 1, 3);
     m_worked = words(text::criterionWorked(criterion, verdict), kSmall, QFont::Normal, QPalette::PlaceholderText, this);
     m_worked->setWordWrap(true);
     m_worked->setMinimumHeight(1);
     m_worked->setObjectName(QStringLiteral("worked_") + id);
-    m_slot->addWidget(m_worked, 3, 0, 1, 3);
-    connect(this, &CriterionRow::toggled, this, &CriterionRow::showWords);
-    showWords();
+    m_worked->hide();
+    m_slot->addWidget(m_worked, 2, 0, 1, 3);
 
     //: A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost
     setAccessibleName(tr("%1: %2, %3 points").arg(text::criterionName(criterion), measured->text(), lost->text()));
     setToolTip(tr("Show the worst place"));
 }
 
-void CriterionRow::setAdvice(const QString& words)
-{
-    m_advice->setText(words);
-    showWords();
-}
-
 void CriterionRow::setDetailed(bool detailed)
 {
-    m_isDetailed = detailed;
-    showWords();
+    m_worked->setVisible(detailed);
 }
 
-void CriterionRow::showWords()
+void CriterionRow::bePlain()
 {
-    m_advice->setVisible(isChecked() && !m_advice->text().isEmpty());
-    m_worked->setVisible(isChecked() && m_isDetailed);
+    setCheckable(false);
+    setFocusPolicy(Qt::NoFocus);
+    unsetCursor();
+    setToolTip({});
 }
 
 void CriterionRow::setMoments(const std::vector<Moment>& moments)
@@ -197,6 +186,10 @@ void CriterionRow::fillMoments(bool all)
     grid->setSpacing(kSpace1);
     grid->setColumnStretch(kMostChips, 1);
     int place = 0;
+    const auto put = [&](QWidget* what) {
+        grid->addWidget(what, place / kMostChips, place % kMostChips);
+        ++place;
+    };
     const auto add = [&](const QString& text, const QString& tip) {
         auto* chip = new QPushButton(text, m_chips);
         chip->setProperty("kind", "chip");
@@ -206,15 +199,16 @@ void CriterionRow::fillMoments(bool all)
         chip->setAccessibleName(text);
         chip->setAccessibleDescription(tip);
         chip->setAutoDefault(true);
-        grid->addWidget(chip, place / kMostChips, place % kMostChips);
-        ++place;
+        put(chip);
         return chip;
     };
     for (const Moment& moment : shown) {
-        const bool isNever = moment.kind == Moment::Kind::Never;
-        QPushButton* chip =
-            add(momentWords(moment, m_criterion), isNever ? tr("No stroke caused this. Show the end of the attempt")
-                                                          : tr("Replay the attempt from this moment"));
+        const QString text = momentWords(moment, m_criterion);
+        if (moment.kind == Moment::Kind::Never) {  // there is nothing to replay
+            put(words(text, kSmall, QFont::Medium, QPalette::PlaceholderText, m_chips));
+            continue;
+        }
+        QPushButton* chip = add(text, tr("Replay the attempt from this moment"));
         connect(chip, &QPushButton::clicked, this, [this, at = moment.seconds] { emit momentWanted(at); });
     }
     if (isMore) {
@@ -258,7 +252,7 @@ void CriterionRow::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     const QPalette& p = palette();
     const QRectF room = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
-    if (isChecked() || underMouse() || hasFocus()) {
+    if (isCheckable() && (isChecked() || underMouse() || hasFocus())) {
         painter.setPen(hasFocus()    ? QPen(p.color(QPalette::Link), 2.0)
                        : isChecked() ? QPen(p.color(QPalette::Link), 1.0)
                                      : QPen(Qt::NoPen));

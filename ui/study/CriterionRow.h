@@ -13,7 +13,8 @@ class QLabel;
 namespace ui::study {
 
 /// One criterion of a score: its name, what was measured and what it cost; beneath, when that was lost, each moment a
-/// button; and, of the one that is chosen, the formula with its numbers. To choose a row is to ask where it was worst.
+/// button, and among the details the formula with its numbers. To choose a row is to ask where it was worst. The height
+/// of a row does not depend on which one is chosen.
 class CriterionRow final : public QAbstractButton
 {
     Q_OBJECT
@@ -23,10 +24,10 @@ public:
     [[nodiscard]] const ::lessons::Criterion& criterion() const { return m_criterion; }
     /// @param moments  as lessons::momentsOf() finds them
     void setMoments(const std::vector<::lessons::Moment>& moments);
-    /// What to do better here, which is shown while the row is chosen; empty: nothing.
-    void setAdvice(const QString& words);
-    /// Shows how the points were worked out, too, while the row is chosen.
+    /// Shows how the points were worked out, too.
     void setDetailed(bool detailed);
+    /// Makes the row plain text: there is no tooth to show its worst place on.
+    void bePlain();
 
 signals:
     void momentWanted(double seconds);
@@ -39,12 +40,9 @@ protected:
 
 private:
     void fillMoments(bool all);
-    void showWords();
 
     ::lessons::Criterion m_criterion;
-    QLabel* m_advice = nullptr;
     QLabel* m_worked = nullptr;
-    bool m_isDetailed = false;
     QGridLayout* m_slot = nullptr;
     QWidget* m_chips = nullptr;
     std::vector<::lessons::Moment> m_moments;  ///< as they are read: neighbours together

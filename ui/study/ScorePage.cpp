@@ -519,6 +519,12 @@ QWidget* ScorePage::makePlace()
     fold(m_place);
     m_place->setObjectName(QStringLiteral("place"));
     column->addWidget(m_place);
+    m_placeAdvice = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    fold(m_placeAdvice);
+    m_placeAdvice->setObjectName(QStringLiteral("placeAdvice"));
+    m_placeAdvice->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_placeAdvice->setMinimumHeight(2 * m_placeAdvice->fontMetrics().lineSpacing());  // the pictures keep their place
+    column->addWidget(m_placeAdvice);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace2);
     m_heat = new HeatMap(frame);
@@ -811,11 +817,11 @@ void ScorePage::tellMoments()
 void ScorePage::tellAdvice()
 {
     const auto all = ::lessons::adviceOn(m_sheet, m_scored ? m_scored->measured : core::grading::Measured{}, m_moments);
-    for (CriterionRow* row : m_rows)
-        row->setAdvice({});
-    for (const ::lessons::Advice& advice : all)
-        m_rows[static_cast<qsizetype>(advice.criterion)]->setAdvice(
-            adviceWords(advice, m_sheet.criteria[advice.criterion]));
+    const auto ofChosen = std::find_if(all.begin(), all.end(), [this](const ::lessons::Advice& advice) {
+        return m_sheet.criteria[advice.criterion].id == m_chosen;
+    });
+    m_placeAdvice->setText(ofChosen == all.end() ? QString()
+                                                 : adviceWords(*ofChosen, m_sheet.criteria[ofChosen->criterion]));
     m_adviceBox->setVisible(m_scored && !all.empty());
     if (all.empty())
         return;
@@ -848,7 +854,7 @@ void ScorePage::fillCriteria()
                 showPlace(*row);
         });
         if (!m_scored)
-            row->setToolTip({});  // there is nothing to show it on
+            row->bePlain();
         column->addWidget(row);
         m_rows << row;
         // The one that was looked at; otherwise the costliest.
@@ -864,12 +870,12 @@ void ScorePage::fillCriteria()
         chosen->setChecked(true);
 }
 
-/// The worst place of this criterion. For a criterion without a place, the largest deviation from the ideal.
+/// The worst place of this criterion and what to do better there. For a criterion without a place, the largest
+/// deviation from the ideal.
 void ScorePage::showPlace(const CriterionRow& row)
 {
     m_chosen = row.criterion().id;
-    if (!m_scored)
-        return;
+    tellAdvice();
     const auto measure = core::grading::findMeasure(row.criterion().measure);
     const auto own = measure ? measure->nodeIn(m_scored->measured) : std::nullopt;
     const auto& practised = m_scored->measured.practised;

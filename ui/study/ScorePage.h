@@ -208,6 +208,7 @@ private:
     ConductNotes* m_conduct = nullptr;
     QLabel* m_sum = nullptr;
     QLabel* m_place = nullptr;
+    QLabel* m_placeAdvice = nullptr;
     HeatMap* m_heat = nullptr;
     WorstSection* m_section = nullptr;
     QPushButton* m_back = nullptr;
