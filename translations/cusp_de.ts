@@ -9269,6 +9269,11 @@ ungesichert</translation>
         <translation>Das Ergebnis liegt klar neben der Bestehensgrenze.</translation>
     </message>
     <message>
+        <source>%1: no points lost</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation>%1: keine Punkte verloren</translation>
+    </message>
+    <message>
         <source>No deviation from the ideal</source>
         <translation>Keine Abweichung vom Ideal</translation>
     </message>

@@ -9269,6 +9269,11 @@ sin guardar</translation>
         <translation>El resultado está claramente alejado de la nota de aprobado.</translation>
     </message>
     <message>
+        <source>%1: no points lost</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation>%1: sin puntos perdidos</translation>
+    </message>
+    <message>
         <source>No deviation from the ideal</source>
         <translation>Sin desviación del ideal</translation>
     </message>

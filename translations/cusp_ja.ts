@@ -9261,6 +9261,11 @@ unsaved</source>
         <translation>%1には歯の上の場所がありません</translation>
     </message>
     <message>
+        <source>%1: no points lost</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation>%1：減点なし</translation>
+    </message>
+    <message>
         <source>No deviation from the ideal</source>
         <translation>理想形からのずれはありません</translation>
     </message>

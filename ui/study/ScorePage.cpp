@@ -883,9 +883,13 @@ void ScorePage::showPlace(const CriterionRow& row)
     const bool isDoing = practised && (!measure || core::grading::isOfExercise(*measure));
     const auto node = own ? own : isDoing ? missedNode(*m_scored) : practised ? std::nullopt : farthestOff(*m_scored);
     const QString name = text::criterionName(row.criterion());
+    const bool isMet = row.criterion().lostTenths == 0 && !(row.criterion().share > 0.0);
     if (practised && !own) {
         const QString done = isDoing ? practisedWords(*m_scored) : QString();
         m_place->setText(done.isEmpty() ? tr("%1 has no place on the tooth").arg(name) : done);
+    } else if (isMet) {
+        //: %1 a criterion of a score
+        m_place->setText(tr("%1: no points lost").arg(name));
     } else if (!node) {
         m_place->setText(tr("No deviation from the ideal"));
     } else {
