@@ -57,12 +57,6 @@ struct Ends
     }
 };
 
-glm::dvec2 placeOf(const Grid& grid, std::size_t k)
-{
-    const auto side = static_cast<std::size_t>(grid.side);
-    return grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
-}
-
 /// Whether column k has enamel on dentin.
 bool hasJunction(const ToothAnatomy& anatomy, std::size_t k)
 {
@@ -224,7 +218,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
     double mean = 0.0;
     for (const std::size_t k : cut) {
         area += ends.area(k);
-        middle += placeOf(grid, k) * ends.area(k);
+        middle += grid.nodeMm(k) * ends.area(k);
         mean += errorAt(k) * ends.area(k);
     }
     if (!(area > 0.0))
@@ -236,7 +230,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
     double yy = 0.0;
     glm::dvec2 moment(0.0);
     for (const std::size_t k : cut) {
-        const glm::dvec2 way = placeOf(grid, k) - middle;
+        const glm::dvec2 way = grid.nodeMm(k) - middle;
         xx += way.x * way.x * ends.area(k);
         xy += way.x * way.y * ends.area(k);
         yy += way.y * way.y * ends.area(k);
@@ -253,7 +247,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
     std::vector<double> rest(grid.count(), std::numeric_limits<double>::quiet_NaN());
     double sum2 = 0.0;
     for (const std::size_t k : cut) {
-        rest[k] = errorAt(k) - mean - glm::dot(slope, placeOf(grid, k) - middle);
+        rest[k] = errorAt(k) - mean - glm::dot(slope, grid.nodeMm(k) - middle);
         sum2 += rest[k] * rest[k] * ends.area(k);
     }
     form.flatnessMm = std::sqrt(sum2 / area);
@@ -524,7 +518,7 @@ Zones zonesOf(const Ends& ends, const Outline& ideal, const Leeway& leeway)
             // A target shallower than an outline is known to half a cell.
             const double apartMm = ideal.segments().empty()
                                        ? grid.cellMm * (std::sqrt(static_cast<double>(nearest[k].cells2)) - 0.5)
-                                       : ideal.distanceMm(placeOf(grid, k));
+                                       : ideal.distanceMm(grid.nodeMm(k));
             share = std::clamp((leeway.sidesMm - apartMm) / grid.cellMm + 0.5, 0.0, 1.0);
             floor = std::clamp(ends.idealAt(nearest[k].target) - leeway.bottomMm, under, ends.top(k));
         }

@@ -217,7 +217,7 @@ std::vector<terrain::ColumnLayers> blockLayers(const BlockDesign& design, const 
         layers[k].dej = slab - static_cast<float>(design.enamelMm);
         if (!hasPads || !(top[k] > slab))
             continue;
-        const double x = grid.nodeMm(static_cast<int>(k % static_cast<std::size_t>(grid.side)), 0).x;
+        const double x = grid.nodeMm(k).x;
         const std::size_t pad = x < 0.5 * (kPadX[0] + kPadX[1]) ? 0 : x < 0.5 * (kPadX[1] + kPadX[2]) ? 1 : 2;
         const auto deep = -static_cast<float>(kPadHeightMm + kPadSoftMm);
         switch (order.at(pad)) {

@@ -26,6 +26,11 @@ struct Grid
     }
     [[nodiscard]] bool contains(int i, int j) const { return i >= 0 && j >= 0 && i < side && j < side; }
     [[nodiscard]] glm::dvec2 nodeMm(int i, int j) const { return {originMm.x + cellMm * i, originMm.y + cellMm * j}; }
+    [[nodiscard]] glm::dvec2 nodeMm(std::size_t index) const
+    {
+        const auto row = static_cast<std::size_t>(side);
+        return nodeMm(static_cast<int>(index % row), static_cast<int>(index / row));
+    }
     [[nodiscard]] glm::dvec2 middleMm() const { return originMm + 0.5 * cellMm * (side - 1); }
     /// Continuous lattice coordinates of a point: whole numbers on nodes.
     [[nodiscard]] glm::dvec2 latticeOf(glm::dvec2 pointMm) const

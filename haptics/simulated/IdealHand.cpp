@@ -80,7 +80,7 @@ void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::dri
     const core::terrain::Grid& other = beside.grid;
     const int span = static_cast<int>((bur.headRadiusMm + kApartMm) / other.cellMm) + 1;
     for (std::size_t k = 0; k < m_grid.count(); ++k) {
-        const glm::dvec2 place = nodeMm(k);
+        const glm::dvec2 place = m_grid.nodeMm(k);
         const glm::ivec2 at(glm::floor(other.latticeOf(place) + 0.5));
         for (int j = at.y - span; j <= at.y + span; ++j)
             for (int i = at.x - span; i <= at.x + span; ++i) {
@@ -155,7 +155,7 @@ std::optional<std::size_t> IdealHand::nextColumn(const core::terrain::Tooth& too
     for (std::size_t k = 0; k < m_grid.count(); ++k) {
         if (!isWanting(tooth, k))
             continue;
-        const glm::dvec2 apart = nodeMm(m_fromAt[k]) - burMm;
+        const glm::dvec2 apart = m_grid.nodeMm(m_fromAt[k]) - burMm;
         const double cost = isFirst ? m_reachMm[k] - static_cast<double>(tooth.top[k]) : glm::dot(apart, apart);
         if (cost < least) {
             least = cost;
@@ -163,12 +163,6 @@ std::optional<std::size_t> IdealHand::nextColumn(const core::terrain::Tooth& too
         }
     }
     return best;
-}
-
-glm::dvec2 IdealHand::nodeMm(std::size_t node) const
-{
-    const auto side = static_cast<std::size_t>(m_grid.side);
-    return m_grid.nodeMm(static_cast<int>(node % side), static_cast<int>(node / side));
 }
 
 double IdealHand::lowestAt(glm::dvec2 placeMm) const
@@ -199,7 +193,7 @@ core::session::PointerInput IdealHand::decide(const core::session::ServoState& s
 {
     const glm::dvec2 bur(state.anchorMm.x, state.anchorMm.y);
     if (m_column) {
-        const glm::dvec2 apart = nodeMm(m_fromAt[*m_column]) - bur;
+        const glm::dvec2 apart = m_grid.nodeMm(m_fromAt[*m_column]) - bur;
         m_patience += glm::dot(apart, apart) < m_grid.cellMm * m_grid.cellMm ? kThere : 1;
         m_isGivenUp[m_fromAt[*m_column]] = m_patience > kMostPatience;
     }
@@ -218,12 +212,12 @@ core::session::PointerInput IdealHand::decide(const core::session::ServoState& s
 
     const std::size_t aim = m_fromAt[*m_column];
     const double there = std::max(m_layerMm, m_lowestMm[aim]);
-    const glm::dvec2 way = nodeMm(aim) - bur;
+    const glm::dvec2 way = m_grid.nodeMm(aim) - bur;
     const double distance = std::sqrt(glm::dot(way, way));
-    const double onTheWay = lowestOnTheWay(bur, nodeMm(aim));
+    const double onTheWay = lowestOnTheWay(bur, m_grid.nodeMm(aim));
     const bool isThere = distance < 0.5 * m_grid.cellMm;
     if (isThere) {
-        want.targetMm = nodeMm(aim) + kPress * way;
+        want.targetMm = m_grid.nodeMm(aim) + kPress * way;
         want.pushing = state.anchorMm.z > there + kReachedMm;
         want.hoverMm = there;
     } else if (onTheWay > std::max(there, lowestAt(bur)) + kClearMm && state.anchorMm.z < onTheWay) {
@@ -234,7 +228,7 @@ core::session::PointerInput IdealHand::decide(const core::session::ServoState& s
     }
     // Where nothing holds the bur back, what leads it into the tooth would lead it on into what it is to spare.
     if (isKeptOff(want.targetMm))
-        want.targetMm = nodeMm(aim);
+        want.targetMm = m_grid.nodeMm(aim);
     return want;
 }
 

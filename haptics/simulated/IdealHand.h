@@ -39,7 +39,6 @@ private:
     [[nodiscard]] bool goDown(const core::terrain::Tooth& tooth);
     [[nodiscard]] bool isWanting(const core::terrain::Tooth& tooth, std::size_t column) const;
     [[nodiscard]] std::optional<std::size_t> nextColumn(const core::terrain::Tooth& tooth, glm::dvec2 burMm) const;
-    [[nodiscard]] glm::dvec2 nodeMm(std::size_t node) const;
     [[nodiscard]] double lowestAt(glm::dvec2 placeMm) const;
     [[nodiscard]] bool isKeptOff(glm::dvec2 placeMm) const;
     [[nodiscard]] double lowestOnTheWay(glm::dvec2 fromMm, glm::dvec2 toMm) const;

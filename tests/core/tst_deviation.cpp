@@ -159,12 +159,6 @@ std::vector<glm::dvec2> lies(int count)
     return all;
 }
 
-glm::dvec2 placeOf(const terrain::Grid& grid, std::size_t node)
-{
-    const auto side = static_cast<std::size_t>(grid.side);
-    return grid.nodeMm(static_cast<int>(node % side), static_cast<int>(node / side));
-}
-
 /// Heights after a bur that nothing resists has gone along a way.
 terrain::Tooth drilled(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, const char* bur,
                        const std::vector<glm::dvec3>& way)
@@ -325,8 +319,8 @@ private slots:
                 QVERIFY(near(e.p95Mm, 0.1 + 0.1 * (reach - 0.05 * 2.0 * reach), 0.01 + 0.2 * cell));
                 QVERIFY(near(e.tooDeepMm.value, 0.28, 0.01 + 0.2 * cell));
                 QVERIFY(near(e.tooShallowMm.value, 0.08, 0.01 + 0.2 * cell));
-                QVERIFY(near(placeOf(anatomy->grid, e.tooDeepMm.node).x, -reach, 2.0 * cell));
-                QVERIFY(near(placeOf(anatomy->grid, e.tooShallowMm.node).x, reach, 2.0 * cell));
+                QVERIFY(near(anatomy->grid.nodeMm(e.tooDeepMm.node).x, -reach, 2.0 * cell));
+                QVERIFY(near(anatomy->grid.nodeMm(e.tooShallowMm.node).x, reach, 2.0 * cell));
             }
     }
 
@@ -372,7 +366,7 @@ private slots:
         const double slope = 1.5 * 0.3 / 3.6;
         QVERIFY(near(form.slopeDeg, std::atan(slope) / kDegree, 0.1));
         QVERIFY(near(form.stepMm.value, 0.3 - slope * 0.2, 0.01));
-        QVERIFY(near(placeOf(anatomy->grid, form.stepMm.node).x, 0.0, 0.21));
+        QVERIFY(near(anatomy->grid.nodeMm(form.stepMm.node).x, 0.0, 0.21));
         QVERIFY(near(form.flatnessMm, 0.15 * std::sqrt(1.0 - 0.75), 0.002));
         QVERIFY(!form.intoDentinMm.has_value());
         // A staircase that the ideal asks for is none.
@@ -422,8 +416,8 @@ private slots:
                 QVERIFY(near(moved->meanMm, 0.2 * 2.0 / std::numbers::pi, 0.2 * cell));
                 QVERIFY(near(moved->overMm.value, 0.2, cell));
                 QVERIFY(near(moved->underMm.value, 0.2, cell));
-                QVERIFY(placeOf(anatomy->grid, moved->overMm.node).x > 1.3);
-                QVERIFY(placeOf(anatomy->grid, moved->underMm.node).x < -1.0);
+                QVERIFY(anatomy->grid.nodeMm(moved->overMm.node).x > 1.3);
+                QVERIFY(anatomy->grid.nodeMm(moved->underMm.node).x < -1.0);
             }
         }
     }
@@ -436,7 +430,7 @@ private slots:
         const auto missing = compared(anatomy, bar, cross).outline.value();
         QVERIFY(near(missing.underMm.value, 1.5, 0.06));
         QCOMPARE(missing.overMm.value, 0.0);
-        QVERIFY(near(std::abs(placeOf(anatomy->grid, missing.underMm.node).y), 2.0, 0.1));
+        QVERIFY(near(std::abs(anatomy->grid.nodeMm(missing.underMm.node).y), 2.0, 0.1));
         const auto extra = compared(anatomy, cross, bar).outline.value();
         QVERIFY(near(extra.overMm.value, 1.5, 0.06));
         QCOMPARE(extra.underMm.value, 0.0);
@@ -508,8 +502,8 @@ private slots:
         const Deviation d = compared(anatomy, askew, askew);
         for (std::size_t side = 0; side < 4; ++side)
             QVERIFY(near(d.form.wallDeg.at(side)->value, degrees.at(side), 1.0));
-        QVERIFY(placeOf(anatomy->grid, d.form.wallDeg[static_cast<std::size_t>(Side::PlusX)]->node).x > 1.5);
-        QVERIFY(placeOf(anatomy->grid, d.form.wallDeg[static_cast<std::size_t>(Side::MinusY)]->node).y < -1.3);
+        QVERIFY(anatomy->grid.nodeMm(d.form.wallDeg[static_cast<std::size_t>(Side::PlusX)]->node).x > 1.5);
+        QVERIFY(anatomy->grid.nodeMm(d.form.wallDeg[static_cast<std::size_t>(Side::MinusY)]->node).y < -1.3);
         QCOMPARE(d.buccalSign, 0);
     }
 
@@ -590,7 +584,7 @@ private slots:
             QCOMPARE(d.buccalSign, -1);  // a lower tooth: +y is lingual
             QVERIFY(near(d.form.ridgeMesialMm->value, mesial, 0.02));
             QVERIFY(near(d.form.ridgeDistalMm->value, distal, 0.02));
-            QVERIFY(near(placeOf(grid, d.form.ridgeMesialMm->node).x, ends.x, 0.11));
+            QVERIFY(near(grid.nodeMm(d.form.ridgeMesialMm->node).x, ends.x, 0.11));
             QVERIFY(!measured(terrain::Tooth(anatomy), preparation).form.ridgeMesialMm.has_value());
         }
     }
@@ -619,7 +613,7 @@ private slots:
                 QVERIFY2(near(d.unsupportedEnamelMm3->value, expected, 0.03 + 0.06 * expected),
                          qPrintable(QStringLiteral("slope %1, depth %2").arg(g).arg(depth)));
                 if (g > 0.0)
-                    QVERIFY(near(placeOf(anatomy->grid, d.unsupportedEnamelMm3->node).x, 0.0, 0.1));
+                    QVERIFY(near(anatomy->grid.nodeMm(d.unsupportedEnamelMm3->node).x, 0.0, 0.1));
             }
     }
 
@@ -645,7 +639,7 @@ private slots:
         for (std::size_t k = 0; k < grid.count(); ++k) {
             if (!tooth.isSolid(k) || !hasJunction(k))
                 continue;
-            const glm::dvec3 column(placeOf(grid, k), 0.0);
+            const glm::dvec3 column(grid.nodeMm(k), 0.0);
             for (auto z = static_cast<double>(anatomy.layers[k].dej) + 0.025; z < static_cast<double>(tooth.top[k]);
                  z += 0.05) {
                 const glm::dvec3 place = column + glm::dvec3(0.0, 0.0, z);
@@ -654,7 +648,7 @@ private slots:
                 for (std::size_t n = 0; n < grid.count(); ++n) {
                     if (!hasJunction(n))
                         continue;
-                    const glm::dvec3 there(placeOf(grid, n), anatomy.layers[n].dej);
+                    const glm::dvec3 there(grid.nodeMm(n), anatomy.layers[n].dej);
                     if (const double apart = glm::length(there - place); apart < nearest) {
                         nearest = apart;
                         foot = there;
@@ -722,7 +716,7 @@ private slots:
             QVERIFY(near(z.containerBottomMm3.value, 0.2 * 2.0 * 3.6, 0.03));
             QVERIFY(near(z.containerSidesMm3.value, 1.9 * 2.0 * 0.3, 0.1));
             QVERIFY(!z.targetLeftNode.has_value());
-            QVERIFY(std::abs(glm::dot(placeOf(anatomy->grid, z.containerSidesMm3.node),
+            QVERIFY(std::abs(glm::dot(anatomy->grid.nodeMm(z.containerSidesMm3.node),
                                       glm::dvec2(std::cos(17.0 * kDegree), std::sin(17.0 * kDegree)))) > 1.75);
             // Nothing is counted twice or lost.
             QVERIFY(near(z.targetRemovedMm3 + z.leewayBottomRemovedMm3 + z.leewaySidesRemovedMm3 +

@@ -217,7 +217,7 @@ private slots:
         double least = 5.0;
         for (std::size_t k = 0; k < anatomy->top.size(); ++k)
             if (terrain::hasPulp(*anatomy, k)) {
-                const glm::dvec2 way = support::placeOf(anatomy->grid, k) - support::placeOf(anatomy->grid, nearest);
+                const glm::dvec2 way = anatomy->grid.nodeMm(k) - anatomy->grid.nodeMm(nearest);
                 const double over = static_cast<double>(tooth.top[nearest] - anatomy->layers[k].pulpRoof);
                 least = std::min(least, std::hypot(way.x, way.y, std::max(0.0, over)));
             }

@@ -149,7 +149,7 @@ private slots:
                         continue;
                     const double over =
                         static_cast<double>(tooth.top[q]) - static_cast<double>(anatomy->layers[p].pulpRoof);
-                    const glm::dvec2 way = support::placeOf(anatomy->grid, p) - support::placeOf(anatomy->grid, q);
+                    const glm::dvec2 way = anatomy->grid.nodeMm(p) - anatomy->grid.nodeMm(q);
                     slow = std::min(slow, std::hypot(way.x, way.y, std::max(0.0, over)));
                 }
             QVERIFY2(isNear(grading::measure(tooth).remainingOverPulpMm, slow),

@@ -210,8 +210,8 @@ private slots:
         support::eachOf(grid, {0, grid.side - 1, grid.side / 2, grid.side / 2}, [&](std::size_t k) {
             if (!m_tooth->isSolid(k))
                 return;
-            low = std::min(low, support::placeOf(grid, k).x);
-            high = std::max(high, support::placeOf(grid, k).x);
+            low = std::min(low, grid.nodeMm(k).x);
+            high = std::max(high, grid.nodeMm(k).x);
         });
         m_state.burIndex = 2;
         m_state.drillOn = true;

@@ -137,9 +137,7 @@ std::vector<glm::dvec3> cusps(const TopMap& raw)
         return k;
     };
     std::vector<glm::dvec3> peaks;
-    const auto keep = [&](std::size_t k) {
-        peaks.emplace_back(support::placeOf(grid, k), static_cast<double>(map.height[k]));
-    };
+    const auto keep = [&](std::size_t k) { peaks.emplace_back(grid.nodeMm(k), static_cast<double>(map.height[k])); };
     for (const std::size_t k : order) {
         owner[k] = k;
         for (const int step : {-1, 1, -grid.side, grid.side}) {

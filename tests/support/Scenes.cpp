@@ -71,10 +71,4 @@ void cutThrough(core::terrain::Tooth& tooth, std::size_t k)
     tooth.bottom[k] = core::terrain::kEmptyBottom;
 }
 
-glm::dvec2 placeOf(const core::terrain::Grid& grid, std::size_t k)
-{
-    const auto side = static_cast<std::size_t>(grid.side);
-    return grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
-}
-
 }  // namespace support

@@ -45,7 +45,4 @@ void cut(core::terrain::Tooth& tooth, const Nodes& nodes, float toMm);
 /// Removes the whole column k.
 void cutThrough(core::terrain::Tooth& tooth, std::size_t k);
 
-/// Returns the position of node k, mm.
-[[nodiscard]] glm::dvec2 placeOf(const core::terrain::Grid& grid, std::size_t k);
-
 }  // namespace support

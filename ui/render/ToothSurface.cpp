@@ -631,8 +631,7 @@ void ToothSurface::smoothOutline(const NodeRect& rect)
             glm::vec2 sum{0.0F};
             float weights = 0.0F;
             forRimAround(i, j, [&](std::size_t n, float weight) {
-                const auto side = static_cast<std::size_t>(m_lattice.side);
-                sum += weight * glm::vec2(m_lattice.nodeMm(static_cast<int>(n % side), static_cast<int>(n / side)));
+                sum += weight * glm::vec2(m_lattice.nodeMm(n));
                 weights += weight;
             });
             // Never further than the next node: triangles must not turn over.

@@ -154,9 +154,7 @@ void HeatMap::choosePin(const std::optional<std::array<double, 3>>& placeMm)
 
 std::array<double, 3> HeatMap::placeOf(std::size_t node) const
 {
-    const core::terrain::Grid& grid = m_work.tooth->grid();
-    const auto side = static_cast<std::size_t>(grid.side);
-    const glm::dvec2 at = grid.nodeMm(static_cast<int>(node % side), static_cast<int>(node / side));
+    const glm::dvec2 at = m_work.tooth->grid().nodeMm(node);
     return {at.x, at.y, static_cast<double>(core::grading::endOf(*m_work.tooth, node))};
 }
 
@@ -319,8 +317,7 @@ void HeatMap::keyPressEvent(QKeyEvent* event)
         at = glm::dvec2((*m_pin)[0], (*m_pin)[1]) +
              way * (event->modifiers().testFlag(Qt::ShiftModifier) ? grid.cellMm : kKeyStepMm);
     else if (m_mark)
-        at = grid.nodeMm(static_cast<int>(*m_mark % static_cast<std::size_t>(grid.side)),
-                         static_cast<int>(*m_mark / static_cast<std::size_t>(grid.side)));
+        at = grid.nodeMm(*m_mark);
     const glm::dvec2 lattice = grid.latticeOf(at);
     const auto i = static_cast<int>(std::lround(lattice.x));
     const auto j = static_cast<int>(std::lround(lattice.y));

@@ -31,12 +31,9 @@ void WorstSection::setMark(std::optional<std::size_t> node, const core::imaging:
 {
     m_scene.plane = plane;
     m_scene.markMm.reset();
-    if (node) {
-        const core::terrain::Grid& grid = m_work.tooth->grid();
-        const auto side = static_cast<std::size_t>(grid.side);
-        const glm::dvec2 at = grid.nodeMm(static_cast<int>(*node % side), static_cast<int>(*node / side));
-        m_scene.markMm = glm::dvec3(at, static_cast<double>(core::grading::endOf(*m_work.tooth, *node)));
-    }
+    if (node)
+        m_scene.markMm = glm::dvec3(m_work.tooth->grid().nodeMm(*node),
+                                    static_cast<double>(core::grading::endOf(*m_work.tooth, *node)));
     update();
 }
 
