@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,43 +13,43 @@
 namespace core::guidance {
 namespace {
 
-// In mesiodistal widths of the tooth, from its middle.
+// Distances from the middle of the tooth, in mesiodistal widths.
 constexpr double kMiddleEnds = 0.15;
 constexpr double kPitsEnd = 0.4;
 constexpr double kRidgesBegin = 0.3;
-constexpr double kPitMm = 0.4;  ///< around its lowest point
+constexpr double kPitMm = 0.4;  ///< a pit is the lowest point within this distance
 
-/// Premolars with two cusps have a mesial and a distal pit alone.
+/// Premolars with two cusps have no central pit, only a mesial and a distal one.
 bool hasCentralPit(int fdi)
 {
     return fdi % 10 > 5 || fdi == 35 || fdi == 45;
 }
 
-/// Mesial is towards -x.
+/// The crown of a tooth seen from above, with mesial towards -x. A share is a distance distal of the middle, in
+/// mesiodistal widths of the crown.
 class Crown
 {
 public:
     Crown(const terrain::ToothAnatomy& anatomy, const std::vector<float>& ideal) : m_anatomy(anatomy), m_ideal(ideal)
     {
-        const terrain::Grid& grid = anatomy.grid;
-        int first = grid.side;
-        int last = 0;
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i)
-                if (grading::wasSolid(anatomy, grid.index(i, j))) {
-                    first = std::min(first, i);
-                    last = std::max(last, i);
-                }
-        m_middleMm = 0.5 * (grid.nodeMm(first, 0).x + grid.nodeMm(last, 0).x);
-        m_widthMm = grid.nodeMm(last, 0).x - grid.nodeMm(first, 0).x;
+        double mesialMm = std::numeric_limits<double>::max();
+        double distalMm = -mesialMm;
+        for (std::size_t k = 0; k < anatomy.grid.count(); ++k)
+            if (grading::wasSolid(anatomy, k)) {
+                mesialMm = std::min(mesialMm, anatomy.grid.nodeMm(k).x);
+                distalMm = std::max(distalMm, anatomy.grid.nodeMm(k).x);
+            }
+        m_middleMm = 0.5 * (mesialMm + distalMm);
+        m_widthMm = distalMm - mesialMm;
     }
 
+    /// Returns whether the ideal removes something of a column.
     [[nodiscard]] bool isRemoved(std::size_t k) const
     {
         return grading::wasSolid(m_anatomy, k) && m_ideal[k] < m_anatomy.top[k];
     }
 
-    /// The lowest node that the ideal removes, with x between two shares of the width.
+    /// Returns the lowest node that the ideal removes between two shares.
     [[nodiscard]] std::optional<std::size_t> pit(double from, double to) const
     {
         std::optional<std::size_t> lowest;
@@ -59,6 +60,7 @@ public:
         return lowest && isLowestAround(*lowest) ? lowest : std::nullopt;
     }
 
+    /// Returns the highest node on the line that the preparation follows towards the edge of the crown.
     /// @param sign  -1 mesial, 1 distal
     [[nodiscard]] std::optional<std::size_t> ridge(double sign) const
     {
@@ -77,7 +79,7 @@ public:
     }
 
 private:
-    /// The mean y of what the ideal removes where isWanted(distance distal of the middle in widths).
+    /// Returns the mean y of what the ideal removes where isWanted(share).
     template <class IsWanted>
     [[nodiscard]] std::optional<double> lineMm(const IsWanted& isWanted) const
     {
@@ -92,7 +94,8 @@ private:
         return count > 0 ? std::optional(sumMm / count) : std::nullopt;
     }
 
-    /// Whether the ideal removes nothing lower near a node: what only slopes towards the end of a stretch is no pit.
+    /// Returns whether the ideal removes no lower node near this one. A slope has its lowest node at the end of a
+    /// stretch, and that is no pit.
     [[nodiscard]] bool isLowestAround(std::size_t node) const
     {
         const terrain::Grid& grid = m_anatomy.grid;
@@ -107,16 +110,14 @@ private:
         return true;
     }
 
-    /// Calls visit(index, distance distal of the middle in widths, y in mm).
+    /// Calls visit(index, share, y in mm).
     template <class Visit>
     void forEachNode(const Visit& visit) const
     {
-        const terrain::Grid& grid = m_anatomy.grid;
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i) {
-                const glm::dvec2 at = grid.nodeMm(i, j);
-                visit(grid.index(i, j), (at.x - m_middleMm) / m_widthMm, at.y);
-            }
+        for (std::size_t k = 0; k < m_anatomy.grid.count(); ++k) {
+            const glm::dvec2 at = m_anatomy.grid.nodeMm(k);
+            visit(k, (at.x - m_middleMm) / m_widthMm, at.y);
+        }
     }
 
     const terrain::ToothAnatomy& m_anatomy;
@@ -136,12 +137,10 @@ std::vector<PlacedLandmark> findLandmark(Landmark landmark, const terrain::Tooth
     const Crown crown(anatomy, ideal);
     std::vector<PlacedLandmark> found;
     const auto add = [&](Landmark which, std::optional<std::size_t> node) {
-        const int side = anatomy.grid.side;
         if (node)
-            found.push_back(
-                {which, anatomy.grid.nodeMm(static_cast<int>(*node) % side, static_cast<int>(*node) / side)});
+            found.push_back({which, anatomy.grid.nodeMm(*node)});
     };
-    // Without a central pit the others begin at the middle.
+    // Without a central pit, the other two reach to the middle.
     const double middleEnds = hasCentralPit(anatomy.fdi) ? kMiddleEnds : 0.0;
     const auto mesial = [&] { return crown.ridge(-1.0); };
     const auto distal = [&] { return crown.ridge(1.0); };

@@ -18,19 +18,19 @@ enum class Landmark : std::uint8_t {
     MesialRidge,
     DistalRidge,
     RidgesToKeep,  ///< the marginal ridges that the ideal leaves standing
-    RidgesToCut    ///< and those that it cuts through
+    RidgesToCut    ///< the marginal ridges that the ideal cuts through
 };
 
 struct PlacedLandmark
 {
-    Landmark landmark = Landmark::CentralPit;  ///< a pit, or the mesial or distal ridge
+    Landmark landmark = Landmark::CentralPit;  ///< a pit or a single ridge
     glm::dvec2 placeMm{0.0};                   ///< tooth frame, seen from above
     bool operator==(const PlacedLandmark&) const = default;
 };
 
 /// Finds a landmark on the uncut surface of a posterior tooth. A pit is the lowest point within the outline of the
-/// ideal in the middle of the tooth, or mesial or distal of it; a ridge is the highest point on the line that goes from
-/// there to the mesial or distal edge. Returns nothing if the tooth has no such place.
+/// ideal: in the middle of the tooth, or in its mesial or distal part. A ridge is the highest point on the line along
+/// which the outline runs to the mesial or distal edge. Returns an empty list if the tooth has no such place.
 /// @param ideal  of this anatomy; not null
 [[nodiscard]] std::vector<PlacedLandmark> findLandmark(Landmark landmark, const terrain::ToothAnatomy& anatomy,
                                                        const std::vector<float>& ideal);

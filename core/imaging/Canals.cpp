@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "core/drilling/Reach.h"
 
 namespace core::imaging {
 namespace {
@@ -23,18 +24,19 @@ using terrain::Grid;
 using terrain::ToothAnatomy;
 
 constexpr double kLevelMm = 0.25;     ///< between two sections of a root
-constexpr double kLeastRootMm = 2.5;  ///< what is shorter is no root but a bump of the under surface
-constexpr double kTaper = 0.6;        ///< share of the area of its neck that the tip of a root has at most: a face that
-                                      ///< a scan was cut off at is no apex
-constexpr double kFurcationMm = 1.5;  ///< below a furcation roots widen towards each other, and canals do not
-constexpr double kOverlapMm = 1.5;    ///< of a canal and the pulp of the model, in a tooth with one root
-constexpr double kAboveApexMm = 0.9;  ///< where a canal ends
+constexpr double kLeastRootMm = 2.5;  ///< a shorter one is a bump of the under surface and no root
+// A root tapers: near its tip it has at most this share of the area of its neck. A scan may end in a flat face, which
+// is no apex.
+constexpr double kTaper = 0.6;
+constexpr double kFurcationMm = 1.5;   ///< below a furcation, where roots widen towards each other and canals do not
+constexpr double kOverlapMm = 1.5;     ///< length of a canal inside the pulp of the model, in a tooth with one root
+constexpr double kAboveApexMm = 0.9;   ///< distance between the end of a canal and the apex
 constexpr double kCanalAcross = 0.17;  ///< width of a canal at its orifice, as a share of the width of the root
 constexpr double kCanalAlong = 0.24;   ///< the same along the longer axis: a flat root has a flat canal
 constexpr double kApexShare = 0.35;    ///< size of a canal at the apex, as a share of its size at the orifice
 constexpr double kLeastRadiusMm = 0.13;
 constexpr double kMostRadiusMm = 0.6;
-constexpr double kLeastDentinMm = 1.0;  ///< below a canal
+constexpr double kLeastDentinMm = 1.0;  ///< thickness below a canal
 constexpr double kJoinMm = 1.0;         ///< a canal that ends no further below the chamber is joined to it
 
 /// The section of a root at one height.
@@ -45,7 +47,7 @@ struct RootSection
     glm::dvec2 halfMm{0.0};  ///< half axes of an ellipse with the same moments
 };
 
-/// From the apex up.
+/// A root, with its sections from the apex up.
 struct Root
 {
     double apexMm = 0.0;
@@ -72,26 +74,21 @@ public:
             return {};
         m_parent.assign(grid.count(), kNone);
         m_islands.assign(grid.count(), {});
-        const auto side = static_cast<std::size_t>(grid.side);
+        const int side = grid.side;
         double level = static_cast<double>(m_anatomy.bottom[order.front()]) + kLevelMm;
         for (const std::size_t k : order) {
             const auto height = static_cast<double>(m_anatomy.bottom[k]);
             for (; level <= height; level += kLevelMm)
                 noteSections(level);
             m_parent[k] = k;
-            m_islands[k] = Island{height, 1.0, grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side))};
+            m_islands[k] = Island{height, 1.0, grid.nodeMm(k)};
             m_islands[k].squares = m_islands[k].sum * m_islands[k].sum;
             m_alive.push_back(k);
-            const std::size_t i = k % side;
-            const std::size_t j = k / side;
-            if (i > 0)
-                join(k, k - 1, height);
-            if (i + 1 < side)
-                join(k, k + 1, height);
-            if (j > 0)
-                join(k, k - side, height);
-            if (j + 1 < side)
-                join(k, k + side, height);
+            const int i = static_cast<int>(k) % side;
+            const int j = static_cast<int>(k) / side;
+            for (const auto& [x, y] : {std::pair(i - 1, j), {i + 1, j}, {i, j - 1}, {i, j + 1}})
+                if (grid.contains(x, y))
+                    join(k, grid.index(x, y), height);
         }
         for (; level <= m_topMm; level += kLevelMm)
             noteSections(level);
@@ -107,12 +104,13 @@ private:
         double count = 0.0;
         glm::dvec2 sum{0.0};
         glm::dvec2 squares{0.0};
-        bool isTrunk = false;  ///< several roots have met
+        bool isTrunk = false;  ///< the trunk of the tooth, where several roots have met
         std::vector<RootSection> sections = {};
     };
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-    std::size_t find(std::size_t k)
+    /// Returns the node that stands for the island of a node.
+    std::size_t islandOf(std::size_t k)
     {
         while (m_parent[k] != k) {
             m_parent[k] = m_parent[m_parent[k]];
@@ -125,11 +123,11 @@ private:
     {
         if (m_parent[b] == kNone)
             return;
-        a = find(a);
-        b = find(b);
+        a = islandOf(a);
+        b = islandOf(b);
         if (a == b)
             return;
-        // A trunk takes in what meets it, and the deeper of two roots the other one.
+        // A trunk absorbs an island that meets it, and the deeper of two roots absorbs the other one.
         if (!m_islands[a].isTrunk && (m_islands[b].isTrunk || m_islands[b].apexMm < m_islands[a].apexMm))
             std::swap(a, b);
         Island& into = m_islands[a];
@@ -173,52 +171,30 @@ private:
     const ToothAnatomy& m_anatomy;
     double m_topMm;
     std::vector<std::size_t> m_parent;
-    std::vector<Island> m_islands;     ///< by their root node
-    std::vector<std::size_t> m_alive;  ///< root nodes
+    std::vector<Island> m_islands;     ///< by islandOf()
+    std::vector<std::size_t> m_alive;  ///< islands that no other one has absorbed
     std::vector<Root> m_roots;
 };
 
-/// Where a canal opens: the place of the pulp nearest to the root, so far inside that the canal lies under the chamber.
-/// Nothing where no column has pulp.
-std::optional<glm::dvec2> mouthOver(const ToothAnatomy& anatomy, glm::dvec2 rootMm)
+/// Returns where a canal opens into the chamber: at the place of the pulp nearest to the root, shifted inwards so that
+/// the canal lies under the chamber.
+/// @param pulp  the points of the floor of the pulp, not empty
+glm::dvec2 mouthOver(const std::vector<glm::dvec3>& pulp, glm::dvec2 rootMm)
 {
-    std::optional<glm::dvec2> nearest;
     glm::dvec2 sum(0.0);
-    double count = 0.0;
-    for (int j = 0; j < anatomy.grid.side; ++j) {
-        for (int i = 0; i < anatomy.grid.side; ++i) {
-            if (!terrain::hasPulp(anatomy, anatomy.grid.index(i, j)))
-                continue;
-            const glm::dvec2 at = anatomy.grid.nodeMm(i, j);
-            sum += at;
-            count += 1.0;
-            if (!nearest || glm::distance(at, rootMm) < glm::distance(*nearest, rootMm))
-                nearest = at;
-        }
+    glm::dvec2 nearest(pulp.front());
+    for (const glm::dvec3& point : pulp) {
+        const glm::dvec2 at(point);
+        sum += at;
+        if (glm::distance(at, rootMm) < glm::distance(nearest, rootMm))
+            nearest = at;
     }
-    if (!nearest)
-        return {};
-    const glm::dvec2 inwards = sum / count - *nearest;
+    const glm::dvec2 inwards = sum / static_cast<double>(pulp.size()) - nearest;
     const double far = glm::length(inwards);
-    return far > 0.0 ? *nearest + inwards * std::min(1.0, kMostRadiusMm / far) : *nearest;
+    return far > 0.0 ? nearest + inwards * std::min(1.0, kMostRadiusMm / far) : nearest;
 }
 
-/// The lowest point of the pulp.
-glm::dvec3 lowestPulp(const ToothAnatomy& anatomy)
-{
-    glm::dvec3 lowest(0.0, 0.0, std::numeric_limits<double>::max());
-    for (int j = 0; j < anatomy.grid.side; ++j) {
-        for (int i = 0; i < anatomy.grid.side; ++i) {
-            const std::size_t k = anatomy.grid.index(i, j);
-            if (const auto floor = static_cast<double>(anatomy.layers[k].pulpFloor);
-                terrain::hasPulp(anatomy, k) && floor < lowest.z)
-                lowest = {anatomy.grid.nodeMm(i, j), floor};
-        }
-    }
-    return lowest;
-}
-
-/// Sections of the canal in a root, from the apex up to `topMm`, where it opens into the chamber.
+/// Returns sections of the canal in a root, from the apex up to `topMm`, where it opens into the chamber.
 std::vector<RootSection> canalIn(const Root& root, glm::dvec2 mouthMm, double topMm)
 {
     std::vector<RootSection> canal;
@@ -241,8 +217,8 @@ std::vector<RootSection> canalIn(const Root& root, glm::dvec2 mouthMm, double to
     return canal;
 }
 
-/// Lowest and highest point of a canal on the vertical line through a place; the first is the higher one if it does not
-/// meet the canal.
+/// Returns the lowest and the highest point of a canal on the vertical line through a place. If the line does not meet
+/// the canal, the first is the higher one.
 std::pair<double, double> rangeOf(const std::vector<RootSection>& canal, glm::dvec2 atMm)
 {
     std::pair<double, double> range{1.0e9, -1.0e9};
@@ -264,81 +240,72 @@ std::pair<double, double> rangeOf(const std::vector<RootSection>& canal, glm::dv
 
 void add(ToothAnatomy& anatomy, const std::vector<RootSection>& canal, double reachMm)
 {
-    const Grid& grid = anatomy.grid;
-    for (int j = 0; j < grid.side; ++j) {
-        for (int i = 0; i < grid.side; ++i) {
-            const std::size_t k = grid.index(i, j);
-            if (!(anatomy.top[k] > anatomy.bottom[k]))
-                continue;
-            auto [low, high] = rangeOf(canal, grid.nodeMm(i, j));
-            low = std::max(low, static_cast<double>(anatomy.bottom[k]) + kLeastDentinMm);
-            high = std::min(high, reachMm);
-            if (!(high > low))
-                continue;
-            ColumnLayers& column = anatomy.layers[k];
-            if (!terrain::hasPulp(anatomy, k)) {
-                column.pulpRoof = static_cast<float>(high);
-                column.pulpFloor = static_cast<float>(low);
-            } else if (high >= static_cast<double>(column.pulpFloor) - kJoinMm) {
-                column.pulpFloor = std::min(column.pulpFloor, static_cast<float>(low));
-            }
+    for (std::size_t k = 0; k < anatomy.grid.count(); ++k) {
+        if (!(anatomy.top[k] > anatomy.bottom[k]))
+            continue;
+        auto [low, high] = rangeOf(canal, anatomy.grid.nodeMm(k));
+        low = std::max(low, static_cast<double>(anatomy.bottom[k]) + kLeastDentinMm);
+        high = std::min(high, reachMm);
+        if (!(high > low))
+            continue;
+        ColumnLayers& column = anatomy.layers[k];
+        if (!terrain::hasPulp(anatomy, k)) {
+            column.pulpRoof = static_cast<float>(high);
+            column.pulpFloor = static_cast<float>(low);
+        } else if (high >= static_cast<double>(column.pulpFloor) - kJoinMm) {
+            column.pulpFloor = std::min(column.pulpFloor, static_cast<float>(low));
         }
     }
 }
 
-std::shared_ptr<const ToothAnatomy> made(const std::shared_ptr<const ToothAnatomy>& anatomy, double reachMm)
+/// Returns an anatomy with canals, or the same one if it has no pulp or no roots.
+std::shared_ptr<const ToothAnatomy> made(const std::shared_ptr<const ToothAnatomy>& anatomy)
 {
-    std::vector<std::vector<RootSection>> canals;
+    const double reachMm = drilling::lowestTipMm(*anatomy);
+    std::vector<glm::dvec3> pulp;
+    for (std::size_t k = 0; k < anatomy->grid.count(); ++k)
+        if (terrain::hasPulp(*anatomy, k))
+            pulp.emplace_back(anatomy->grid.nodeMm(k), static_cast<double>(anatomy->layers[k].pulpFloor));
     std::vector<Root> roots = RootFinder(*anatomy, reachMm).find();
+    if (pulp.empty() || roots.empty())
+        return anatomy;
+    const glm::dvec3 lowest =
+        *std::min_element(pulp.begin(), pulp.end(), [](const glm::dvec3& a, const glm::dvec3& b) { return a.z < b.z; });
     const bool isSingle = roots.size() == 1;
+    auto pictured = std::make_shared<ToothAnatomy>(*anatomy);
     for (Root& root : roots) {
-        const auto mouth = mouthOver(*anatomy, root.sections.back().middleMm);
-        if (!mouth)
-            continue;
+        const glm::dvec2 mouth = isSingle ? glm::dvec2(lowest) : mouthOver(pulp, root.sections.back().middleMm);
         // In a single root the pulp of the model is the canal as well, as far as it comes.
-        const glm::dvec3 lowest = lowestPulp(*anatomy);
         const double topMm = isSingle ? std::min(reachMm, lowest.z + kOverlapMm) : reachMm;
         const double neckMm = std::min(root.sections.back().heightMm, topMm) - kFurcationMm;
         while (root.sections.size() > 1 && root.sections.back().heightMm > neckMm)
             root.sections.pop_back();
-        canals.push_back(canalIn(root, isSingle ? glm::dvec2(lowest) : *mouth, topMm));
+        add(*pictured, canalIn(root, mouth, topMm), reachMm);
     }
-    if (canals.empty())
-        return anatomy;
-    auto pictured = std::make_shared<ToothAnatomy>(*anatomy);
-    for (const std::vector<RootSection>& canal : canals)
-        add(*pictured, canal, reachMm);
     return pictured;
 }
 
 }  // namespace
 
-std::shared_ptr<const ToothAnatomy> withCanals(const std::shared_ptr<const ToothAnatomy>& anatomy, double reachMm)
+terrain::Tooth withCanals(terrain::Tooth tooth)
 {
     struct Known
     {
         std::weak_ptr<const ToothAnatomy> of;
-        std::shared_ptr<const ToothAnatomy> pictured;
+        std::shared_ptr<const ToothAnatomy> pictured;  ///< null: the anatomy itself, which must not keep itself alive
     };
     static std::mutex guard;
     static std::map<const ToothAnatomy*, Known> known;
     const std::lock_guard lock(guard);
     std::erase_if(known, [](const auto& entry) { return entry.second.of.expired(); });
-    const auto found = known.find(anatomy.get());
-    if (found != known.end())
-        return found->second.pictured;
-    auto pictured = made(anatomy, reachMm);
-    // Itself would keep itself alive.
-    if (pictured != anatomy)
-        known.emplace(anatomy.get(), Known{anatomy, pictured});
-    return pictured;
-}
-
-terrain::Tooth withCanals(const terrain::Tooth& tooth, double reachMm)
-{
-    terrain::Tooth pictured = tooth;
-    pictured.anatomy = withCanals(tooth.anatomy, reachMm);
-    return pictured;
+    const auto [found, isNew] = known.try_emplace(tooth.anatomy.get());
+    if (isNew) {
+        auto pictured = made(tooth.anatomy);
+        found->second = {tooth.anatomy, pictured == tooth.anatomy ? nullptr : std::move(pictured)};
+    }
+    if (found->second.pictured)
+        tooth.anatomy = found->second.pictured;
+    return tooth;
 }
 
 }  // namespace core::imaging

@@ -35,9 +35,9 @@ private slots:
         QVERIFY(built.has_value());
         const auto model = built->anatomy;
         const double reachMm = drilling::lowestTipMm(*model);
-        const auto pictured = imaging::withCanals(model, reachMm);
+        const auto pictured = imaging::withCanals(terrain::Tooth(model)).anatomy;
         QVERIFY(pictured != model);
-        QVERIFY(imaging::withCanals(model, reachMm) == pictured);  // found once
+        QVERIFY(imaging::withCanals(terrain::Tooth(model)).anatomy == pictured);  // found once
         QVERIFY(pictured->top == model->top);
         QVERIFY(pictured->bottom == model->bottom);
         float deepest = 0.0F;
@@ -74,7 +74,7 @@ private slots:
     void whatHasNoRootsIsLeftAlone()
     {
         const auto slab = support::decayedSlab(30, 33);
-        QVERIFY(imaging::withCanals(slab, -0.5) == slab);
+        QVERIFY(imaging::withCanals(terrain::Tooth(slab)).anatomy == slab);
     }
 
 private:

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/drilling/Reach.h"
 #include "core/imaging/Canals.h"
 
 namespace ui::inside {
@@ -31,7 +30,7 @@ QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, cons
     std::vector<core::imaging::XrayedTooth> pictured(teeth.begin(), teeth.end());
     whole.reserve(teeth.size());
     for (core::imaging::XrayedTooth& xrayed : pictured) {
-        whole.push_back(core::imaging::withCanals(*xrayed.tooth, core::drilling::lowestTipMm(*xrayed.tooth->anatomy)));
+        whole.push_back(core::imaging::withCanals(*xrayed.tooth));
         xrayed.tooth = &whole.back();
     }
     const core::imaging::Shadow shadow = core::imaging::castShadow(pictured, beam, area, pixelMm);

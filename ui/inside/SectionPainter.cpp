@@ -15,7 +15,6 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "core/drilling/Reach.h"
 #include "core/imaging/Canals.h"
 #include "ui/inside/PictureKey.h"
 #include "ui/shell/Theme.h"
@@ -388,10 +387,8 @@ Section paintTissue(QPainter& painter, const Frame& frame, const SectionScene& s
     // A sample stands in the middle of its column of pixels.
     const double halfPixelMm = 0.5 / (pixelRatio * frame.pxPerMm);
     const double toMm = frame.leftMm + (2.0 * columns - 1.0) * halfPixelMm;
-    const core::terrain::Tooth pictured =
-        core::imaging::withCanals(*scene.tooth, core::drilling::lowestTipMm(*scene.tooth->anatomy));
-    Section section =
-        core::imaging::sectionOf(pictured, scene.plane, frame.leftMm + halfPixelMm, toMm, columns, scene.ideal.get());
+    Section section = core::imaging::sectionOf(core::imaging::withCanals(*scene.tooth), scene.plane,
+                                               frame.leftMm + halfPixelMm, toMm, columns, scene.ideal.get());
     QImage materials = tissue(section, frame, pixelRatio, scene.palette);
     materials.setDevicePixelRatio(pixelRatio);
     painter.drawImage(frame.plot.topLeft(), materials);
