@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace lessons {
 namespace {
@@ -39,7 +40,7 @@ std::pair<double, double> depthOf(const Measured& measured)
     return {measured.deviation->depth->tooDeepMm.value, measured.deviation->depth->tooShallowMm.value};
 }
 
-/// Returns how far the outline goes beyond the ideal one and stays behind it, mm.
+/// Returns how far the outline lies outside the ideal one and inside it, mm.
 std::pair<double, double> outlineOf(const Measured& measured)
 {
     if (!measured.deviation || !measured.deviation->outline)
@@ -55,97 +56,65 @@ double leftPercent(const Measured& measured)
     return 100.0 * measured.deviation->undercutMm3 / measured.deviation->idealMm3;
 }
 
-Finding tooDeep(const Measured& measured, double feed)
-{
-    return feed >= kFastFeedMmPerS ? Finding{Rule::TooDeepFast, feed} : Finding{Rule::TooDeep, depthOf(measured).first};
-}
+/// Advice that depends on the measure alone; the amount is what was measured.
+constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"perforated_mm2", Rule::Perforated},
+                                                            {"unsupported_enamel_mm3", Rule::UnsupportedEnamel},
+                                                            {"ridge_", Rule::RidgeThin},
+                                                            {"wall_", Rule::WallsLean},
+                                                            {"floor_", Rule::FloorUneven},
+                                                            {"force_", Rule::PushedTooHard},
+                                                            {"hold_", Rule::ForceNotHeld},
+                                                            {"time_", Rule::TooSlow},
+                                                            {"points_touched_percent", Rule::NotTouched},
+                                                            {"layers_named_percent", Rule::NotNamed},
+                                                            {"removed_mm3", Rule::CutInExercise}};
 
-/// What happened to the tooth as tissue.
-std::optional<Finding> ofTissue(const Criterion& line, const Measured& measured, double feed)
-{
-    const std::string_view id = line.measure;
-    if (id == "perforated_mm2")
-        return Finding{Rule::Perforated};
-    if (id == "pulp_exposed_mm2" && line.side == Side::Under)
-        return Finding{Rule::PulpNotReached};
-    if (isOneOf(id, {"pulp_", "remaining_over_pulp"}))
-        return feed >= kFastFeedMmPerS ? Finding{Rule::PulpOpenedFast, feed} : Finding{Rule::PulpOpened};
-    if (id.starts_with("caries_")) {
-        const core::grading::Measures& all = measured.measures;
-        return Finding{Rule::DecayLeft, all.lesionMm3 > 0.0 ? 100.0 * all.cariesLeftMm3 / all.lesionMm3 : 0.0};
-    }
-    if (id == "sound_overcut_mm3")
-        return feed >= kFastFeedMmPerS ? Finding{Rule::SoundTissueFast, feed}
-                                       : Finding{Rule::SoundTissue, line.measured.value_or(0.0)};
-    if (id == "unsupported_enamel_mm3")
-        return Finding{Rule::UnsupportedEnamel};
-    return std::nullopt;
-}
-
-/// What the cavity is like beside the ideal one.
-std::optional<Finding> ofForm(const Criterion& line, const Measured& measured, double feed)
-{
-    const std::string_view id = line.measure;
-    const double value = line.measured.value_or(0.0);
-    const auto [deep, shallow] = depthOf(measured);
-    const auto [beyond, behind] = outlineOf(measured);
-    if (isOneOf(id, {"depth_too_deep", "overcut_below", "leeway_bottom", "container_bottom"}))
-        return tooDeep(measured, feed);
-    // Where most of the preparation still stands, that is what to do, and not to lower its floor.
-    const double left = leftPercent(measured);
-    if (isOneOf(id, {"depth_", "outline_"}) && left > 50.0)
-        return Finding{Rule::NotAllCut, left};
-    if (id.starts_with("depth_"))
-        return deep >= shallow && id != "depth_too_shallow_mm" ? tooDeep(measured, feed)
-                                                               : Finding{Rule::TooShallow, shallow};
-    if (isOneOf(id, {"undercut_", "ideal_cut", "target_removed"}))
-        return Finding{Rule::NotAllCut, id == "undercut_percent" ? value : std::max(0.0, 100.0 - value)};
-    if (isOneOf(id, {"outline_over", "overcut_", "leeway_sides", "container_sides"}))
-        return Finding{Rule::OutlineBeyond, beyond};
-    if (id.starts_with("outline_"))
-        return beyond >= behind && id != "outline_under_mm" ? Finding{Rule::OutlineBeyond, beyond}
-                                                            : Finding{Rule::OutlineShort, behind};
-    if (id.starts_with("ridge_"))
-        return Finding{Rule::RidgeThin, value};
-    if (id == "isthmus_error_mm")
-        return Finding{value > 0.0 ? Rule::IsthmusWide : Rule::IsthmusNarrow, std::abs(value)};
-    if (id.starts_with("wall_"))
-        return Finding{Rule::WallsLean, std::abs(value)};
-    if (id.starts_with("floor_"))
-        return Finding{Rule::FloorUneven, value};
-    return std::nullopt;
-}
-
-/// How it was done, and what an exercise asks for.
-std::optional<Finding> ofTheWay(const Criterion& line)
-{
-    const std::string_view id = line.measure;
-    if (id.starts_with("force_"))
-        return Finding{Rule::PushedTooHard};
-    if (id.starts_with("hold_"))
-        return Finding{Rule::ForceNotHeld};
-    if (id.starts_with("time_"))
-        return Finding{Rule::TooSlow};
-    if (id == "points_touched_percent")
-        return Finding{Rule::NotTouched};
-    if (id == "layers_named_percent")
-        return Finding{Rule::NotNamed};
-    if (id == "removed_mm3")
-        return Finding{Rule::CutInExercise, line.measured.value_or(0.0)};
-    return std::nullopt;
-}
-
+/// @param feed  of the bur when most was lost, mm/s
 std::optional<Finding> findingOf(const Criterion& line, const Measured& measured, double feed)
 {
     if (line.isTooEarly)
         return Finding{Rule::TooLittleDone, line.onceMeasured.value_or(0.0)};
     if (!line.measured)
         return std::nullopt;
-    if (const auto found = ofTissue(line, measured, feed))
-        return found;
-    if (const auto found = ofForm(line, measured, feed))
-        return found;
-    return ofTheWay(line);
+    const std::string_view id = line.measure;
+    const double value = *line.measured;
+    const auto fastOr = [feed](Rule fast, Rule usual, double amount) {
+        return feed >= kFastFeedMmPerS ? Finding{fast, feed} : Finding{usual, amount};
+    };
+    if (id == "pulp_exposed_mm2" && line.side == Side::Under)
+        return Finding{Rule::PulpNotReached};
+    if (isOneOf(id, {"pulp_", "remaining_over_pulp"}))
+        return fastOr(Rule::PulpOpenedFast, Rule::PulpOpened, 0.0);
+    if (id.starts_with("caries_")) {
+        const core::grading::Measures& all = measured.measures;
+        return Finding{Rule::DecayLeft, all.lesionMm3 > 0.0 ? 100.0 * all.cariesLeftMm3 / all.lesionMm3 : 0.0};
+    }
+    if (id == "sound_overcut_mm3")
+        return fastOr(Rule::SoundTissueFast, Rule::SoundTissue, value);
+    const auto [deep, shallow] = depthOf(measured);
+    if (isOneOf(id, {"depth_too_deep", "overcut_below", "leeway_bottom", "container_bottom"}))
+        return fastOr(Rule::TooDeepFast, Rule::TooDeep, deep);
+    // If most of the preparation is not cut yet, the depth of its floor and its outline say little.
+    const double left = leftPercent(measured);
+    if (isOneOf(id, {"depth_", "outline_"}) && left > 50.0)
+        return Finding{Rule::NotAllCut, left};
+    if (id.starts_with("depth_"))
+        return deep >= shallow && id != "depth_too_shallow_mm" ? fastOr(Rule::TooDeepFast, Rule::TooDeep, deep)
+                                                               : Finding{Rule::TooShallow, shallow};
+    if (isOneOf(id, {"undercut_", "ideal_cut", "target_removed"}))
+        return Finding{Rule::NotAllCut, id == "undercut_percent" ? value : std::max(0.0, 100.0 - value)};
+    const auto [beyond, behind] = outlineOf(measured);
+    if (isOneOf(id, {"outline_over", "overcut_", "leeway_sides", "container_sides"}))
+        return Finding{Rule::OutlineBeyond, beyond};
+    if (id.starts_with("outline_"))
+        return beyond >= behind && id != "outline_under_mm" ? Finding{Rule::OutlineBeyond, beyond}
+                                                            : Finding{Rule::OutlineShort, behind};
+    if (id == "isthmus_error_mm")
+        return Finding{value > 0.0 ? Rule::IsthmusWide : Rule::IsthmusNarrow, std::abs(value)};
+    for (const auto& [prefix, rule] : kByMeasure)
+        if (id.starts_with(prefix))
+            return Finding{rule, std::abs(value)};
+    return std::nullopt;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace lessons {
 struct Advice
 {
     enum class Rule : std::uint8_t {
-        TooLittleDone,  ///< a criterion cannot be judged yet; amount: the share that was reached, of `once`
+        TooLittleDone,  ///< a criterion cannot be judged yet; amount: what was measured of its condition
         Perforated,
         PulpOpenedFast,  ///< amount: feed, mm/s
         PulpOpened,
@@ -45,7 +45,7 @@ struct Advice
     Rule rule = Rule::TooLittleDone;
     std::size_t criterion = 0;     ///< index in the sheet
     double amount = 0.0;           ///< as the rule says
-    std::optional<Moment> moment;  ///< when most was lost; nothing: by no single moment, or not found yet
+    std::optional<Moment> moment;  ///< when most was lost; empty: no single moment caused it, or it is not found yet
     bool operator==(const Advice&) const = default;
 };
 
@@ -53,8 +53,8 @@ struct Advice
 inline constexpr double kFastFeedMmPerS = 0.8;
 
 /// Finds what to do better: one piece of advice for each criterion that lost points and for which there is a rule.
-/// Critical errors come first, then what lost most. Pure; any thread.
-/// @param moments  of the criteria of the sheet, in their order; empty while they are not known
+/// Critical errors come first, then the criterion that lost most. Pure; any thread.
+/// @param moments  the moments of each criterion of the sheet; empty while they are not known
 [[nodiscard]] std::vector<Advice> adviceOn(const ScoreSheet& sheet, const core::grading::Measured& measured,
                                            const std::vector<std::vector<Moment>>& moments);
 

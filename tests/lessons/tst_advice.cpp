@@ -128,9 +128,6 @@ private slots:
         row("half of it left", Rule::NotAllCut, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
             return at.x > 0.0 ? a.anatomy->top[k] : z;
         });
-        row("a small hole", Rule::NotAllCut, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
-            return glm::length(at) < 0.8 ? z : a.anatomy->top[k];
-        });
         row("a step in the floor", Rule::FloorUneven, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
             return isCut(a, k) && std::fmod(std::abs(at.x), 1.0) < 0.5 ? z + 0.5F : z;
         });

@@ -7,7 +7,7 @@
 
 namespace ui::study {
 
-/// Returns one or two sentences that tell a student what went wrong and what to do next time, in the current language.
+/// Returns what went wrong and what to do next time, as one or two sentences in the current language.
 [[nodiscard]] QString adviceWords(const ::lessons::Advice& advice, const ::lessons::Criterion& criterion);
 
 }  // namespace ui::study
