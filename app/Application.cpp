@@ -2187,7 +2187,7 @@ bool Application::play(const core::recording::Recording& recording, std::optiona
     } else {
         stopLoops();
         m_handAtRest = m_links.servo.latest();
-        m_ownView = m_window->view().camera();
+        m_window->view().storeCamera();
     }
     ++m_generation;
     m_replay = std::move(*replay);
@@ -2204,7 +2204,6 @@ bool Application::play(const core::recording::Recording& recording, std::optiona
     return true;
 }
 
-/// Plays the attempt that was graded from a little before that moment on.
 void Application::showMoment(double seconds)
 {
     if (m_opened)
@@ -2288,8 +2287,7 @@ void Application::stopReplay()
     for (core::session::TilePatch late; m_links.patches.tryPop(late);) {
     }
     m_window->showTooth(m_assignment.anatomy, m_ownGeneration, {});
-    if (m_ownView)
-        m_window->view().lookAs(*m_ownView);
+    m_window->view().restoreCamera();
     // A tooth that was taken a moment before the replay may still be on its way to the session.
     if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_assignment.anatomy)
         m_window->view().setHeights(own->top);

@@ -38,7 +38,6 @@
 #include "ui/render/Presenter.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/study/ScorePage.h"
-#include "ui/tooth/Camera.h"
 
 namespace app {
 
@@ -77,7 +76,7 @@ public:
     void show();
     [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
 
-    /// Plays the attempt that was graded, held a moment before this one: what led to it is seen when it goes on.
+    /// Plays the attempt that was graded last, from a little before this moment.
     void showMoment(double seconds);
 
 private:
@@ -185,8 +184,8 @@ private:
     void rebuildUnfinished(int load);
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
-    /// @param momentS  it is played from a little before this moment; nothing: from its beginning
-    /// @returns whether it is played; else it was said why not
+    /// @param momentS  plays from a little before this moment; empty: from the beginning
+    /// @returns false if it cannot be played; the window then shows why
     bool play(const core::recording::Recording& recording, std::optional<double> momentS = {},
               const QString& whose = {});
     void playOpened(std::optional<double> momentS);
@@ -302,7 +301,6 @@ private:
     std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by what it is seen in
     bool m_isTakenUp = false;                   ///< it was not finished when it was left
     QTimer m_demoBeat;
-    std::optional<ui::tooth::Camera> m_ownView;  ///< from where the student looked before a replay
     std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
     core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began

@@ -205,6 +205,11 @@ core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
     return Assigned{std::move(*assignment), std::move(built->report)};
 }
 
+bool isSameLesson(const Assignment& a, const Assignment& b)
+{
+    return a.lesson && b.lesson && a.lesson->id == b.lesson->id && a.lesson->exam == b.lesson->exam;
+}
+
 double depthToCutMm(const Assignment& assignment)
 {
     constexpr double kUsualMm = 1.5;

@@ -58,6 +58,9 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 ///               recording, so that every replay asks the same
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
+/// Returns whether two assignments are of the same lesson, both in practice or both as an exam. False without a lesson.
+[[nodiscard]] bool isSameLesson(const Assignment& a, const Assignment& b);
+
 /// Returns the depth that the depth stop starts with, mm below the original surface. For a Class I or II, it is the
 /// depth of the occlusal floor below the groove, where the bur enters; otherwise the median over the columns of the
 /// ideal floor, or 1.5 if no ideal is shown.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -101,19 +102,20 @@ struct LeewayZone
     bool operator==(const LeewayZone&) const = default;
 };
 
-/// What the program can see of an attempt: a step that asks for it ends by itself.
+/// What the program can notice during an attempt. A step that waits for it ends by itself.
 enum class Reached : std::uint8_t {
     DecayFound,    ///< the bur has removed some decay
     Junction,      ///< the bur has removed some dentin
     DecayRemoved,  ///< at most 1 % of the decay is left
 };
+inline constexpr std::size_t kReachedCount = 3;
 
-/// A step of the work, with a hint for who asks.
+/// A step of the work, with a hint on request.
 struct Step
 {
     LocalText text;
     LocalText hint;
-    std::optional<Reached> doneWhen = {};               ///< nothing: the student goes on
+    std::optional<Reached> doneWhen = {};               ///< empty: the student goes on with the arrow
     std::optional<core::guidance::Landmark> mark = {};  ///< marked on the tooth while the step is shown
     bool operator==(const Step&) const = default;
 };
@@ -164,5 +166,24 @@ struct Lesson
     std::string json;       ///< the whole lesson as one JSON text, rubric included: what a recording keeps
     bool operator==(const Lesson&) const = default;
 };
+
+/// What the student removes, if the program shows how much of it is left.
+enum class ShownTarget : std::uint8_t { Decay, Ideal, Nothing };
+
+/// Returns what is shown in a lesson.
+/// @param lesson  null: practice without a lesson, which is on decay
+[[nodiscard]] inline ShownTarget shownTarget(const Lesson* lesson)
+{
+    // In an exam without aids, the amount of decay that is left would show when to stop.
+    if (lesson != nullptr && ((lesson->exam && lesson->aids == Aids::none()) || isExercise(lesson->task)))
+        return ShownTarget::Nothing;
+    return lesson == nullptr || lesson->task == Task::RemoveDecay ? ShownTarget::Decay : ShownTarget::Ideal;
+}
+
+/// Returns whether a lesson is on a block whose layers do not matter. Its material is called "block" on the screen.
+[[nodiscard]] inline bool isOnPlainBlock(const Lesson& lesson)
+{
+    return std::holds_alternative<Block>(lesson.tooth) && lesson.task != Task::TellLayers;
+}
 
 }  // namespace lessons

@@ -44,34 +44,23 @@ private slots:
 
     void itGoesOnByItselfWhereTheProgramKnows()
     {
-        using lessons::Reached;
+        using core::terrain::Material;
         lessons::Lesson lesson = threeSteps();
-        lesson.steps[0].doneWhen = Reached::DecayFound;
-        lesson.steps[1].doneWhen = Reached::Junction;
+        lesson.steps[0].doneWhen = lessons::Reached::DecayFound;
+        lesson.steps[1].doneWhen = lessons::Reached::Junction;
         m_strip->setLesson(lesson);
-        m_strip->follow({Reached::Junction});
+        const core::terrain::PerMaterial whole{10.0, 10.0, 10.0, 10.0};
+        core::terrain::PerMaterial removed{};
+        removed[static_cast<std::size_t>(Material::Dentin)] = 1.0;
+        m_strip->follow(whole, removed);
         QCOMPARE(words(), QString("First"));
-        m_strip->follow({Reached::Junction, Reached::DecayFound});
+        removed[static_cast<std::size_t>(Material::Caries)] = 1.0;
+        m_strip->follow(whole, removed);
         QCOMPARE(words(), QString("Third"));
-        // Who goes back stays there while nothing new is reached.
+        // A student who goes back stays there while nothing new is reached.
         arrow("Previous step").click();
-        m_strip->follow({Reached::Junction, Reached::DecayFound});
+        m_strip->follow(whole, removed);
         QCOMPARE(words(), QString("Second"));
-    }
-
-    void itTellsThePlaceThatTheStepNames()
-    {
-        using core::guidance::Landmark;
-        lessons::Lesson lesson = threeSteps();
-        lesson.steps[1].mark = Landmark::RidgesToKeep;
-        const QSignalSpy shown(m_strip.get(), &LessonStrip::stepShown);
-        m_strip->setLesson(lesson);
-        QVERIFY(!m_strip->mark());
-        arrow("Next step").click();
-        QCOMPARE(m_strip->mark(), Landmark::RidgesToKeep);
-        QVERIFY(shown.count() >= 2);
-        m_strip->conclude(LessonStrip::Ending::WithScore);
-        QVERIFY(!m_strip->mark());
     }
 
     void practiceSaysWhatToDo()
@@ -85,10 +74,10 @@ private slots:
         const QString first = words();
         QVERIFY(first.contains("decay"));
         removed[decay] = 5.0;
-        m_strip->follow(ui::study::reachedBy(whole, removed));
+        m_strip->follow(whole, removed);
         QCOMPARE(words(), first);
         removed[decay] = 9.95;
-        m_strip->follow(ui::study::reachedBy(whole, removed));
+        m_strip->follow(whole, removed);
         QVERIFY(words() != first);
     }
 

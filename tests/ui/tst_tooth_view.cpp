@@ -51,7 +51,7 @@ private slots:
         m_view->setLeftHanded(false);
         m_view->setDrillOn(false);
         // The view shows a new force beside the bur for some time.
-        if (m_view->pushForce() != PointerControl::kFirstN)
+        if (m_view->hand().forceN() != PointerControl::kFirstN)
             m_view->setPushForce(PointerControl::kFirstN);
         m_view->setTooth(m_tooth, m_generation += 10);
         click(Qt::Key_Home);
@@ -257,17 +257,17 @@ private slots:
         const double far = m_view->camera().distanceMm();
         wheel(2, Qt::NoModifier);
         QTRY_VERIFY(m_view->camera().distanceMm() < 0.9 * far);
-        QSignalSpy changed(m_view.get(), &ToothView::pushForceChanged);
+        QSignalSpy changed(m_view.get(), &ToothView::handChanged);
         wheel(3, Qt::ControlModifier);
-        QVERIFY(near(m_view->pushForce(), PointerControl::kFirstN + 0.3));
+        QVERIFY(near(m_view->hand().forceN(), PointerControl::kFirstN + 0.3));
         QVERIFY(near(pointer().pushForceN, PointerControl::kFirstN + 0.3));
         QCOMPARE(changed.count(), 1);
         wheel(-100, Qt::ControlModifier);
-        QCOMPARE(m_view->pushForce(), PointerControl::kWeakestN);
+        QCOMPARE(m_view->hand().forceN(), PointerControl::kWeakestN);
         wheel(-1, Qt::ControlModifier);
         QCOMPARE(changed.count(), 2);
         click(Qt::Key_Period);
-        QVERIFY(near(m_view->pushForce(), 0.3));
+        QVERIFY(near(m_view->hand().forceN(), 0.3));
     }
 
     void doubleClickResetsTheView()

@@ -239,11 +239,11 @@ private slots:
         auto* line = child<QLineEdit>("consoleLine");
         line->setText(QStringLiteral("list"));
         QTest::keyClick(line, Qt::Key_Return);
-        const double usualN = m_window->view().pushForce();
+        const double usualN = m_window->view().hand().forceN();
         m_window->view().setPushForce(usualN + 1.0);
         m_window->view().setFeed(2.0);
         m_window->leaveAll();
-        QCOMPARE(m_window->view().pushForce(), usualN);
+        QCOMPARE(m_window->view().hand().forceN(), usualN);
         QCOMPARE(m_window->view().hand().feedMmPerS(), ui::tooth::PointerControl::kFirstMmPerS);
         QVERIFY(!console->isVisible());
         QVERIFY(child<ui::console::WatchPanel>()->names().isEmpty());

@@ -127,30 +127,24 @@ void registerSwitch(Parameters& parameters, const char* name, QAction* action, b
     parameters.add(std::move(parameter));
 }
 
-void registerFeed(Parameters& parameters, std::function<double()> read, std::function<void(double mmPerS)> write)
+void registerHand(Parameters& parameters, const tooth::PointerControl& hand,
+                  const std::function<void(double mmPerS)>& setFeed, const std::function<void(double newtons)>& setPush)
 {
     using tooth::PointerControl;
+    const auto written = [](const std::function<void(double)>& set) {
+        return [set](double value) {
+            set(value);
+            return std::string();
+        };
+    };
     parameters.add(
-        {"hand.feed", "mm/s", PointerControl::kSlowestMmPerS, PointerControl::kFastestMmPerS, false, std::move(read),
-         [] { return PointerControl::kFirstMmPerS; },
-         [write = std::move(write)](double mmPerS) {
-             write(mmPerS);
-             return std::string();
-         },
+        {"hand.feed", "mm/s", PointerControl::kSlowestMmPerS, PointerControl::kFastestMmPerS, false,
+         [&hand] { return hand.feedMmPerS(); }, [] { return PointerControl::kFirstMmPerS; }, written(setFeed),
          [] { return RegistrationWords::tr("Feed").toStdString(); },
          [] { return RegistrationWords::tr("How fast the bur goes down at most while you press.").toStdString(); }});
-}
-
-void registerPush(Parameters& parameters, std::function<double()> read, std::function<void(double newtons)> write)
-{
-    using tooth::PointerControl;
     parameters.add(
-        {"hand.push", "N", PointerControl::kWeakestN, PointerControl::kStrongestN, false, std::move(read),
-         [] { return PointerControl::kFirstN; },
-         [write = std::move(write)](double newtons) {
-             write(newtons);
-             return std::string();
-         },
+        {"hand.push", "N", PointerControl::kWeakestN, PointerControl::kStrongestN, false,
+         [&hand] { return hand.forceN(); }, [] { return PointerControl::kFirstN; }, written(setPush),
          [] { return RegistrationWords::tr("Push").toStdString(); },
          [] {
              return RegistrationWords::tr("How hard the mouse button presses the bur against the tooth.").toStdString();

@@ -11,6 +11,10 @@
 #include "core/settings/FeelPreset.h"
 #include "core/settings/Parameters.h"
 
+namespace ui::tooth {
+class PointerControl;
+}
+
 /// What the window has for the console and the page of settings. Ui thread.
 namespace ui::console {
 
@@ -45,13 +49,11 @@ void registerFeel(core::settings::Parameters& parameters, const std::function<co
 /// @param initially  whether it is on where nobody has touched it
 void registerSwitch(core::settings::Parameters& parameters, const char* name, QAction* action, bool initially = false);
 
-/// "hand.feed": how fast the bur goes down at most while the mouse button is pressed.
-void registerFeed(core::settings::Parameters& parameters, std::function<double()> read,
-                  std::function<void(double mmPerS)> write);
-
-/// "hand.push": how hard a mouse presses.
-void registerPush(core::settings::Parameters& parameters, std::function<double()> read,
-                  std::function<void(double newtons)> write);
+/// "hand.feed": how fast the bur goes down at most while the mouse button is pressed. "hand.push": how hard it presses.
+/// @param hand  must outlive the parameters
+void registerHand(core::settings::Parameters& parameters, const tooth::PointerControl& hand,
+                  const std::function<void(double mmPerS)>& setFeed,
+                  const std::function<void(double newtons)>& setPush);
 
 /// What may be told of the bur's work, as in the panel beside the tooth.
 struct Told

@@ -32,7 +32,7 @@ int stepsOf(double value, double step)
 
 }  // namespace
 
-HandControls::HandControls(QWidget* parent) : QWidget(parent)
+HandControls::HandControls(tooth::ToothView& view, QWidget* parent) : QWidget(parent), m_view(view)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -67,6 +67,10 @@ HandControls::HandControls(QWidget* parent) : QWidget(parent)
         addRow(2, push, "pushForce", PointerControl::kWeakestN, PointerControl::kStrongestN, PointerControl::kStepN);
     feed->setBuddy(m_feed);
     push->setBuddy(m_push);
+    bool isNumber = false;
+    const double kept = memory().value(QLatin1String(kFeedKey)).toDouble(&isNumber);
+    if (isNumber && kept >= PointerControl::kSlowestMmPerS && kept <= PointerControl::kFastestMmPerS)
+        m_view.setFeed(kept);
     text::inEveryLanguage(this, [this, feed, push] {
         feed->setText(tr("Feed"));
         m_feed->setAccessibleName(tr("Feed, millimetres per second"));
@@ -82,62 +86,42 @@ HandControls::HandControls(QWidget* parent) : QWidget(parent)
             slider->setStatusTip(slider->toolTip());
         showHand();
     });
-}
-
-void HandControls::control(tooth::ToothView& view)
-{
-    m_view = &view;
-    bool isNumber = false;
-    const double kept = memory().value(QLatin1String(kFeedKey)).toDouble(&isNumber);
-    if (isNumber && kept >= PointerControl::kSlowestMmPerS && kept <= PointerControl::kFastestMmPerS)
-        m_view->setFeed(kept);
     connect(m_feed, &QSlider::valueChanged, this, [this](int steps) { setFeed(steps * PointerControl::kStepMmPerS); });
     connect(m_stop, &QSlider::valueChanged, this,
-            [this](int steps) { setStop(m_stopOn->isChecked(), steps * PointerControl::kStepMm); });
-    connect(m_stopOn, &QCheckBox::toggled, this, [this](bool on) { setStop(on, m_view->hand().stopDepthMm()); });
+            [this](int steps) { m_view.setDepthStop(m_stopOn->isChecked(), steps * PointerControl::kStepMm); });
+    connect(m_stopOn, &QCheckBox::toggled, this,
+            [this](bool on) { m_view.setDepthStop(on, m_view.hand().stopDepthMm()); });
     connect(m_push, &QSlider::valueChanged, this,
-            [this](int steps) { m_view->setPushForce(steps * PointerControl::kStepN); });
-    connect(m_view, &tooth::ToothView::pushForceChanged, this, &HandControls::showHand);
-    connect(m_view, &tooth::ToothView::depthStopChanged, this, &HandControls::showHand);
-    showHand();
+            [this](int steps) { m_view.setPushForce(steps * PointerControl::kStepN); });
+    connect(&m_view, &tooth::ToothView::handChanged, this, &HandControls::showHand);
 }
 
 void HandControls::begin(bool stopIsAllowed, double depthMm)
 {
     m_stopOn->setEnabled(stopIsAllowed);
-    setStop(stopIsAllowed, depthMm);
-}
-
-void HandControls::setStop(bool on, double depthMm)
-{
-    m_view->setDepthStop(on, depthMm);
-    showHand();
+    m_view.setDepthStop(stopIsAllowed, depthMm);
 }
 
 void HandControls::setFeed(double mmPerS)
 {
-    m_view->setFeed(mmPerS);
-    memory().setValue(QLatin1String(kFeedKey), m_view->hand().feedMmPerS());
-    showHand();
+    m_view.setFeed(mmPerS);
+    memory().setValue(QLatin1String(kFeedKey), m_view.hand().feedMmPerS());
 }
 
 void HandControls::reset()
 {
     setFeed(PointerControl::kFirstMmPerS);
-    m_view->setPushForce(PointerControl::kFirstN);
-    showHand();
+    m_view.setPushForce(PointerControl::kFirstN);
 }
 
 double HandControls::pushForce() const
 {
-    return m_view != nullptr ? m_view->pushForce() : PointerControl::kFirstN;
+    return m_view.hand().forceN();
 }
 
 void HandControls::showHand()
 {
-    if (m_view == nullptr)
-        return;
-    const PointerControl& hand = m_view->hand();
+    const PointerControl& hand = m_view.hand();
     const QSignalBlocker silent[]{QSignalBlocker(m_feed), QSignalBlocker(m_stop), QSignalBlocker(m_stopOn),
                                   QSignalBlocker(m_push)};
     m_feed->setValue(stepsOf(hand.feedMmPerS(), PointerControl::kStepMmPerS));

@@ -19,23 +19,22 @@ class HandControls : public QWidget
 {
     Q_OBJECT
 public:
-    explicit HandControls(QWidget* parent);
+    /// @param view  the sliders set its hand and show what it is set to; must outlive this
+    HandControls(tooth::ToothView& view, QWidget* parent);
 
-    /// Connects the sliders with the hand of a view, both ways. Call this once.
-    void control(tooth::ToothView& view);
-    /// Switches the depth stop on at this depth. If it is not allowed, as in an exam, switches it off for good.
+    /// Sets the depth stop for a lesson: switched on at this depth or, where it is not allowed, switched off and
+    /// disabled.
     void begin(bool stopIsAllowed, double depthMm);
-    /// Sets the feed, and remembers it from run to run.
+    /// Sets the feed, and stores it for the next run of the program.
     void setFeed(double mmPerS);
     /// Restores the default feed and force.
     void reset();
     [[nodiscard]] double pushForce() const;
 
 private:
-    void setStop(bool on, double depthMm);
     void showHand();
 
-    tooth::ToothView* m_view = nullptr;
+    tooth::ToothView& m_view;
     QSlider* m_feed = nullptr;
     QCheckBox* m_stopOn = nullptr;
     QSlider* m_stop = nullptr;

@@ -32,7 +32,6 @@
 #include <QToolButton>
 
 #include "core/drilling/Bur.h"
-#include "core/guidance/Landmarks.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
@@ -69,7 +68,6 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/shell/ViewMenu.h"
-#include "ui/study/ExamQuestion.h"
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
 #include "ui/study/InfractionCard.h"
@@ -116,24 +114,6 @@ QString droppedFile(const QMimeData* data)
 {
     const QList<QUrl> urls = data->urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
-}
-
-/// What the panel tells of the work; null: of a tooth that is practised on.
-SidePanel::Asked askedOf(const lessons::Lesson* lesson)
-{
-    // In an exam without aids, how much decay is left would tell when to stop.
-    if (lesson != nullptr && lesson->exam && lesson->aids == lessons::Aids::none())
-        return SidePanel::Asked::Nothing;
-    if (lesson == nullptr || lesson->task == lessons::Task::RemoveDecay)
-        return SidePanel::Asked::Decay;
-    return lessons::isExercise(lesson->task) ? SidePanel::Asked::Nothing : SidePanel::Asked::Ideal;
-}
-
-/// A block whose layers are not what is practised: it is called a block, and not enamel and dentin.
-bool isPracticeBlock(const lessons::Lesson* lesson)
-{
-    return lesson != nullptr && std::holds_alternative<lessons::Block>(lesson->tooth) &&
-           lesson->task != lessons::Task::TellLayers;
 }
 
 /// The direction from a place to the nearest column that is to be cut, seen from above; nothing where nothing is.
@@ -209,11 +189,11 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_lessonsPage, &study::LessonsPage::lessonChosen, this, [this](const lessons::Lesson& lesson) {
-        beginLesson(lesson, [this, lesson] {
-            goTo(m_room);
-            leaveWork([this, lesson] { emit lessonChosen(lesson); });
-        });
+        goTo(m_room);
+        leaveWork([this, lesson] { emit lessonChosen(lesson); });
     });
+    connect(m_lessonsPage, &study::LessonsPage::examAsked, this,
+            [this](const QuestionCard::Question& card) { ask("examQuestion", card); });
     connect(m_lessonsPage, &study::LessonsPage::resumeWanted, this, &MainWindow::resumeUnfinished);
     connect(m_lessonsPage, &study::LessonsPage::feedbackWanted, this, &MainWindow::feedbackWanted);
     connect(m_lessonsPage, &study::LessonsPage::discardWanted, this, &MainWindow::discardUnfinished);
@@ -439,10 +419,8 @@ void MainWindow::startAgain()
     if (m_examIsOver && !m_isGraded && hasWork) {
         goTo(m_room);
         showMessage(tr("This exam is over but not graded yet. Press G to grade it."));
-    } else if (isExam()) {
-        beginLesson(*m_assignment->lesson, [this] { emit attemptAgainWanted(); });
-    } else if (m_exerciseCard->isVisibleTo(m_room)) {
-        emit attemptAgainWanted();
+    } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
+        m_lessonsPage->begin(*m_assignment->lesson, [this] { emit attemptAgainWanted(); });
     } else if (m_isGraded) {
         leaveWork([this] { emit attemptAgainWanted(); });
     } else {
@@ -453,15 +431,6 @@ void MainWindow::startAgain()
                              send(core::session::Undo{});
                          }});
     }
-}
-
-/// An exam begins with a card. Its clock starts when its tooth is there.
-void MainWindow::beginLesson(const lessons::Lesson& lesson, const std::function<void()>& begin)
-{
-    if (lesson.exam)
-        ask("examQuestion", study::examQuestion(lesson, m_lessonsPage->attemptsWords(lesson.id), begin));
-    else
-        begin();
 }
 
 void MainWindow::showBegunAnew()
@@ -891,11 +860,8 @@ void MainWindow::registerParameters()
     console::registerSwitch(m_parameters, "view.hand_place", m_actions->handPlace);
     console::registerSwitch(m_parameters, "view.every_eye", m_actions->distinctColours);
     console::registerSwitch(m_parameters, "view.less_motion", m_actions->reducedMotion);
-    console::registerFeed(
-        m_parameters, [this] { return m_view->hand().feedMmPerS(); },
-        [this](double mmPerS) { m_room->panel().hand().setFeed(mmPerS); });
-    console::registerPush(
-        m_parameters, [this] { return m_view->pushForce(); },
+    console::registerHand(
+        m_parameters, m_view->hand(), [this](double mmPerS) { m_room->panel().hand().setFeed(mmPerS); },
         [this](double newtons) { m_view->setPushForce(newtons); });
     console::registerLive(
         m_parameters, [this] { return m_servo; }, m_periods,
@@ -1310,11 +1276,8 @@ void MainWindow::markExercise()
     if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
         for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
             marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
-    // The place that the step names.
-    const bool isAtWork = m_assignment && m_assignment->anatomy == m_tooth && m_ideal != nullptr && !m_replaying;
-    if (const auto named = m_room->lesson().mark(); named && isAtWork && !isExam())
-        for (const auto& [landmark, placeMm] : core::guidance::findLandmark(*named, *m_tooth, *m_ideal))
-            marks.points.push_back({placeMm, 0.0, false, study::landmarkName(landmark)});
+    if (m_assignment && m_assignment->anatomy == m_tooth && m_ideal != nullptr && !m_replaying && !isExam())
+        m_room->lesson().markPlaces(marks, *m_tooth, *m_ideal);
     const bool isUnseen = isBlindfolded();
     if (isUnseen) {
         const glm::dvec2 half(0.5 * core::teeth::kPadWidthMm, 0.5 * core::teeth::kPadLengthMm);
@@ -1448,7 +1411,6 @@ void MainWindow::connectView()
         m_stereoCard->hide();
         m_view->setFocus();
     });
-    m_room->panel().hand().control(*m_view);
 }
 
 void MainWindow::takeFrame(const core::session::ServoState& servo)
@@ -1534,7 +1496,7 @@ void MainWindow::takeSession()
     } else if (m_session.toothGeneration == m_ownGeneration) {
         if (m_assignment) {
             runClock();
-            m_room->lesson().follow(study::reachedBy(m_session.wholeMm3, m_session.removedMm3));
+            m_room->lesson().follow(m_session.wholeMm3, m_session.removedMm3);
         }
         m_room->history().follow(m_session.historyVersion);
     }
@@ -1760,8 +1722,8 @@ void MainWindow::goBack()
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
         return;
-    } else if (m_room->isNoticeVisible()) {
-        m_room->hideNotice();
+    } else if (m_room->hideNotice()) {
+        return;
     } else if (!m_watch->names().isEmpty()) {
         m_watch->forget({});
     } else if (isFullScreen()) {
@@ -2252,9 +2214,7 @@ QString MainWindow::workTitle() const
 
 void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
-    const bool isSame = m_assignment && m_assignment->lesson && assignment.lesson &&
-                        m_assignment->lesson->id == assignment.lesson->id &&
-                        m_assignment->lesson->exam == assignment.lesson->exam;
+    const bool isRepeated = m_assignment && lessons::isSameLesson(*m_assignment, assignment);
     m_assignment = assignment;
     m_trialCard->hide();
     m_isGraded = false;
@@ -2265,13 +2225,13 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_messages->withdraw(MessageBar::Topic::Lesson);
     setUsedUp(false);
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
-    m_room->panel().setAsked(askedOf(lessonShown()), isPracticeBlock(lessonShown()));
+    m_room->panel().setLesson(lessonShown());
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     m_viewMenu->showNeighbours(assignment.neighbours != nullptr);
-    if (!isSame)
+    if (!isRepeated)
         m_viewMenu->outlineIdeal(lessons::beginsWithOutline(assignment));
     showHistory();
     if (!assignment.lesson) {
@@ -2316,7 +2276,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     m_replayIdeal = std::move(ideal);
     m_replayLesson = std::move(lesson);
     m_replayWhose = whose;
-    m_room->panel().setAsked(askedOf(lessonShown()), isPracticeBlock(lessonShown()));
+    m_room->panel().setLesson(lessonShown());
     m_replayCourse = {};
     showRemarks();
     if (replaying)

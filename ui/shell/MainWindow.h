@@ -487,7 +487,6 @@ private:
     void showHistory();
     void restBur();
     void startAgain();
-    void beginLesson(const lessons::Lesson& lesson, const std::function<void()>& begin);
     void runClock();
     [[nodiscard]] bool isExam() const;
     [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;

@@ -34,7 +34,7 @@ namespace {
 constexpr int kNoticeMs = 8000;
 constexpr int kNoticeIconPx = 32;
 constexpr int kAccountPx = 110;       ///< widest name
-constexpr double kBurMovedPx = 16.0;  ///< overlays are placed anew after so much
+constexpr double kBurMovedPx = 16.0;  ///< overlays are placed again when the bur has moved so far
 constexpr int kSectionPercent = 27;
 constexpr int kUsualSectionPx = 344;
 constexpr int kNarrowestSectionPx = 300;
@@ -54,7 +54,7 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, tooth::To
     view->installEventFilter(this);
     connect(view, &tooth::ToothView::pressedChanged, this, &PracticeRoom::keepLayout);
     connect(view, &tooth::ToothView::frameAdvanced, this, &PracticeRoom::followBur);
-    m_panel = new SidePanel(actions, this);
+    m_panel = new SidePanel(actions, *view, this);
     m_section = new inside::SectionView(this);
     m_section->hide();
     m_lesson = new study::LessonStrip(this);
@@ -286,15 +286,12 @@ void PracticeRoom::showNotice(const QString& what, const QString& whatToDo)
     placeOverlays();
 }
 
-void PracticeRoom::hideNotice()
+bool PracticeRoom::hideNotice()
 {
+    const bool wasVisible = m_notice->isVisible();
     m_noticeTimer.stop();
     m_notice->hide();
-}
-
-bool PracticeRoom::isNoticeVisible() const
-{
-    return m_notice->isVisible();
+    return wasVisible;
 }
 
 void PracticeRoom::showRemark(const QString& words)
@@ -329,7 +326,7 @@ void PracticeRoom::keepLayout(bool kept)
     if (kept)
         return;
     fitSection();
-    layout()->update();  // what changed meanwhile
+    layout()->update();  // for changes during the press
 }
 
 /// A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth as
@@ -355,7 +352,7 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 {
     if ((watched == m_view || watched == m_beside) &&
         (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
-        m_areaIsNew = true;  // the view itself takes its size after this
+        m_areaIsNew = true;  // burAt() is right only after the view has handled the event
         placeOverlays();
         emit viewAreaChanged();
     }

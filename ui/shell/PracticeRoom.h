@@ -40,8 +40,8 @@ class ViewMenu;
 /// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
 /// buttons, the side panel the figures. Dark grey in either theme.
 ///
-/// While the tooth view is pressed, the room keeps its layout: what opens, closes or changes size takes its place after
-/// the release, so that the tooth never moves under the bur.
+/// While the tooth view is pressed, the room keeps its layout, so that the tooth never moves under the bur. Widgets
+/// that open, close or change their size meanwhile are placed after the release.
 class PracticeRoom : public QWidget
 {
     Q_OBJECT
@@ -70,8 +70,8 @@ public:
     void setHintVisible(bool visible);
     /// Tells of harm where it happens, over the tooth, for as long as it takes to read it.
     void showNotice(const QString& what, const QString& whatToDo);
-    void hideNotice();
-    [[nodiscard]] bool isNoticeVisible() const;
+    /// Returns whether there was a notice to hide.
+    bool hideNotice();
     /// What somebody remarked of the moment that is played, at the foot of the view; empty: nothing.
     void showRemark(const QString& words);
     void setReplaying(bool replaying);
@@ -81,9 +81,9 @@ public:
     void setSectionVisible(bool visible);
     /// Where the tooth is, in this widget's coordinates.
     [[nodiscard]] QRect viewArea() const;
-    /// Returns the place that overlays keep off, in this widget's coordinates: the bur while the view is pressed or a
-    /// recording is played, and afterwards where it was last. The pointer may be on its way to a card, and the card
-    /// must not move away from it.
+    /// Returns the place that overlays must not cover, in this widget's coordinates: the bur while the view is pressed
+    /// or a recording is played, and afterwards its last place. So a card does not move away from a pointer that comes
+    /// to it.
     [[nodiscard]] const std::optional<QPointF>& burPlace() const { return m_bur; }
 
 signals:
@@ -132,7 +132,7 @@ private:
     QTimer m_noticeTimer;
     bool m_hintWanted = true;
     std::optional<QPointF> m_bur;
-    bool m_areaIsNew = false;  ///< m_bur is from before the view was resized
+    bool m_areaIsNew = false;  ///< the view was resized after m_bur was set
 };
 
 }  // namespace ui::shell

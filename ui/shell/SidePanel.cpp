@@ -30,6 +30,7 @@ namespace ui::shell {
 namespace {
 
 using core::terrain::Material;
+using lessons::ShownTarget;
 
 constexpr int kWidthPx = 272;
 constexpr double kRpmStep = 1000.0;  ///< finer says nothing
@@ -64,7 +65,7 @@ QString dash()
 
 }  // namespace
 
-SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
+SidePanel::SidePanel(const Actions& actions, tooth::ToothView& view, QWidget* parent) : QFrame(parent)
 {
     setProperty("kind", "bar");
     text::inEveryLanguage(this, [this] { setAccessibleName(tr("Live figures and handpiece")); });
@@ -76,7 +77,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->setSpacing(kSpace2);
 
     column->addWidget(new DrillSwitch(actions.drill, content));
-    m_hand = new HandControls(content);
+    m_hand = new HandControls(view, content);
     column->addWidget(m_hand);
     column->addSpacing(kSpace1);
 
@@ -164,8 +165,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     addMaterial(Material::Enamel, "enamelRemoved");
     addMaterial(Material::Dentin, "dentinRemoved");
     TabularLabel* pulp = addMaterial(Material::Pulp, "pulpRemoved");
-    // Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay. It is no tissue
-    // beside the others, so it is a line of its own.
+    // The part of the removed enamel and dentin that the grade counts: it leaves out what lies vertically above the
+    // decay. A line of its own, because it is not another tissue.
     volumes->addSpacing(kSpace1);
     m_overcutWords = new QLabel(content);
     m_overcut = addVolume(nullptr, m_overcutWords, "overcut");
@@ -197,7 +198,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         bur->setText(tr("Bur"));
         m_rpm->setToolTip(
             brokenIntoLines(tr("Speed of the bur in revolutions per minute. Load slows it down until it stalls")));
-        setAsked(m_asked, m_isBlock);
+        nameFigures();
         // The newest figures come with the next frame.
         m_sinceWords.invalidate();
         setFigures({}, {}, {});
@@ -265,11 +266,11 @@ void SidePanel::showFigures()
 {
     for (QWidget* telling : {m_material.block, m_removedBlock})
         telling->setVisible(!m_blindfold);
-    const bool tells = m_asked != Asked::Nothing && !m_blindfold;
+    const bool tells = m_target != ShownTarget::Nothing && !m_blindfold;
     m_depth.block->setVisible(m_tellsDepth && tells);
     m_decay.block->setVisible(tells);
     m_overcutRow->setVisible(tells);
-    // They come and go with their values, and leave the others where they are.
+    // A figure without a value is hidden and keeps its place, so that the other figures do not move.
     const auto show = [](const Figure& figure, bool isTold, bool hasValue) {
         QSizePolicy policy = figure.block->sizePolicy();
         policy.setRetainSizeWhenHidden(isTold);
@@ -280,7 +281,7 @@ void SidePanel::showFigures()
     show(m_margin, tells, m_hasMargin);
     for (const Material material : {Material::Dentin, Material::Pulp})
         m_removed.at(at(material))->parentWidget()->setVisible(!m_isBlock);
-    for (QWidget* swatch : {m_swatch, m_enamelSwatch})  // of tissues
+    for (QWidget* swatch : {m_swatch, m_enamelSwatch})
         swatch->setVisible(!m_isBlock);
 }
 
@@ -341,7 +342,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     }
 
     const double decay = session.wholeMm3.at(at(Material::Caries));
-    if (m_asked != Asked::Decay) {
+    if (m_target != ShownTarget::Decay) {
         // setGuide() tells
     } else if (decay > 0.0) {
         const double left = 100.0 * std::max(0.0, decay - session.removedMm3.at(at(Material::Caries))) / decay;
@@ -358,7 +359,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         value->setText(text::number(removed, 2), QStringLiteral("mm³"));
         value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
     }
-    if (m_asked == Asked::Decay)
+    if (m_target == ShownTarget::Decay)
         m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 
     // The figure tells of a clamped force; a sentence would come and go many times a second.
@@ -375,13 +376,18 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     }
 }
 
-void SidePanel::setAsked(Asked asked, bool isBlock)
+void SidePanel::setLesson(const lessons::Lesson* lesson)
 {
-    m_asked = asked;
-    m_isBlock = isBlock;
+    m_target = lessons::shownTarget(lesson);
+    m_isBlock = lesson != nullptr && lessons::isOnPlainBlock(*lesson);
+    nameFigures();
+}
+
+void SidePanel::nameFigures()
+{
     for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp})
         m_removedNames.at(at(material))->setText(nameOf(material));
-    const bool isDecay = asked == Asked::Decay;
+    const bool isDecay = m_target == ShownTarget::Decay;
     //: Of what is to be taken away: decay, or the preparation that is asked for
     name(m_decay, isDecay ? tr("Decay left") : tr("Still to cut"));
     m_overcutWords->setText(text::capitalised(isDecay ? tr("beside the decay") : tr("beyond the ideal")));
@@ -404,7 +410,7 @@ void SidePanel::setGuide(const std::optional<double>& marginMm, const std::optio
         m_hasMargin = !m_hasMargin;
         showFigures();
     }
-    if (m_asked == Asked::Decay)
+    if (m_target == ShownTarget::Decay)
         return;
     if (progress && progress->askedMm3 > 0.0) {
         const double left = 100.0 * progress->leftMm3 / progress->askedMm3;

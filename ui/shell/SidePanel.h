@@ -9,10 +9,15 @@
 #include "core/guidance/Margin.h"
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
+#include "lessons/Lesson.h"
 #include "ui/render/Look.h"
 
 class QLabel;
 class QBoxLayout;
+
+namespace ui::tooth {
+class ToothView;
+}
 
 namespace ui::shell {
 
@@ -28,15 +33,15 @@ class SidePanel : public QFrame
 {
     Q_OBJECT
 public:
-    SidePanel(const Actions& actions, QWidget* parent);
+    /// @param view  the panel controls its hand; must outlive the panel
+    SidePanel(const Actions& actions, tooth::ToothView& view, QWidget* parent);
 
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
     void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
                     const core::imaging::DepthReading& reading);
-    /// What is asked for: decay to come out, a preparation to be cut, or nothing that is cut.
-    enum class Asked { Decay, Ideal, Nothing };
-    /// @param isBlock  the work is a practice block: its material is called "block"
-    void setAsked(Asked asked, bool isBlock = false);
+    /// Sets the lesson, which decides what is shown about the work.
+    /// @param lesson  null: practice without a lesson
+    void setLesson(const lessons::Lesson* lesson);
     /// How near the bur is to what is to be kept, and how far the work has come against the ideal; nothing where it is
     /// not to be told.
     void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
@@ -49,6 +54,7 @@ public:
     [[nodiscard]] HandControls& hand() { return *m_hand; }
 
 private:
+    void nameFigures();
     void showFigures();
     [[nodiscard]] QString nameOf(core::terrain::Material material) const;
     struct Figure
@@ -70,7 +76,7 @@ private:
     Figure m_decay{};
     Figure m_margin{};
     QLabel* m_overcutWords = nullptr;
-    Asked m_asked = Asked::Decay;
+    lessons::ShownTarget m_target = lessons::ShownTarget::Decay;
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
@@ -83,7 +89,7 @@ private:
     QWidget* m_removedBlock = nullptr;
     bool m_isBlock = false;
     bool m_hasDentin = false;  ///< m_dentin has a value
-    bool m_hasMargin = false;  ///< m_margin has one
+    bool m_hasMargin = false;  ///< m_margin has a value
     bool m_tellsDepth = true;
     bool m_tellsDentin = true;
     bool m_blindfold = false;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -24,7 +25,40 @@ using namespace ui::shell;
 constexpr double kSecondsAMinute = 60.0;
 constexpr double kSoonS = 60.0;
 constexpr double kSomeMm3 = 0.01;        ///< more than the bur takes by accident
-constexpr double kDecayLeftMost = 0.01;  ///< of the lesion
+constexpr double kDecayLeftMost = 0.01;  ///< share of the lesion
+
+using core::guidance::Landmark;
+
+/// Returns whether each of lessons::Reached has been reached, in their order.
+std::array<bool, ::lessons::kReachedCount> reachedOn(const core::terrain::PerMaterial& wholeMm3,
+                                                     const core::terrain::PerMaterial& removedMm3)
+{
+    constexpr auto kCaries = static_cast<std::size_t>(core::terrain::Material::Caries);
+    constexpr auto kDentin = static_cast<std::size_t>(core::terrain::Material::Dentin);
+    const double decay = wholeMm3[kCaries];
+    return {removedMm3[kCaries] > kSomeMm3, removedMm3[kDentin] > kSomeMm3,
+            decay > 0.0 && decay - removedMm3[kCaries] <= kDecayLeftMost * decay};
+}
+
+QString landmarkName(Landmark landmark)
+{
+    switch (landmark) {
+    case Landmark::CentralPit:
+        return QCoreApplication::translate("Landmark", "central pit");
+    case Landmark::MesialPit:
+        return QCoreApplication::translate("Landmark", "mesial pit");
+    case Landmark::DistalPit:
+        return QCoreApplication::translate("Landmark", "distal pit");
+    case Landmark::MesialRidge:
+        return QCoreApplication::translate("Landmark", "mesial marginal ridge");
+    case Landmark::DistalRidge:
+        return QCoreApplication::translate("Landmark", "distal marginal ridge");
+    case Landmark::RidgesToKeep:
+    case Landmark::RidgesToCut:
+        break;
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -55,7 +89,7 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_text->setFont(typeface(kBody, QFont::Medium));
     m_text->setObjectName(QStringLiteral("lessonStep"));
-    // Two lines always: a step that goes on by itself must not move the tooth.
+    // There is always room for two lines, so that the tooth does not move when a longer step is shown.
     m_text->setMinimumHeight(m_text->fontMetrics().size(0, QStringLiteral("M\nM")).height());
     m_hint = new QPushButton(this);
     text::inEveryLanguage(m_hint, [this] { m_hint->setText(tr("Hint")); });
@@ -92,7 +126,7 @@ void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
     m_lesson = lesson;
     m_isPractice = false;
     m_step = 0;
-    m_reached.clear();
+    m_reached = {};
     m_isConcluded = false;
     m_hint->setChecked(false);
     showStep();
@@ -110,20 +144,23 @@ void LessonStrip::setPractice()
     showStep();
 }
 
-std::optional<core::guidance::Landmark> LessonStrip::mark() const
+void LessonStrip::markPlaces(tooth::ExerciseMarks& marks, const core::terrain::ToothAnatomy& tooth,
+                             const std::vector<float>& ideal) const
 {
-    if (m_isConcluded || m_lesson.steps.empty())
-        return std::nullopt;
-    return m_lesson.steps[m_step].mark;
+    if (m_lesson.steps.empty() || !m_lesson.steps[m_step].mark)
+        return;
+    for (const auto& [landmark, placeMm] : core::guidance::findLandmark(*m_lesson.steps[m_step].mark, tooth, ideal))
+        marks.points.push_back({placeMm, 0.0, false, landmarkName(landmark)});
 }
 
-void LessonStrip::follow(const std::set<::lessons::Reached>& reached)
+void LessonStrip::follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3)
 {
+    const auto reached = reachedOn(wholeMm3, removedMm3);
     if (std::exchange(m_reached, reached) == reached || m_isConcluded)
         return;
     std::size_t step = m_step;
     while (step + 1 < m_lesson.steps.size() && m_lesson.steps[step].doneWhen &&
-           reached.contains(*m_lesson.steps[step].doneWhen))
+           reached.at(static_cast<std::size_t>(*m_lesson.steps[step].doneWhen)))
         ++step;
     if (step != m_step)
         goTo(step);
@@ -137,7 +174,7 @@ QString LessonStrip::stepWords() const
                        : tr("The decay is out. Press G for the score.");
 }
 
-/// A hint is for who asks for it, at each step anew.
+/// Each step begins without its hint.
 void LessonStrip::goTo(std::size_t step)
 {
     m_step = step;
@@ -152,7 +189,7 @@ void LessonStrip::showStep()
     for (QWidget* part :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_number)})
         part->setVisible(count > 1);
-    // At either end one arrow rests; who has come there with the keys goes on with the other.
+    // At the first and the last step one arrow is disabled. If it has the focus, the other arrow takes it.
     const bool hadKeys = m_before->hasFocus() || m_next->hasFocus();
     m_before->setEnabled(m_step > 0);
     m_next->setEnabled(m_step + 1 < count);
@@ -209,25 +246,6 @@ void LessonStrip::setTime(double workedS)
     m_time->setToolTip(tr("Remaining time of %1").arg(timeWords(m_lesson)));
     if (leftS < 0.0 && !std::exchange(m_overSaid, true))
         emit timeOver();
-}
-
-std::set<::lessons::Reached> reachedBy(const core::terrain::PerMaterial& wholeMm3,
-                                       const core::terrain::PerMaterial& removedMm3)
-{
-    using ::lessons::Reached;
-    const auto of = [](const core::terrain::PerMaterial& volumes, core::terrain::Material material) {
-        return volumes[static_cast<std::size_t>(material)];
-    };
-    const double decay = of(wholeMm3, core::terrain::Material::Caries);
-    const double out = of(removedMm3, core::terrain::Material::Caries);
-    std::set<Reached> reached;
-    if (out > kSomeMm3)
-        reached.insert(Reached::DecayFound);
-    if (of(removedMm3, core::terrain::Material::Dentin) > kSomeMm3)
-        reached.insert(Reached::Junction);
-    if (decay > 0.0 && decay - out <= kDecayLeftMost * decay)
-        reached.insert(Reached::DecayRemoved);
-    return reached;
 }
 
 }  // namespace ui::study

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-#include <set>
+#include <array>
+#include <vector>
 
 #include <QFrame>
 
 #include "core/terrain/Tooth.h"
 #include "lessons/Lesson.h"
+#include "ui/tooth/ExerciseMarks.h"
 
 class QLabel;
 class QPushButton;
@@ -19,35 +20,38 @@ class TabularLabel;
 
 namespace ui::study {
 
-/// Above the tooth while a lesson is worked on: the step to do, a hint for who asks, and the time.
+/// The strip above the tooth: the current step of the lesson, a hint on request, and the time.
 class LessonStrip final : public QFrame
 {
     Q_OBJECT
 public:
     explicit LessonStrip(QWidget* parent);
 
-    /// Begins with the first step.
+    /// Shows the first step of a lesson.
     void setLesson(const ::lessons::Lesson& lesson);
-    /// Says what to do on a tooth with decay that is practised on without a lesson.
+    /// Shows what to do in practice without a lesson, which is on a tooth with decay.
     void setPractice();
-    /// Returns the place that the shown step names.
-    [[nodiscard]] std::optional<core::guidance::Landmark> mark() const;
-    /// Goes on by itself when what the step asks for has been reached.
-    void follow(const std::set<::lessons::Reached>& reached);
+    /// Adds marks for the place that the current step names, on a tooth with this ideal.
+    void markPlaces(tooth::ExerciseMarks& marks, const core::terrain::ToothAnatomy& tooth,
+                    const std::vector<float>& ideal) const;
+    /// Shows the next step if the bur has just reached what the current step asks for.
+    /// @param wholeMm3, removedMm3  volumes of the uncut tooth, and of what was removed, by material
+    void follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
-    /// This one has its grade, and there is another attempt left.
+    /// Tells whether another attempt at the exam is left after its grade.
     void setMayBeginAgain(bool may);
-    /// The exam is over: the clock stops, and the strip says how to go on, until another lesson is set.
     enum class Ending {
         WithScore,
-        Refused  ///< it counts as nothing
+        Refused  ///< the attempt does not count
     };
+    /// Ends an exam: stops the clock and shows what to do next, until another lesson is set.
     void conclude(Ending ending);
 
 signals:
+    /// Emitted when the current step has changed, or is shown anew.
     void stepShown();
-    /// The lesson's time is over; said once.
+    /// Emitted once for each lesson, when its time is over.
     void timeOver();
 
 private:
@@ -58,7 +62,7 @@ private:
     ::lessons::Lesson m_lesson;
     bool m_isPractice = false;
     std::size_t m_step = 0;
-    std::set<::lessons::Reached> m_reached;
+    std::array<bool, ::lessons::kReachedCount> m_reached{};  ///< by lessons::Reached
     double m_workedS = 0.0;
     bool m_overSaid = false;
     bool m_isConcluded = false;
@@ -71,10 +75,5 @@ private:
     QToolButton* m_next = nullptr;
     shell::TabularLabel* m_time = nullptr;
 };
-
-/// Returns what has been reached on a tooth.
-/// @param wholeMm3, removedMm3  volumes of the uncut tooth, and of what was removed, by material
-[[nodiscard]] std::set<::lessons::Reached> reachedBy(const core::terrain::PerMaterial& wholeMm3,
-                                                     const core::terrain::PerMaterial& removedMm3);
 
 }  // namespace ui::study

@@ -54,27 +54,6 @@ QString dayWords(const QDateTime& due, const QDateTime& now)
 
 }  // namespace
 
-QString landmarkName(core::guidance::Landmark landmark)
-{
-    using core::guidance::Landmark;
-    switch (landmark) {
-    case Landmark::CentralPit:
-        return QCoreApplication::translate("Landmark", "central pit");
-    case Landmark::MesialPit:
-        return QCoreApplication::translate("Landmark", "mesial pit");
-    case Landmark::DistalPit:
-        return QCoreApplication::translate("Landmark", "distal pit");
-    case Landmark::MesialRidge:
-        return QCoreApplication::translate("Landmark", "mesial marginal ridge");
-    case Landmark::DistalRidge:
-        return QCoreApplication::translate("Landmark", "distal marginal ridge");
-    case Landmark::RidgesToKeep:
-    case Landmark::RidgesToCut:
-        break;
-    }
-    return {};
-}
-
 QString fieldName(const char* name)
 {
     return text::capitalised(QCoreApplication::translate("Field", name));

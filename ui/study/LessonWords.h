@@ -51,8 +51,6 @@ namespace ui::study {
 [[nodiscard]] QString ruleWords(const ::lessons::CriterionRule& rule);
 /// Of a number of an ideal or a block, by its English name (core::NumberField::name), beginning with a capital.
 [[nodiscard]] QString fieldName(const char* name);
-/// Returns the name of a pit, or of the mesial or distal ridge.
-[[nodiscard]] QString landmarkName(core::guidance::Landmark landmark);
 /// "mm", "°"; empty for a plain number.
 [[nodiscard]] QString fieldUnit(const char* unit);
 /// The criterion's own title, or the name of its measure.

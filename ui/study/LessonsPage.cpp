@@ -29,6 +29,7 @@
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/ExamQuestion.h"
 #include "ui/study/FeedbackCard.h"
 #include "ui/study/LessonCards.h"
 #include "ui/study/LessonPicture.h"
@@ -421,7 +422,7 @@ void LessonsPage::goOn()
     if (m_unfinished)
         emit resumeWanted();
     else if (const CatalogEntry* const last = lastTried(); last != nullptr)
-        emit lessonChosen(*last->read.lesson);
+        choose(*last->read.lesson);
 }
 
 void LessonsPage::setFeedback(const std::vector<database::Feedback>& feedback)
@@ -624,6 +625,20 @@ const CatalogEntry* LessonsPage::chosen() const
     return entry.isValid() ? &m_entries[static_cast<std::size_t>(entry.toInt())] : nullptr;
 }
 
+void LessonsPage::begin(const ::lessons::Lesson& lesson, const std::function<void()>& begin)
+{
+    if (lesson.exam)
+        emit examAsked(examQuestion(lesson, attemptsWords(lesson.id), begin));
+    else
+        begin();
+}
+
+void LessonsPage::choose(const ::lessons::Lesson& lesson)
+{
+    begin(lesson, [this, lesson] { emit lessonChosen(lesson); });
+}
+
+/// How often a lesson was graded, and how many attempts are left: "1 attempt(s) left, 2 graded so far".
 QString LessonsPage::attemptsWords(const std::string& lessonId) const
 {
     const auto given = m_given.find(lessonId);
@@ -675,7 +690,7 @@ const ::lessons::Lesson* LessonsPage::next() const
 void LessonsPage::startNext()
 {
     if (const ::lessons::Lesson* const lesson = next(); lesson != nullptr)
-        emit lessonChosen(*lesson);
+        choose(*lesson);
 }
 
 void LessonsPage::describe()
@@ -767,7 +782,7 @@ void LessonsPage::describe()
 void LessonsPage::start()
 {
     if (const CatalogEntry* entry = chosen(); entry != nullptr && entry->read.lesson && !isUsedUp(*entry))
-        emit lessonChosen(*entry->read.lesson);
+        choose(*entry->read.lesson);
 }
 
 void LessonsPage::showEvent(QShowEvent* event)

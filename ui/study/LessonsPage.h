@@ -13,6 +13,7 @@
 #include "database/records.h"
 #include "lessons/LessonCatalog.h"
 #include "ui/shell/Page.h"
+#include "ui/shell/QuestionCard.h"
 
 class QButtonGroup;
 class QFrame;
@@ -75,8 +76,8 @@ public:
     void forget();
     /// What is chosen in the list; null for none.
     [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
-    /// How often a lesson was graded, and how many attempts are left: "1 attempt(s) left, 2 graded so far".
-    [[nodiscard]] QString attemptsWords(const std::string& lessonId) const;
+    /// Begins a lesson. An exam waits until the user has accepted its card, which examAsked() brings.
+    void begin(const ::lessons::Lesson& lesson, const std::function<void()>& begin);
     /// How many attempts at a lesson are left; no value: no limit. Until setLessons() brings the same.
     void setAttemptsLeft(const std::string& lessonId, std::optional<int> left);
     /// The present lesson was graded. Counts until setLessons() brings the same from the database.
@@ -88,6 +89,8 @@ public:
     void startNext();
 
 signals:
+    /// Emitted when an exam is to begin, with the card that begins it.
+    void examAsked(const shell::QuestionCard::Question& card);
     void lessonChosen(const ::lessons::Lesson& lesson);
     void folderWanted();
     /// The attempt that was not finished is to be gone on with.
@@ -126,6 +129,8 @@ private:
     void describe();
     void turnPage(bool down);
     void start();
+    void choose(const ::lessons::Lesson& lesson);
+    [[nodiscard]] QString attemptsWords(const std::string& lessonId) const;
 
     std::vector<::lessons::CatalogEntry> m_entries;
     std::map<std::string, Standing> m_standings;

@@ -43,8 +43,8 @@ constexpr double kMirrorStepMm = 1.0;      ///< a notch of the wheel
 constexpr double kMirrorStepPx = 12.0;     ///< a key
 constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
 constexpr double kBeforeMm = 0.6;          ///< what is seen so far before a point hides it
-constexpr double kBeforePitMm = 1.5;       ///< the same for a pit, which lies between the walls of a fissure
-constexpr double kCutMm = 0.1;             ///< below the uncut surface
+constexpr double kBeforePitMm = 1.5;       ///< the same for a named pit, which lies between the walls of a fissure
+constexpr double kCutMm = 0.1;             ///< a named place that is cut so deep is no longer marked
 constexpr double kNameBesidePx = 18.0;
 constexpr double kNameAbovePx = 22.0;
 constexpr double kHeightBesidePx = 60.0;  ///< of the bur
@@ -131,7 +131,7 @@ void ToothView::setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy
 void ToothView::setIdeal(const core::grading::IdealTop& ideal)
 {
     m_surface->setIdeal(ideal);
-    // A cavity in a posterior tooth or a block is looked at from above.
+    // The view of a posterior tooth or a block begins above the cavity.
     const int fdi = m_surface->anatomy().fdi;
     if (ideal && (fdi == 0 || fdi % 10 > 3))
         m_camera.setStart(m_camera.startAzimuthDeg(), Camera::kAboveDeg);
@@ -169,18 +169,18 @@ void ToothView::setPushForce(double newtons)
     const double before = m_control.forceN();
     m_control.setForce(newtons);
     m_sinceForceSet.start();
-    m_forceTold = true;
     redraw();
     if (m_control.forceN() == before)
         return;
     publishPointer();
-    emit pushForceChanged(m_control.forceN());
+    emit handChanged();
 }
 
 void ToothView::setFeed(double mmPerS)
 {
     m_control.setFeed(mmPerS);
     publishPointer();
+    emit handChanged();
 }
 
 void ToothView::setDepthStop(bool on, double depthMm)
@@ -189,6 +189,7 @@ void ToothView::setDepthStop(bool on, double depthMm)
     m_control.setStopDepth(depthMm);
     publishPointer();
     redraw();
+    emit handChanged();
 }
 
 void ToothView::moveStop(double stepMm)
@@ -197,8 +198,6 @@ void ToothView::moveStop(double stepMm)
         return;
     setDepthStop(true, m_control.stopDepthMm() + stepMm);
     m_sinceStopSet.start();
-    m_showsStop = true;
-    emit depthStopChanged(m_control.stopDepthMm());
 }
 
 /// Keeps the bur under a resting pointer when the view or the bur changes.
@@ -309,7 +308,7 @@ void ToothView::lookFrom(const QString& viewpoint)
 
 void ToothView::lookAt(const std::optional<core::session::Sight>& sight, glm::dvec3 placeMm)
 {
-    constexpr double kInFrontMm = 2.0;  // what stands so far before the place hides it
+    constexpr double kInFrontMm = 2.0;  // a surface so far in front of the place hides it
     if (sight)
         m_camera.lookFrom(*sight);
     const glm::dvec3 eye = m_camera.eyeMm();
@@ -374,7 +373,7 @@ void ToothView::resizeEvent(QResizeEvent* event)
 {
     SceneWidget::resizeEvent(event);
     m_camera.setViewport({width(), height()});
-    // A panel that has opened beside the view moves the view under a pointer that rests, and no event follows.
+    // A panel that opens beside the view moves the view under a resting pointer, without a mouse event.
     if (!m_pointerHasLeft) {
         m_pointer = mapFromGlobal(QPointF(QCursor::pos()));
         m_pointerHasLeft = !rect().contains(m_pointer.toPoint());
@@ -475,7 +474,7 @@ void ToothView::paintMarks(QPainter& painter)
             continue;
         paintDepthScale(painter, size, m_settings.look, how, QPointF(bur.x, bur.y));
         if (const auto under = m_pointerHasLeft ? std::nullopt : m_surface->meetTooth(rayAt(m_pointer)))
-            paintPlate(painter, size, presented(m_pointer) - QPointF(0.0, kPlateBelowPx),
+            paintPlate(painter, size, presented(m_pointer) - QPointF(0.0, kPlateBelowPx), kOffBurPx,
                        depthWords(*m_surface, *under, m_settings.look.depthColours), m_leftHanded);
     }
 }
@@ -494,9 +493,8 @@ void ToothView::drawPoints(QPainter& painter)
         const bool isHidden = seen && glm::distance(*seen, place) > (mark.name.isEmpty() ? kBeforeMm : kBeforePitMm);
         paintPoint(painter, {at.x, at.y}, glm::distance(at, m_camera.pixelOf(beside)), mark.isTouched, isHidden);
         if (!mark.name.isEmpty())
-            // Just beside the ring: a name is nearer to its place than a figure is to the bur.
-            paintPlate(painter, QSizeF(width(), height()), {at.x + kNameBesidePx - kOffBurPx, at.y - kNameAbovePx},
-                       mark.name, false);
+            paintPlate(painter, QSizeF(width(), height()), {at.x, at.y - kNameAbovePx}, kNameBesidePx, mark.name,
+                       false);
     }
 }
 
@@ -570,7 +568,7 @@ void ToothView::drawGizmo(QPainter& painter)
     painter.drawPixmap(QPointF(kGizmoInPx, kGizmoInPx), m_gizmo);
 }
 
-/// Which letter of the gizmo is under a place of the window; of two pictures side by side none.
+/// Returns the end of an axis whose letter in the gizmo is at a position. None in a stereo or mirrored picture.
 std::optional<std::size_t> ToothView::gizmoEndAt(QPointF position) const
 {
     const render::Presentation& how = m_settings.presentation;
@@ -595,7 +593,7 @@ void ToothView::drawForce(QPainter& painter)
     const double wantedN = m_control.forceN();
     const double forceN = glm::length(m_servo.forceN);
     const bool pushing = m_published.pushing;
-    if (!showsInstrument() || (!pushing && !m_servo.touching && !m_forceTold))
+    if (!showsInstrument() || (!pushing && !m_servo.touching && !m_sinceForceSet.isValid()))
         return;
     // An arc beside the tip: its whole length is the set force.
     glm::dvec3 tipMm = m_pose.anchorMm;
@@ -618,7 +616,7 @@ void ToothView::drawForce(QPainter& painter)
     const double share = std::min(forceN / wantedN, 1.0);
     if (share > 0.02)
         arc(QColor(0x3C, 0xC8, 0xCA), 5.0, share);
-    if (m_forceTold) {
+    if (m_sinceForceSet.isValid()) {
         //: A force in newtons, beside the bur
         const QString text = tr("%1 N").arg(QLocale().toString(wantedN, 'f', 1));
         QFont large = font();
@@ -637,7 +635,7 @@ void ToothView::drawForce(QPainter& painter)
 /// Draws a ring around the bur at the depth stop, and beside it the depth of the tip and of the stop.
 void ToothView::drawStop(QPainter& painter)
 {
-    const bool isSeen = m_published.pushing || m_showsStop;
+    const bool isSeen = m_published.pushing || m_sinceStopSet.isValid();
     if (!showsInstrument() || !m_control.isStopOn() || !isSeen || !m_exercise.pads.empty())
         return;
     const std::optional<double> stopMm = m_control.stopMm();
@@ -667,7 +665,8 @@ void ToothView::drawStop(QPainter& painter)
             //: The depth at which the bur will stop
             : tr("Stop %1 mm").arg(figure(m_control.stopDepthMm(), 1));
     const glm::dvec2 tip = m_camera.pixelOf(m_pose.anchorMm);
-    paintPlate(painter, QSizeF(width(), height()), QPointF(tip.x, tip.y + kPlateBelowPx), words, m_leftHanded);
+    paintPlate(painter, QSizeF(width(), height()), QPointF(tip.x, tip.y + kPlateBelowPx), kOffBurPx, words,
+               m_leftHanded);
 }
 
 void ToothView::advanceFrame()
@@ -706,14 +705,11 @@ void ToothView::advanceFrame()
         m_liftMm = next;
         redraw();
     }
-    if (m_showsStop && m_sinceStopSet.elapsed() > kForceToldMs) {
-        m_showsStop = false;
-        redraw();
-    }
-    if (m_forceTold && m_sinceForceSet.elapsed() > kForceToldMs) {
-        m_forceTold = false;
-        redraw();
-    }
+    for (QElapsedTimer* since : {&m_sinceStopSet, &m_sinceForceSet})
+        if (since->isValid() && since->elapsed() > kForceToldMs) {
+            since->invalidate();
+            redraw();
+        }
     // Below a hundredth of a newton and two micrometres nothing shows.
     const bool moved = glm::distance(m_servo.anchorMm, m_pose.anchorMm) > 0.002;
     const bool pressed = std::abs(glm::length(m_servo.forceN) - m_paintedForceN) > 0.01;
@@ -903,7 +899,7 @@ void ToothView::leaveEvent(QEvent* event)
 void ToothView::mouseMoveEvent(QMouseEvent* event)
 {
     pointAt(event->position());
-    // Another window may have had the release.
+    // The button may have been released over another window.
     if (!event->buttons().testFlag(Qt::LeftButton))
         setButtonDown(false);
     if (m_mirrorHeld && m_mirror) {
@@ -952,7 +948,7 @@ void ToothView::wheelEvent(QWheelEvent* event)
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
         setPushForce(m_control.forceN() + PointerControl::kStepN * notches);
     } else if (m_control.isPushing() || event->modifiers().testFlag(Qt::ShiftModifier)) {
-        // A wheel that is turned towards the person takes the stop down.
+        // Turning the wheel towards the user lowers the stop.
         moveStop(PointerControl::kStepMm * -notches);
     } else if (isOnMirror(event->position())) {
         pushMirror(-kMirrorStepMm * notches);

@@ -59,7 +59,6 @@ public:
     void setHeights(const std::vector<float>& top);
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
     void setPushForce(double newtons);
-    [[nodiscard]] double pushForce() const { return m_control.forceN(); }
     /// Sets the largest speed at which the pushed bur goes down, mm/s.
     void setFeed(double mmPerS);
     /// Switches the depth stop and sets its depth below the original surface, mm.
@@ -91,14 +90,19 @@ public:
     /// Places that somebody remarked something of, mm, in the tooth's frame; a new tooth has none.
     void setPins(std::vector<glm::dvec3> placesMm);
     void resetCamera();
-    /// Looks from a named side (viewpointNames()); does nothing where nothing says which side that is.
+    /// Looks from a side with this name (viewpointNames()). Does nothing if the tooth has no such side.
     void lookFrom(const QString& viewpoint);
     /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
     /// From where another view looks.
     void lookAs(const Camera& camera);
-    /// Looks at a place on the tooth as the student did; from above if they had not been seen to look anywhere, or if
-    /// the place is hidden from there.
+    /// Stores from where the view looks, before another tooth is shown for a while.
+    void storeCamera() { m_storedCamera = m_camera; }
+    /// Looks from there again. Call it when the first tooth is back.
+    void restoreCamera() { lookAs(m_storedCamera); }
+    /// Looks at a place on the tooth as the student did. Looks from above if it is not known from where they looked, or
+    /// if the place is hidden from there.
+    /// @param sight  from where the student looked; empty if it is not known
     void lookAt(const std::optional<core::session::Sight>& sight, glm::dvec3 placeMm);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
@@ -129,11 +133,10 @@ public:
 signals:
     /// Once a frame, with the newest state of the servo.
     void frameAdvanced(const core::session::ServoState& state);
-    void pushForceChanged(double newtons);
+    /// Emitted when feed, depth stop or force of hand() have changed.
+    void handChanged();
     /// Emitted when isPressed() has changed.
     void pressedChanged(bool pressed);
-    /// Emitted when the wheel or a key has moved the depth stop.
-    void depthStopChanged(double depthMm);
     /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
     void pushRefused();
 
@@ -210,6 +213,7 @@ private:
     bool m_pointerAims = false;  ///< the bur was last moved with the pointer, not with keys
     PatchInbox m_inbox;
     Camera m_camera;
+    Camera m_storedCamera;
     PointerControl m_control;
     core::session::PointerInput m_published;
     core::session::ServoState m_servo;
@@ -239,10 +243,9 @@ private:
     bool m_fine = false;
     QTimer m_frame;
     QElapsedTimer m_sinceFrame;
+    // Each is valid for a moment, while the value is written beside the bur.
     QElapsedTimer m_sinceForceSet;
     QElapsedTimer m_sinceStopSet;
-    bool m_showsStop = false;  ///< true for a moment after the depth stop was moved
-    bool m_forceTold = false;  ///< the set force is written beside the bur
 };
 
 }  // namespace ui::tooth

@@ -142,13 +142,13 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     }
 }
 
-void paintPlate(QPainter& painter, QSizeF view, QPointF bur, const QString& text, bool onTheLeft)
+void paintPlate(QPainter& painter, QSizeF view, QPointF place, double gapPx, const QString& text, bool onTheLeft)
 {
     painter.setFont(wordsFont(painter));
     const double width = QFontMetricsF(painter.font()).horizontalAdvance(text) + 16.0;
-    const bool hasRoom = onTheLeft ? bur.x() - kOffBurPx - width > 0.0 : bur.x() + kOffBurPx + width < view.width();
-    const double left = onTheLeft == hasRoom ? bur.x() - kOffBurPx - width : bur.x() + kOffBurPx;
-    const QRectF plate(left, bur.y() - 13.0, width, 26.0);
+    const bool hasRoom = onTheLeft ? place.x() - gapPx - width > 0.0 : place.x() + gapPx + width < view.width();
+    const double left = onTheLeft == hasRoom ? place.x() - gapPx - width : place.x() + gapPx;
+    const QRectF plate(left, place.y() - 13.0, width, 26.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlate);
     painter.drawRoundedRect(plate, 6.0, 6.0);

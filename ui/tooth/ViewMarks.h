@@ -28,7 +28,7 @@ inline constexpr int kGizmoInPx = 16;
 /// not.
 void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards);
 
-/// The scale of the depth colours with its figures, at the right; at the left while the bur is at the right.
+/// Paints the scale of the depth colours with its figures at the right, or at the left while the bur is at the right.
 void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how,
                      const std::optional<QPointF>& bur = {});
 
@@ -36,8 +36,8 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
 [[nodiscard]] QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointMm,
                                  render::DepthColours colours);
 
-/// A short text on a dark plate beside the bur, clear of the cut around it. It goes to the other side where the view
-/// ends.
-void paintPlate(QPainter& painter, QSizeF view, QPointF bur, const QString& text, bool onTheLeft);
+/// Paints a short text on a dark plate beside a place, or on its other side if the view has no room for it.
+/// @param gapPx  between the place and the plate; kOffBurPx beside the bur
+void paintPlate(QPainter& painter, QSizeF view, QPointF place, double gapPx, const QString& text, bool onTheLeft);
 
 }  // namespace ui::tooth
