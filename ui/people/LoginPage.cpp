@@ -212,10 +212,11 @@ void LoginPage::ask(Door door, bool isIn)
 
 QWidget* LoginPage::firstInput() const
 {
-    return m_door == Door::Welcome                              ? m_choices->first()
-           : m_door == Door::Login || m_door == Door::NewSchool ? m_name
-           : m_door == Door::OwnPassword                        ? m_old
-                                                                : m_password;
+    if (m_door == Door::Welcome)
+        return m_choices;
+    return m_door == Door::Login || m_door == Door::NewSchool ? m_name
+           : m_door == Door::OwnPassword                      ? m_old
+                                                              : m_password;
 }
 
 void LoginPage::showEvent(QShowEvent* event)

@@ -24,9 +24,10 @@ WelcomeChoices::WelcomeChoices(QWidget* parent) : QWidget(parent)
     column->setSpacing(kSpace4);
     m_practise = addChoice("practiseNow", *column);
     m_practise.button->setProperty("kind", "filled");
-    // On its colour, as the words of any such button are.
+    // White on the accent colour, like the text of other filled buttons.
     for (QLabel* label : {m_practise.title, m_practise.words})
         label->setStyleSheet(QStringLiteral("color: white"));
+    setFocusProxy(m_practise.button);
     m_school = addChoice("setUpSchool", *column);
     connect(m_practise.button, &QPushButton::clicked, this, &WelcomeChoices::practiceWanted);
     connect(m_school.button, &QPushButton::clicked, this, &WelcomeChoices::schoolWanted);
@@ -56,11 +57,6 @@ WelcomeChoices::Choice WelcomeChoices::addChoice(const char* name, QVBoxLayout& 
     }
     lines->addStretch(1);
     return choice;
-}
-
-QWidget* WelcomeChoices::first() const
-{
-    return m_practise.button;
 }
 
 void WelcomeChoices::speak()

@@ -9,22 +9,19 @@ class QVBoxLayout;
 
 namespace ui::people {
 
-/// The first thing a new user sees: practise now, or set up a school.
+/// The two buttons that a new user sees first: practise now, or set up a school.
 class WelcomeChoices final : public QWidget
 {
     Q_OBJECT
 public:
     explicit WelcomeChoices(QWidget* parent);
 
-    /// Returns the choice that has the focus first.
-    [[nodiscard]] QWidget* first() const;
-
 signals:
     void practiceWanted();
     void schoolWanted();
 
 private:
-    /// A button with a title, and a line below that says what it leads to.
+    /// A button with a title, and below it a line that explains the choice.
     struct Choice
     {
         QPushButton* button = nullptr;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -16,11 +15,11 @@ namespace ui::tooth {
 namespace {
 
 constexpr double kSideElevationDeg = 12.0;
-// How the handpiece leans out of the way of an eye above.
-constexpr double kUprightBelowDeg = 25.0;  ///< elevation of the eye
-constexpr double kLeansMostDeg = 75.0;     ///< elevation from which it leans no further
+// The handpiece leans aside when the eye looks from above.
+constexpr double kUprightBelowDeg = 25.0;  ///< elevation of the eye up to which it is upright
+constexpr double kLeansMostDeg = 75.0;     ///< elevation from which it leans by kMostLeanDeg
 constexpr double kMostLeanDeg = 58.0;
-constexpr double kHandleComesDeg = 40.0;  ///< towards the viewer, by then
+constexpr double kHandleComesDeg = 40.0;  ///< angle by which the handle then has turned towards the viewer
 constexpr double kShankClearMm = 0.9;     ///< around the bur's axis, what the shank must clear
 // Where the dental mirror is taken in hand.
 constexpr double kMirrorBehind = 0.9;  ///< the middle of the crown, of its radius
@@ -38,13 +37,21 @@ struct Named
     bool isOfMouth;  ///< known only where the tooth is
 };
 
-/// Of a lower tooth: its +y is lingual, that of an upper one buccal.
-constexpr std::array<Named, 6> kNamed{{{"occlusal", 0.0, Camera::kHighestDeg, false},
-                                       {"below", 0.0, Camera::kLowestDeg, false},
+/// Of a lower tooth: its +y is lingual, that of an upper one buccal. In the order of render::GizmoLetters: -x, +x, -y,
+/// +y, -z, +z.
+constexpr std::array<Named, 6> kNamed{{{"mesial", -90.0, kSideElevationDeg, true},
+                                       {"distal", 90.0, kSideElevationDeg, true},
                                        {"buccal", 0.0, kSideElevationDeg, true},
                                        {"lingual", 180.0, kSideElevationDeg, true},
-                                       {"mesial", -90.0, kSideElevationDeg, true},
-                                       {"distal", 90.0, kSideElevationDeg, true}}};
+                                       {"below", 0.0, Camera::kLowestDeg, false},
+                                       {"occlusal", 0.0, Camera::kHighestDeg, false}}};
+
+/// Looks from a side, with all of the tooth in the picture.
+void lookFromSide(Camera& camera, double azimuthDeg, double elevationDeg)
+{
+    camera.reset();
+    camera.set(azimuthDeg, elevationDeg, camera.fittingMm());
+}
 
 bool isUpper(int fdi)
 {
@@ -100,7 +107,7 @@ render::Scene sceneThrough(const Camera& camera, glm::vec2 sizePx, bool leftHand
     scene.eyeMm = camera.eyeMm();
     scene.towardsLight = operatingLight(leftHanded);
     scene.sizePx = sizePx;
-    // The hand belongs to the one who looks: the handle stays at the same side when the view turns. The more the eye
+    // The handpiece turns with the view, so that the handle stays at the same side of the picture. The more the eye
     // looks down along the bur, the more the handpiece leans aside, as a pen does, and the handle comes towards the
     // viewer.
     const double fromAbove = glm::smoothstep(kUprightBelowDeg, kLeansMostDeg, camera.elevationDeg());
@@ -188,8 +195,7 @@ core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
                                     "nothing says which side of this tooth is " + viewpoint.toStdString() +
                                         "; give --view as start, occlusal, below or AZ,EL,DIST");
         const bool turned = named.isOfMouth && isUpper(fdi) && std::abs(named.azimuthDeg) != 90.0;
-        camera.reset();
-        camera.set(named.azimuthDeg + (turned ? 180.0 : 0.0), named.elevationDeg, camera.fittingMm());
+        lookFromSide(camera, named.azimuthDeg + (turned ? 180.0 : 0.0), named.elevationDeg);
         return {};
     }
     const QStringList parts = viewpoint.split(u',');
@@ -207,15 +213,7 @@ core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
 
 void lookFromEnd(Camera& camera, std::size_t end)
 {
-    constexpr std::array<std::pair<double, double>, 6> kAngles{{{-90.0, kSideElevationDeg},
-                                                                {90.0, kSideElevationDeg},
-                                                                {0.0, kSideElevationDeg},
-                                                                {180.0, kSideElevationDeg},
-                                                                {0.0, Camera::kLowestDeg},
-                                                                {0.0, Camera::kHighestDeg}}};
-    const auto [azimuth, elevation] = kAngles.at(end);
-    camera.reset();
-    camera.set(azimuth, elevation, camera.fittingMm());
+    lookFromSide(camera, kNamed.at(end).azimuthDeg, kNamed.at(end).elevationDeg);
 }
 
 }  // namespace ui::tooth

@@ -30,7 +30,7 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 [[nodiscard]] render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface,
                                                 bool leftHanded, bool amongNeighbours);
 
-/// Names of viewpoints: start, occlusal, below, and by the directions of the mouth buccal, lingual, mesial, distal.
+/// Names of viewpoints: start, the directions of the mouth mesial, distal, buccal and lingual, below, and occlusal.
 [[nodiscard]] QStringList viewpointNames();
 
 /// Takes the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). UnknownName with one sentence,
@@ -38,8 +38,8 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 /// @param fdi  of the tooth, 0 where it is unknown
 [[nodiscard]] core::Status goTo(Camera& camera, const QString& viewpoint, int fdi);
 
-/// Takes the camera to where it looks along an axis of the tooth, with all of the tooth in the picture.
-/// @param end  of the axis, at which the eye is then: -x, +x, -y, +y, -z, +z, as in render::GizmoLetters
+/// Looks at the whole tooth along one of its axes.
+/// @param end  the end of an axis from which the camera looks: -x, +x, -y, +y, -z, +z, as in render::GizmoLetters
 void lookFromEnd(Camera& camera, std::size_t end);
 
 }  // namespace ui::tooth
