@@ -79,7 +79,7 @@ void ReplayDesk::playTo(double momentS)
     m_loop.seek(std::max(0.0, *m_momentS - ui::replay::kBeforeMomentS));
 }
 
-/// Turns the view to the place where the bur was. What is known of the moment is known once it is prepared.
+/// Turns the view to where the bur was at the moment, once the replay is prepared up to there.
 void ReplayDesk::lookAtMoment()
 {
     if (!m_momentS || attempt().readyS() < *m_momentS)

@@ -56,7 +56,7 @@ private:
     QTimer m_watch;
     double m_toldReadyS = -1.0;  ///< as the window knows the course
     double m_toldBesideS = -1.0;
-    std::optional<double> m_momentS;                        ///< to be looked at once the replay is prepared so far
+    std::optional<double> m_momentS;                        ///< the view still has to be turned to it
     std::unique_ptr<core::session::UiLinks> m_besideLinks;  ///< of the attempt beside
     haptics::HapticDevice* m_device;
     haptics::GuideLinks m_guideLinks;

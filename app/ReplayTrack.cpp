@@ -26,7 +26,7 @@ std::uint64_t patchAfter(std::uint64_t tick)
     return (tick + Player::kTicksAPatch - 1) / Player::kTicksAPatch * Player::kTicksAPatch + kMarginTicks;
 }
 
-/// A note that is for the program and has no place on the time line.
+/// Returns whether a note is only for the program, and not shown on the time line.
 bool isSilent(std::uint64_t note)
 {
     return note == core::session::kRestNote || note == core::session::kWorkNote || core::session::sightOf(note);

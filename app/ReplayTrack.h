@@ -41,9 +41,9 @@ public:
     /// Any thread.
     [[nodiscard]] ui::replay::Course course() const;
 
-    /// Where the student looked from at a moment; nothing if the recording does not tell. Any thread.
+    /// Returns from where the student looked at a moment. Empty if the recording has no note of it. Any thread.
     [[nodiscard]] std::optional<core::session::Sight> sightAt(double seconds) const;
-    /// Where the tip of the bur was at a moment, tooth frame, mm. Any thread.
+    /// Returns where the tip of the bur was at a moment, tooth frame, mm. Any thread.
     [[nodiscard]] glm::dvec3 burAtMm(double seconds) const;
 
     /// Shows the student's hand in place of the recorded one; nothing: the recorded. The thread that shows.

@@ -21,7 +21,7 @@ void TourDesk::welcome(SchoolDesk* desk, const database::Session& who)
 {
     m_desk = desk;
     m_who = who;
-    if (who.isGuest())  // who wants to practise now is not kept from the tooth
+    if (who.isGuest())  // "Practise now" leads to the tooth at once
         return;
     m_desk->ask(
         this, [who](const School& school) { return database::sql::readSettings(school, who); },

@@ -3,7 +3,7 @@
 
 namespace lessons {
 
-/// Which aids to seeing a lesson allows. All of them unless it says otherwise; the exams that we ship allow none.
+/// The aids that a lesson allows. All of them by default; the shipped exams allow none.
 struct Aids
 {
     bool section = true;     ///< the live cross-section through the bur
@@ -14,7 +14,7 @@ struct Aids
     bool ideal = true;       ///< the ideal preparation, in section and colours
     bool burColour = true;   ///< the bur coloured by what is left to the limit
     bool fixture = true;     ///< a force that resists leaving the outline of the ideal
-    bool depthStop = true;   ///< the depth stop of a mouse; follows depthGauge, but must be named in an exam
+    bool depthStop = true;   ///< the depth stop of a mouse: as depthGauge in practice, only if named in an exam
 
     [[nodiscard]] static constexpr Aids none()
     {

@@ -15,7 +15,7 @@ using core::session::ServoEvent;
 
 constexpr std::uint64_t kTicksAMark = 1000;  ///< in a stroke that goes on
 constexpr std::uint64_t kTicksALook = 10;    ///< at time, force and the like
-constexpr double kFeedOverS = 0.1;           ///< the feed is the way down in so long a time
+constexpr double kFeedOverS = 0.1;           ///< the feed is averaged over this time
 
 /// The tenths that are lost now, each with the moment since when it has been: those lost last are won back first.
 class Losses
@@ -198,7 +198,7 @@ private:
         return {};
     }
 
-    /// The way down in each tenth of a second that begins and ends with cutting.
+    /// Measures the feed over each tenth of a second that begins and ends with cutting.
     void lookAtTheFeed(bool cut)
     {
         if (!cut)
@@ -269,7 +269,7 @@ private:
     std::optional<Moment> m_part;          ///< what has been cut since then began here
     std::chrono::microseconds m_time{0};
     int m_strokes = 0;
-    double m_feedFromMm = 0.0;  ///< height of the bur when the tenth of a second began
+    double m_feedFromMm = 0.0;  ///< height of the bur at the beginning of the present tenth of a second
     double m_feedSinceS = 0.0;
 };
 

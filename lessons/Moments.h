@@ -24,7 +24,7 @@ struct Moment
     std::uint64_t tick = 0;  ///< the first in which it happened; Never: the last of the attempt
     double seconds = 0.0;  ///< when that tick began, since the beginning of the attempt; Never: when the attempt ended
     int stroke = 0;        ///< from 1, as core::recording::Player counts them; 0: between two
-    double feedMmPerS = 0.0;  ///< Stroke: the fastest that the bur went down while it cut, over 0.1 s
+    double feedMmPerS = 0.0;  ///< Stroke: highest speed at which the bur went down while it cut, over 0.1 s
     bool operator==(const Moment&) const = default;
 };
 

@@ -96,7 +96,7 @@ struct PointerInput
     double pushForceN = 1.0;        ///< how hard
     /// How fast the bur goes down at most while pushing, mm/s. 0: as fast as the force drives it.
     double feedMmPerS = 0.0;
-    double stopMm = -std::numeric_limits<double>::infinity();  ///< tooth frame z that the tip does not go below
+    double stopMm = -std::numeric_limits<double>::infinity();  ///< lowest height of the tip, tooth frame z
     bool buttonIsPedal = false;                                ///< the bur turns only while pushing
     bool operator==(const PointerInput&) const = default;
 };

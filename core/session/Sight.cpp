@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kTag = 0xE7ULL << 56U;
 constexpr std::uint64_t kTagMask = 0xFFULL << 56U;
 
-/// A number as one of 2^bits steps.
+/// A number in the note, stored as one of 2^bits steps.
 struct Field
 {
     unsigned shift;

@@ -30,8 +30,7 @@ double points(int tenths)
     return 0.1 * tenths;
 }
 
-/// The number of the attempt, from 1 for the oldest. Each attempt has a place of its own on the x axis, however many
-/// were made on one day.
+/// Returns the number of an attempt, its place on the x axis: 1 for the oldest.
 double placeOf(const ChartedAttempts& attempts, qsizetype k)
 {
     return static_cast<double>(attempts.newestFirst.size() - k);

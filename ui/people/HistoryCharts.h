@@ -30,7 +30,7 @@ struct ClassMedians
 struct ChartedAttempts
 {
     QList<database::AttemptRecord> newestFirst;
-    bool isOneLesson = false;  ///< then they are joined by a line, and compared with the class
+    bool isOneLesson = false;  ///< the attempts are then joined by a line and compared with the class
     LessonTitles titles;
     std::map<std::string, CriterionNames> criteria;  ///< by lesson
     std::vector<database::BandPoint> band;

@@ -62,7 +62,7 @@ public:
     /// Asks for them once more: others may have said something of them meanwhile.
     void readAgain() { emit readAgainWanted(); }
 
-    /// The choice of lessons takes the place of a search field.
+    /// Focuses the list of lessons, as this page has no search field.
     [[nodiscard]] bool focusSearch() const override;
     [[nodiscard]] std::optional<std::string> lesson() const;
     /// The chosen attempt; 0: none.

@@ -95,7 +95,7 @@ struct Course
 
 /// What leads to an infraction or to what somebody remarked is seen from so long before it on, s.
 inline constexpr double kLeadUpS = 1.0;
-/// A moment at which points were lost is played from so long before it on, s.
+/// The replay of a moment at which points were lost begins so long before it, s.
 inline constexpr double kBeforeMomentS = 2.0;
 inline constexpr double kReadS = 4.0;  ///< a remark stays in sight so long after its moment
 

@@ -306,7 +306,7 @@ void Actions::speak()
             words.action->setProperty(kOwnTip, whole);
         words.action->setText(words.text());
         words.action->setStatusTip(tip);
-        if (!refused)  // why it is refused, the window says again
+        if (!refused)  // else the window sets the reason again
             words.action->setToolTip(whole);
     }
 }

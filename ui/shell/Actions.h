@@ -46,10 +46,10 @@ public:
     /// An aid that the lesson does not allow says so in its tooltip, or why else it is not to be had. Whether it is
     /// enabled is the window's business.
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
-    /// Whether setAllowed() has refused it.
+    /// Returns whether setAllowed() has forbidden an action.
     [[nodiscard]] static bool isRefused(const QAction* aid);
-    /// The same as setAllowed() for each bur.
-    /// @param ids  of the burs that the lesson names; empty: all
+    /// Calls setAllowed() for each bur.
+    /// @param ids  ids of the allowed burs; empty: all are allowed
     void allowBurs(const std::vector<std::string>& ids);
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
@@ -69,7 +69,7 @@ public:
     QAction* school = nullptr;     ///< hidden for who is no admin
     QAction* classes = nullptr;    ///< hidden for who has none
     QAction* readAgain = nullptr;  ///< on the page of classes
-    QAction* search = nullptr;     ///< on a page without a search field it opens the lessons
+    QAction* search = nullptr;     ///< opens the lessons if the page has no search field
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;

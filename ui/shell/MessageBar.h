@@ -68,8 +68,8 @@ public:
     [[nodiscard]] bool stays() const { return isVisibleTo(parentWidget()) && m_now.kind != Kind::News; }
     /// Over the middle of the tooth's view; on a page in the line of its title, or above the page where it stays.
     enum class Place { OverTheView, BesideTheTitle };
-    /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs. Over the view it goes to the foot
-    /// where it would lie over the bur.
+    /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs. Over the view, puts it at the
+    /// foot if it would cover the bur.
     void placeIn(const QRect& area, Place place, const std::optional<QPointF>& bur = {});
 
 signals:

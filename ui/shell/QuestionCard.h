@@ -14,7 +14,7 @@ namespace ui::shell {
 
 /// A question inside the window, before something would be lost: three answers, or two where nobody here can save it,
 /// over a veil that keeps the rest of the window and its keys waiting. Esc, and a click on the veil, leave all as it
-/// is. It goes when it is answered. Without `discard` nothing would be lost, and it asks whether to go on.
+/// is. It goes when it is answered. Without `discard`, nothing would be lost, and the card only asks whether to begin.
 class QuestionCard final : public QWidget
 {
     Q_OBJECT

@@ -10,9 +10,9 @@
 
 namespace ui::study {
 
-/// The card before an exam: its time, the attempts, and what is locked. The clock starts with "Begin exam".
-/// @param attempts  used so far and left, in words
-/// @param begin     starts the exam
+/// Returns the card that is shown before an exam: its time, the attempts, and what is locked.
+/// @param attempts  attempts so far and attempts left, in words
+/// @param begin     called when the user accepts
 [[nodiscard]] shell::QuestionCard::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,
                                                          std::function<void()> begin);
 

@@ -40,11 +40,11 @@ public:
     void reset();
     /// From where another camera looks, at what it looks at.
     void lookAs(const Camera& other);
-    /// From where a student looked.
+    /// Looks from where a student looked.
     void lookFrom(const core::session::Sight& sight);
-    /// Returns where it looks from, for lookFrom().
+    /// Returns from where the camera looks, for lookFrom().
     [[nodiscard]] core::session::Sight sight() const;
-    /// From above, near to a place: whatever stands on the tooth, the place can be seen.
+    /// Looks steeply down at a place from close by, so that no cusp hides it.
     void lookDownAt(glm::dvec3 placeMm);
     void set(double azimuthDeg, double elevationDeg, double distanceMm);
     void turn(double azimuthDeg, double elevationDeg);

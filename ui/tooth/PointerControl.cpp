@@ -14,7 +14,7 @@ constexpr double kMarchMm = 0.04;   ///< step of the search for a hovering heigh
 constexpr double kRecoverMm = 1.5;  ///< travel of the pointer that brings the bur back under it
 constexpr double kUncutMm = 0.05;   ///< a place that is cut less deep counts as uncut
 constexpr double kThereMm = 0.05;   ///< the bur counts as under the pointer within this distance
-constexpr double kJumpMm = 0.5;     ///< on a longer way the bur is lifted over what lies between
+constexpr double kJumpMm = 0.5;     ///< on a longer way the bur is lifted over the tooth
 
 }  // namespace
 
@@ -78,7 +78,7 @@ void PointerControl::follow(const core::session::ServoState& servo)
 
 std::optional<double> PointerControl::depthMm(double tipMm) const
 {
-    // Until the contact it is not known whether this press keeps the plane.
+    // Before the contact it is not known whether this press keeps the plane of the last one.
     if (!m_surfaceMm || !m_hasTouched)
         return std::nullopt;
     return std::max(0.0, *m_surfaceMm - tipMm);
@@ -144,7 +144,7 @@ core::session::PointerInput PointerControl::input(std::optional<glm::dvec3> anch
         from = m_targetMm;
     const double highest = m_surface->highestBetweenMm(from, m_targetMm, m_burRadiusMm);
     wish.hoverMm = std::max(highest + kClearanceMm, m_hoverMm);
-    // Straight out of a cavity the bur would cut through its wall.
+    // A bur inside a cavity first goes up: on a straight way to the target it would cut through the wall.
     if (!wish.pushing && anchorMm && anchorMm->z < highest)
         wish.targetMm = glm::dvec2(*anchorMm);
     return wish;

@@ -12,7 +12,7 @@
 
 namespace ui::tooth {
 
-/// Turns rays of sight, a button and steps of keys into what the pointer device asks for. No widgets, no OpenGL.
+/// Turns rays of sight, a button and steps of keys into the input of the pointer device. No widgets, no OpenGL.
 ///
 /// While the button is up, the tip of the bur hovers on the ray, kClearanceMm above the tooth. When the button is
 /// pressed, the bur comes down where the ray meets the tooth. After it has touched the tooth, a resting pointer does
@@ -24,25 +24,28 @@ namespace ui::tooth {
 class PointerControl
 {
 public:
-    static constexpr double kClearanceMm = 0.6;  ///< between the bur and the tooth while not pushing
-    static constexpr double kLiftMm = 3.0;       ///< above the highest cusp while lifted
+    static constexpr double kClearanceMm = 0.6;  ///< between the tooth and a bur that hovers
+    static constexpr double kLiftMm = 3.0;       ///< height of a lifted bur above the highest cusp
+
+    // Range, default and step of the force. Dentists use 1 N; a mouse is not felt, so the default is lower.
     static constexpr double kWeakestN = 0.2;
-    static constexpr double kFirstN =
-        0.6;  ///< to begin with: a mouse has no feel, so a little under the 1 N of dentists
+    static constexpr double kFirstN = 0.6;
     static constexpr double kStrongestN = 3.0;
-    static constexpr double kStepN = 0.1;  ///< of wheel, keys and slider
+    static constexpr double kStepN = 0.1;
 
-    static constexpr double kSlowestMmPerS = 0.1;  ///< lowest feed
-    static constexpr double kFirstMmPerS = 0.5;    ///< default feed: the bur stops within 0.25 mm of a late reaction
-    static constexpr double kFastestMmPerS = 2.0;  ///< highest feed
-    static constexpr double kStepMmPerS = 0.1;     ///< of the slider
+    // The same of the feed. With the default, a person who reacts late goes 0.25 mm too deep at most.
+    static constexpr double kSlowestMmPerS = 0.1;
+    static constexpr double kFirstMmPerS = 0.5;
+    static constexpr double kFastestMmPerS = 2.0;
+    static constexpr double kStepMmPerS = 0.1;
 
-    static constexpr double kShallowestMm = 0.1;  ///< smallest depth of the depth stop
-    static constexpr double kFirstMm = 1.5;       ///< default depth
-    static constexpr double kDeepestMm = 9.0;     ///< largest depth
-    static constexpr double kStepMm = 0.1;        ///< of wheel, keys and slider
+    // The same of the depth of the depth stop.
+    static constexpr double kShallowestMm = 0.1;
+    static constexpr double kFirstMm = 1.5;
+    static constexpr double kDeepestMm = 9.0;
+    static constexpr double kStepMm = 0.1;
 
-    /// @param surface  null: there is no tooth; else must outlive the next call of setSurface()
+    /// @param surface  null if there is no tooth; must live until the next call of setSurface()
     void setSurface(const render::ToothSurface* surface);
     void setBurRadius(double radiusMm) { m_burRadiusMm = radiusMm; }
     [[nodiscard]] double burRadiusMm() const { return m_burRadiusMm; }
@@ -54,13 +57,13 @@ public:
     void forgetRay() { m_hasRay = false; }
     /// Takes the newest state of the bur, once a frame. The first contact of a press places the depth stop.
     void follow(const core::session::ServoState& servo);
-    /// Keys: the target moves by a vector of the tooth's x, y plane.
+    /// Moves the target by a step in the x, y plane of the tooth, for keys.
     void moveBy(glm::dvec2 stepMm);
     void push(bool pushing);
     void lift(bool lifted) { m_lifted = lifted; }
-    /// How hard to push, kept within kWeakestN .. kStrongestN.
+    /// Sets how hard to push, kept within kWeakestN .. kStrongestN.
     void setForce(double newtons);
-    /// Of the set force, what a pen presses: 0 .. 1.
+    /// Sets the share of the force that is used, 0 .. 1: the pressure of a pen.
     void setPressure(double share) { m_pressure = share; }
     [[nodiscard]] double forceN() const { return m_forceN; }
     /// Sets the largest speed at which the bur goes down, kept within kSlowestMmPerS .. kFastestMmPerS.
@@ -77,10 +80,11 @@ public:
     [[nodiscard]] std::optional<double> depthMm(double tipMm) const;
     [[nodiscard]] bool isPushing() const { return m_pushing; }
 
-    /// The wish as it stands, with the height over the tooth as it now is. Not pushing, the bur is lifted over what
-    /// lies between it (`anchorMm`, if there is one) and its target before it goes there.
+    /// Returns the input of the pointer device, with heights over the tooth as it is cut now. A bur that does not push
+    /// is lifted over what lies between it and its target before it goes there.
+    /// @param anchorMm  position of the bur; empty if it is not known
     [[nodiscard]] core::session::PointerInput input(std::optional<glm::dvec3> anchorMm = {}) const;
-    /// True when the ray meets the chewing surface and not the space beside it.
+    /// Returns whether a ray meets the occlusal surface, and not the space beside it.
     [[nodiscard]] bool meetsTooth(const render::Ray& ray) const;
 
 private:
@@ -90,7 +94,7 @@ private:
     const render::ToothSurface* m_surface = nullptr;
     double m_burRadiusMm = 0.5;
     glm::dvec2 m_targetMm{0.0};
-    double m_hoverMm = core::terrain::kEmptyTop;  ///< height at which the ray passes over the target
+    double m_hoverMm = core::terrain::kEmptyTop;  ///< height of the ray over the target
     render::Ray m_lastRay;
     bool m_hasRay = false;
     bool m_pushing = false;

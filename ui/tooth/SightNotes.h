@@ -12,7 +12,7 @@ namespace ui::tooth {
 
 class Camera;
 
-/// Puts on the recording from where the student looks: once the camera has rested for a moment, and at once when they
+/// Notes in the recording from where the student looks: when the camera has rested for a moment, and as soon as they
 /// begin to push. Ui thread.
 class SightNotes
 {
@@ -20,16 +20,16 @@ public:
     /// @param links  must outlive it
     explicit SightNotes(core::session::UiLinks& links) : m_links(links) {}
 
-    /// Call it once a frame while the student works.
-    /// @param generation  of the tooth, which has a recording of its own
+    /// Takes the camera. Call this once a frame while the student works.
+    /// @param generation  of the tooth; each has a recording of its own
     void look(const Camera& camera, std::uint64_t generation, bool pushes);
 
 private:
     core::session::UiLinks& m_links;
     std::uint64_t m_generation = 0;
-    std::uint64_t m_seen = 0;  ///< the note of the frame before
-    std::uint64_t m_told = 0;
-    QElapsedTimer m_resting;
+    std::uint64_t m_seen = 0;  ///< the sight in the last frame, as a note
+    std::uint64_t m_told = 0;  ///< the last note in the recording
+    QElapsedTimer m_resting;   ///< since m_seen has changed
 };
 
 }  // namespace ui::tooth
