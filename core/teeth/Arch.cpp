@@ -182,7 +182,6 @@ LookMesh lookMesh(const CoarseTooth& tooth)
     for (const auto& t : tooth.mesh.triangles)
         mesh.indices.insert(mesh.indices.end(), t.begin(), t.end());
     smoothNormals(mesh);
-    softenGrooves(mesh, tooth.crownVertices);
     return mesh;
 }
 
@@ -293,6 +292,7 @@ void Arch::dress(Jaw jaw)
         const CoarseTooth& one = tooth(fdi);
         const glm::dmat4 stand = jawFromTooth(fdi);
         meshes.push_back(std::make_shared<LookMesh>(lookMesh(one)));
+        softenGrooves(*meshes.back(), one.crownVertices);
         GumTooth gum;
         gum.mesh = meshes.back().get();
         gum.jawFromTooth = stand;
@@ -367,6 +367,7 @@ void Arch::dress(Jaw jaw)
         keep(std::move(gums.around[k]), first + static_cast<int>(k));
     keep(std::move(gums.base), 0);
     keep(std::move(gums.shell), 0);
+    m_skylines.push_back(std::move(skyline));
 }
 
 std::vector<ArchPiece> Arch::mouth(double openRad) const
@@ -426,7 +427,17 @@ double Arch::neckMm(int fdi) const
 /// A copy of a tooth or of its gum that fades below the neck and towards one end.
 std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchContact* end) const
 {
-    auto faded = std::make_shared<LookMesh>(*piece.mesh);
+    auto faded = std::make_shared<LookMesh>();
+    if (piece.tooth) {
+        const CoarseTooth one = generateCoarseTooth(piece.fdi, MeshDetail::medium()).value();
+        *faded = lookMesh(one);
+        findOpenness(*faded, piece.jawFromPiece, m_skylines.at(piece.jaw == Jaw::Upper ? 0 : 1));
+        shadeGrooves(*faded, one.crownVertices);
+        cutRoot(*faded, one);
+        findBall(*faded);
+    } else {
+        *faded = *piece.mesh;
+    }
     const glm::dvec2 middle(jawFromTooth(piece.fdi)[3]);
     // Between two teeth the heights of their necks pass into each other.
     struct Neck

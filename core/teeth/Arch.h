@@ -12,6 +12,7 @@
 
 #include "core/teeth/ArchCurve.h"
 #include "core/teeth/ToothGenerator.h"
+#include "core/teeth/TriangleSamples.h"
 
 /// The whole mouth as a model to look at: all 32 teeth in their arches, the gums, palate and tongue.
 ///
@@ -78,7 +79,8 @@ public:
     /// The teeth beside a tooth of the left side and the gum around the three, standing in the frame of that tooth. The
     /// gum fades below the necks and where it would go on to the next teeth, and so do the roots.
     /// The central incisors have their fellow of the right side, the third molars nobody behind them. Empty for a
-    /// number that is not one of the sixteen.
+    /// number that is not one of the sixteen. The teeth are made anew in a finer mesh than mouth() has, which takes
+    /// some tens of milliseconds.
     [[nodiscard]] std::vector<ArchPiece> neighbours(int fdi) const;
 
     /// Of the whole mouth.
@@ -102,7 +104,8 @@ private:
     std::vector<CoarseTooth> m_teeth;  ///< 21 to 28, 31 to 38
     std::array<glm::dmat4, 16> m_jawFromTooth;
     std::vector<ArchContact> m_contacts;
-    std::vector<Piece> m_pieces;  ///< of the left half
+    std::vector<Piece> m_pieces;        ///< of the left half
+    std::vector<SampleMap> m_skylines;  ///< of the upper and the lower jaw: heights that hide the sky
 };
 
 /// 36 for 46 and for 36: the tooth of the left side that looks the same, mirrored. 0 for no tooth.

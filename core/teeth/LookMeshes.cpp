@@ -58,6 +58,38 @@ void softenGrooves(LookMesh& mesh, std::size_t count)
     }
 }
 
+void shadeGrooves(LookMesh& mesh, std::size_t count)
+{
+    constexpr int kPasses = 2;
+    constexpr float kDeepMm = 0.1F;
+    constexpr float kDarkest = 0.4F;  ///< share of the light that a deep groove loses
+    LookMesh filled = mesh;
+    softenGrooves(filled, count);
+    // Normal and depth, averaged over the vertices around.
+    std::vector<glm::vec4> shades(mesh.vertices.size());
+    for (std::size_t k = 0; k < shades.size(); ++k)
+        shades[k] = glm::vec4(mesh.vertices[k].normal,
+                              glm::distance(filled.vertices[k].positionMm, mesh.vertices[k].positionMm));
+    for (int pass = 0; pass < kPasses; ++pass) {
+        std::vector<glm::vec4> sums = shades;
+        std::vector<float> counts(shades.size(), 1.0F);
+        for (std::size_t k = 0; k < mesh.indices.size(); ++k) {
+            const std::uint32_t from = mesh.indices[k];
+            const std::uint32_t to = mesh.indices[k % 3 == 2 ? k - 2 : k + 1];
+            sums[from] += shades[to];
+            counts[from] += 1.0F;
+        }
+        for (std::size_t k = 0; k < shades.size(); ++k)
+            shades[k] = sums[k] / counts[k];
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        LookVertex& v = mesh.vertices[k];
+        const float share = std::min(shades[k].w / kDeepMm, 1.0F);
+        v.open *= 1.0F - kDarkest * share;
+        v.normal = glm::normalize(glm::mix(v.normal, glm::vec3(shades[k]), share));
+    }
+}
+
 void softenShade(LookMesh& mesh)
 {
     constexpr int kPasses = 4;

@@ -23,6 +23,9 @@ void smoothNormals(LookMesh& mesh);
 /// Lifts the bottoms of grooves that are hardly wider than a triangle, among the first `count` vertices: a coarse mesh
 /// meets them here and there, like a seam that is torn. Nothing else moves. Needs normals and renews them.
 void softenGrooves(LookMesh& mesh, std::size_t count);
+/// Darkens the grooves among the first `count` vertices and evens out their normals: the more, the further
+/// softenGrooves() would lift them. For a mesh fine enough to show its grooves. Nothing moves.
+void shadeGrooves(LookMesh& mesh, std::size_t count);
 /// Evens out normals and openness in the grooves of enamel: what a coarse mesh says of them changes from vertex to
 /// vertex, and looks torn. Nothing moves.
 void softenShade(LookMesh& mesh);

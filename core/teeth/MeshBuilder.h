@@ -11,7 +11,7 @@
 
 namespace core::teeth {
 
-/// How finely a tooth is meshed. The default is what is rasterised and drilled; coarse() is for looking at from afar.
+/// How finely a tooth is meshed. The default is what is rasterised and drilled; the others are for looking at.
 struct MeshDetail
 {
     int topCells = 160;      ///< along the side of the square over the occlusal table: under 0.09 mm each on a molar
@@ -22,7 +22,10 @@ struct MeshDetail
     int branchRings = 26;    ///< of each root
     int spokePoints = 14;    ///< across the furcation
 
+    /// From afar.
     [[nodiscard]] static MeshDetail coarse() { return {32, 6, 22, 56, 3, 6, 3}; }
+    /// For looking at it beside the tooth that is drilled.
+    [[nodiscard]] static MeshDetail medium() { return {80, 8, 44, 112, 3, 6, 3}; }
 };
 
 /// Collects vertices and strips of a closed surface, in the design frame. Rings run counter-clockwise seen from +z.

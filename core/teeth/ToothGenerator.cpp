@@ -208,9 +208,9 @@ Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed)
     return form;
 }
 
-Result<CoarseTooth> generateCoarseTooth(int fdi)
+Result<CoarseTooth> generateCoarseTooth(int fdi, const MeshDetail& detail)
 {
-    return generate(fdi, 0, MeshDetail::coarse());
+    return generate(fdi, 0, detail);
 }
 
 }  // namespace core::teeth

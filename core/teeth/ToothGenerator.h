@@ -7,6 +7,7 @@
 
 #include "core/base/Result.h"
 #include "core/mesh/TriangleMesh.h"
+#include "core/teeth/MeshBuilder.h"
 #include "core/teeth/PosteriorForm.h"
 #include "core/teeth/ToothTable.h"
 
@@ -30,8 +31,9 @@ struct CoarseTooth
     std::vector<std::uint32_t> cervix;  ///< vertices of the CEJ line, once round
 };
 
-/// The mean tooth of generateTooth() in a few thousand triangles. A few milliseconds.
-[[nodiscard]] Result<CoarseTooth> generateCoarseTooth(int fdi);
+/// The mean tooth of generateTooth() in fewer triangles: a few thousand, made in a few milliseconds, or as many as
+/// `detail` asks for.
+[[nodiscard]] Result<CoarseTooth> generateCoarseTooth(int fdi, const MeshDetail& detail = MeshDetail::coarse());
 
 /// The sizes that this tooth has: the table's for seed 0, drawn from its spread (cut at two standard deviations) for
 /// any other. The CEJ lies crownHeightMm below the highest point of the facial side.

@@ -147,7 +147,7 @@ private slots:
     {
         const std::uint64_t once = m_arches->uploadedBytes();
         qInfo("%.1f MB", static_cast<double>(once) * 1.0e-6);
-        QVERIFY(once < 8'000'000);
+        QVERIFY(once < 9'000'000);
         m_arches->setPieces(m_arch.mouth(0.2));
         m_arches->setPieces({m_mouth.begin(), m_mouth.begin() + static_cast<std::ptrdiff_t>(m_mouth.size() / 2)});
         QCOMPARE(m_arches->uploadedBytes(), once);
