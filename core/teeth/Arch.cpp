@@ -438,7 +438,8 @@ std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchConta
     } else {
         *faded = *piece.mesh;
     }
-    const glm::dvec2 middle(jawFromTooth(piece.fdi)[3]);
+    const ArchCurve curve(piece.jaw);
+    const double endMm = end != nullptr ? curve.placeOf(glm::dvec2(end->middleMm)).alongMm : 0.0;
     // Between two teeth the heights of their necks pass into each other.
     struct Neck
     {
@@ -446,8 +447,8 @@ std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchConta
         double heightMm = 0.0;
     };
     std::vector<Neck> necks;
-    for (int fdi = piece.fdi - 1; fdi <= piece.fdi + 1; ++fdi)
-        if (leftFellow(fdi) == fdi && (fdi == piece.fdi || !piece.tooth))
+    for (int position = 1; position <= 8; ++position)
+        if (const int fdi = piece.fdi / 10 * 10 + position; fdi == piece.fdi || !piece.tooth)
             necks.push_back({glm::dvec2(jawFromTooth(fdi)[3]), neckMm(fdi)});
     for (LookVertex& v : faded->vertices) {
         const glm::dvec3 p(piece.jawFromPiece * glm::dvec4(v.positionMm, 1.0));
@@ -465,10 +466,8 @@ std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchConta
             shown -= eased(kFadeFromMm, kFadeToMm, below);
         else if (v.tissue > 0.5F)
             shown -= eased(kRootFadeFromMm, kRootFadeToMm, below);
-        if (end != nullptr) {
-            const glm::dvec2 at(end->middleMm);
-            shown *= eased(kEndFadeFromMm, kEndFadeToMm, glm::dot(glm::dvec2(p) - at, glm::normalize(middle - at)));
-        }
+        if (end != nullptr)
+            shown *= eased(kEndFadeFromMm, kEndFadeToMm, std::abs(curve.placeOf(glm::dvec2(p)).alongMm - endMm));
         v.shown = static_cast<float>(shown);
     }
     return faded;

@@ -20,7 +20,9 @@ constexpr double kMapCellMm = 0.25;
 constexpr double kGumMarginMm = 1.0;    ///< the margin above the CEJ
 constexpr double kBehindMm = 7.0;       ///< gum behind the last tooth
 constexpr double kBridgeMm = 3.0;       ///< radius of the curve with which the gum spans from tooth to tooth,
-constexpr double kDeepBridgeMm = 60.0;  ///< and, near its foot, from root to root
+constexpr double kDeepBridgeMm = 15.0;  ///< and, near its foot, from root to root
+constexpr double kWideMm = 12.0;        ///< how far along the arch it spans
+constexpr double kDeepSoftMm = 2.5;     ///< near its foot it is averaged over so much to either side
 constexpr double kNecksMm = -6.0;       ///< about where the one begins to turn into the other,
 constexpr double kEvenFromMm = -12.5;   ///< and where it has
 constexpr double kEvenMm = 7.0;         ///< over which the scallop is evened out further down
@@ -87,9 +89,32 @@ private:
                                                           : 0.0;
     }
 
+    /// The tooth that is drilled is a map of heights, so a hollow between crown and root is filled: the gum has to
+    /// cover the filled tooth.
+    [[nodiscard]] SampleMap withoutUndercuts() const
+    {
+        SampleMap filled = m_reach;
+        for (int column = 0; column < filled.columns; ++column) {
+            for (int row = filled.rows - 2; row >= 0; --row)
+                filled.at(column, row) = std::max(filled.at(column, row), filled.at(column, row + 1));
+            double below = kNothingMm;
+            for (int row = 0; row < filled.rows; ++row) {
+                below = std::max(below, m_reach.at(column, row));
+                filled.at(column, row) = std::min(filled.at(column, row), below);
+            }
+        }
+        return filled;
+    }
+
     void span()
     {
-        const int wide = static_cast<int>(7.0 / kMapCellMm);
+        const int wide = static_cast<int>(kWideMm / kMapCellMm);
+        std::vector<double> line(static_cast<std::size_t>(m_reach.columns));
+        // The right half mirrors the left one.
+        const auto onLine = [&](int column) {
+            return static_cast<std::size_t>(std::min(std::abs(column), m_reach.columns - 1));
+        };
+        const SampleMap filled = withoutUndercuts();
         for (int row = 0; row < m_reach.rows; ++row) {
             const double deep = 1.0 - eased(kEvenFromMm, kNecksMm, m_reach.nodeMm(0, row).y);
             const double bridge = kBridgeMm + (kDeepBridgeMm - kBridgeMm) * deep;
@@ -97,11 +122,18 @@ private:
                 double most = kNothingMm;
                 for (int k = -wide; k <= wide; ++k) {
                     const double away = k * kMapCellMm;
-                    // The right half mirrors the left one.
-                    const int from = std::min(std::abs(column + k), m_reach.columns - 1);
-                    most = std::max(most, m_reach.at(from, row) - away * away / (2.0 * bridge));
+                    const int from = static_cast<int>(onLine(column + k));
+                    most = std::max(most, filled.at(from, row) - away * away / (2.0 * bridge));
                 }
-                m_spanned.at(column, row) = most;
+                line[onLine(column)] = most;
+            }
+            // Removes the creases where two spans meet.
+            const int soft = static_cast<int>(std::lround(kDeepSoftMm * deep / kMapCellMm));
+            for (int column = 0; column < m_reach.columns; ++column) {
+                double sum = 0.0;
+                for (int k = -soft; k <= soft; ++k)
+                    sum += line[onLine(column + k)];
+                m_spanned.at(column, row) = sum / (2 * soft + 1);
             }
         }
     }
@@ -159,12 +191,13 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
             sum += marginAt(std::abs(along + kEvenMm * k / kSteps), isFacial);
         return sum / (2 * kSteps + 1);
     };
-    // How thick it lies over teeth and roots, by the depth below the margin.
-    const auto thicknessMm = [&](double depth, bool isFacial) {
+    // How thick the gum is over teeth and roots, by the depth below the margin. Further down, the depth below a margin
+    // without scallops counts: otherwise a pleat would hang from each papilla.
+    const auto thicknessMm = [&](double depth, double evenDepth, bool isFacial) {
         const double even = 0.30 + 0.55 * eased(0.0, 2.2, depth);
         if (isFacial)
-            return even + 0.10 * std::max(depth - 5.0, 0.0);
-        return even + (jaw == Jaw::Upper ? 0.55 : 0.12) * std::max(depth - 1.2, 0.0);
+            return even + 0.10 * std::max(evenDepth - 5.0, 0.0);
+        return even + (jaw == Jaw::Upper ? 0.55 : 0.12) * std::max(evenDepth - 1.2, 0.0);
     };
     const auto sideAt = [&](double along, bool isFacial, std::span<const double> depths, bool toFoot) {
         const Contour& contour = isFacial ? facial : lingual;
@@ -172,9 +205,9 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
         const double behind = std::clamp((along - lastMm) / kBehindMm, 0.0, 1.0);
         std::vector<double> all(depths.begin(), depths.end());
         const double foot = margin - kGumFootMm;
+        const double evenMargin = evenMarginAt(along, isFacial);
         // Deep down the rows run straight along the jaw.
-        const double deepest =
-            std::clamp(depths.back() + margin - evenMarginAt(along, isFacial), 0.3, std::max(0.9 * foot, 0.3));
+        const double deepest = std::clamp(depths.back() + margin - evenMargin, 0.3, std::max(0.9 * foot, 0.3));
         for (double& depth : all)
             depth *= 1.0 + (deepest / depths.back() - 1.0) * depth / depths.back();
         for (int k = 1; toFoot && k <= kFootColumns; ++k)
@@ -184,7 +217,8 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
         double face = kNothingMm;
         double before = 0.0;
         for (const double depth : all) {
-            const double over = contour.spanned(along, margin - depth) + thicknessMm(depth, isFacial);
+            const double over =
+                contour.spanned(along, margin - depth) + thicknessMm(depth, depth + evenMargin - margin, isFacial);
             face = std::max(over, face - kSteepestIn * (depth - before));
             before = depth;
             const double down = 1.0 - std::min(depth / kRollMm, 1.0);
