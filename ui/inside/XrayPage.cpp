@@ -37,6 +37,7 @@ using core::imaging::XrayedTooth;
 constexpr int kMostAngleDeg = 90;
 constexpr int kMostTiltDeg = 45;
 constexpr int kStepsToDouble = 3;  ///< of the exposure
+constexpr int kFrontSteps = -2;    ///< an incisor or canine is thin and needs less
 constexpr int kMostSteps = 2 * kStepsToDouble;
 constexpr double kMarginMm = 1.0;
 /// The grain of the two films. Always the same two, so that a picture can be made again.
@@ -292,6 +293,8 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth)
         m_neighbours.reset();
         m_before->setFilm({});
         m_now->setFilm({});
+        const bool front = tooth.anatomy->fdi % 10 >= 1 && tooth.anatomy->fdi % 10 <= 3;
+        m_exposure->setValue(front ? kFrontSteps : 0);
     }
     const bool ours = core::teeth::isGenerated(*tooth.anatomy);
     m_bitewing->setEnabled(ours);
