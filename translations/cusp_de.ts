@@ -3950,8 +3950,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Spitze bis Pulpa, senkrecht</translation>
     </message>
     <message>
-        <source>Tip to the nearest pulp</source>
-        <translation>Spitze bis nächste Pulpa</translation>
+        <source>Bur to the nearest pulp</source>
+        <translation>Bohrer bis nächste Pulpa</translation>
     </message>
 </context>
 <context>
@@ -7796,12 +7796,12 @@ ungesichert</translation>
         <translation>Das Handstück berührt die Krone, deshalb kommt der Bohrer nicht tiefer.</translation>
     </message>
     <message>
-        <source>Dentin over pulp</source>
-        <translation>Dentin über Pulpa</translation>
+        <source>To the pulp</source>
+        <translation>Bis zur Pulpa</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
-        <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Lassen Sie zwei Millimeter stehen; weniger als ein halber Millimeter schadet der Pulpa.</translation>
+        <source>Shortest distance from the head of the bur to the pulp, downwards or sideways. Leave two millimetres; less than half a millimetre harms the pulp.</source>
+        <translation>Kürzester Abstand vom Bohrerkopf zur Pulpa, nach unten oder seitlich. Lassen Sie zwei Millimeter stehen; weniger als ein halber Millimeter schadet der Pulpa.</translation>
     </message>
     <message>
         <source>To the limit</source>

@@ -3950,8 +3950,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Punta a pulpa, en vertical</translation>
     </message>
     <message>
-        <source>Tip to the nearest pulp</source>
-        <translation>Punta a la pulpa más cercana</translation>
+        <source>Bur to the nearest pulp</source>
+        <translation>Fresa a la pulpa más cercana</translation>
     </message>
 </context>
 <context>
@@ -7796,12 +7796,12 @@ sin guardar</translation>
         <translation>La pieza de mano toca la corona, así que la fresa no puede bajar más.</translation>
     </message>
     <message>
-        <source>Dentin over pulp</source>
-        <translation>Dentina sobre pulpa</translation>
+        <source>To the pulp</source>
+        <translation>Hasta la pulpa</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
-        <translation>Dentina sana entre el tallado y la pulpa, en vertical bajo la punta. Deje dos milímetros; menos de medio milímetro daña la pulpa.</translation>
+        <source>Shortest distance from the head of the bur to the pulp, downwards or sideways. Leave two millimetres; less than half a millimetre harms the pulp.</source>
+        <translation>Distancia más corta de la cabeza de la fresa a la pulpa, hacia abajo o hacia los lados. Deje dos milímetros; menos de medio milímetro daña la pulpa.</translation>
     </message>
     <message>
         <source>To the limit</source>

@@ -3912,8 +3912,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>バーの先端から真下の距離です。ダッシュ：そこに歯髄はありません。</translation>
     </message>
     <message>
-        <source>Tip to the nearest pulp</source>
-        <translation>先端から最も近い歯髄まで</translation>
+        <source>Bur to the nearest pulp</source>
+        <translation>バーから最も近い歯髄まで</translation>
     </message>
     <message>
         <source>The shortest way in any direction, also out of the plane of the picture.</source>
@@ -7696,12 +7696,12 @@ unsaved</source>
         <translation>元の表面からの先端の深さです。垂直の深さに意味のない歯の縁では表示しません。</translation>
     </message>
     <message>
-        <source>Dentin over pulp</source>
-        <translation>歯髄上の象牙質</translation>
+        <source>To the pulp</source>
+        <translation>歯髄まで</translation>
     </message>
     <message>
-        <source>Sound dentin between the cut and the pulp, vertically below the tip. Leave two millimetres; less than half a millimetre harms the pulp.</source>
-        <translation>先端の真下で、切削面と歯髄の間にある健全象牙質です。2 mmが望ましく、0.5 mm未満では歯髄を傷つけます。</translation>
+        <source>Shortest distance from the head of the bur to the pulp, downwards or sideways. Leave two millimetres; less than half a millimetre harms the pulp.</source>
+        <translation>バーの頭部から歯髄までの、下方または側方の最短距離です。2 mmを残してください。0.5 mm未満では歯髄を傷つけます。</translation>
     </message>
     <message>
         <source>To the limit</source>

@@ -163,11 +163,12 @@ std::optional<glm::dvec3> PulpChamber::nearest(glm::dvec3 pointMm) const
                       std::clamp<double>(pointMm.z, best->low, best->high));
 }
 
-DepthReading readDepth(const Tooth& tooth, const PulpChamber& pulp, glm::dvec3 tipMm)
+DepthReading readDepth(const Tooth& tooth, const PulpChamber& pulp, glm::dvec3 tipMm, double headRadiusMm)
 {
     DepthReading reading;
-    if (const auto nearest = pulp.nearest(tipMm))
-        reading.toPulpMm = glm::length(*nearest - tipMm);
+    const glm::dvec3 headMm = tipMm + glm::dvec3(0.0, 0.0, headRadiusMm);
+    if (const auto nearest = pulp.nearest(headMm))
+        reading.toPulpMm = std::max(0.0, glm::length(*nearest - headMm) - headRadiusMm);
     const Grid& grid = tooth.grid();
     const ToothAnatomy& anatomy = *tooth.anatomy;
     const glm::dvec2 at = grid.latticeOf({tipMm.x, tipMm.y});

@@ -78,10 +78,12 @@ struct DepthReading
     double depthMm = 0.0;                    ///< below the original surface; negative above it
     std::optional<double> dentinOverPulpMm;  ///< sound dentin left between cut and pulp; nothing without pulp below
     std::optional<double> downToPulpMm;      ///< from the tip straight down, 0 in the pulp; nothing without pulp below
-    std::optional<double> toPulpMm;          ///< shortest way from the tip in any direction, 0 in the pulp
+    std::optional<double> toPulpMm;          ///< shortest way from the head of the bur in any direction, 0 in the pulp
 };
 
 /// @param pulp  made for this tooth's anatomy
-[[nodiscard]] DepthReading readDepth(const terrain::Tooth& tooth, const PulpChamber& pulp, glm::dvec3 tipMm);
+/// @param headRadiusMm  of the bur, whose head counts as a ball for toPulpMm; 0: the tip alone
+[[nodiscard]] DepthReading readDepth(const terrain::Tooth& tooth, const PulpChamber& pulp, glm::dvec3 tipMm,
+                                     double headRadiusMm = 0.0);
 
 }  // namespace core::imaging

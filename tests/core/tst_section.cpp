@@ -279,6 +279,8 @@ private slots:
         // Where no pulp lies below, there is only the way in any direction: 1 mm sideways and 1 mm down from here.
         const glm::dvec2 beside = anatomy->grid.nodeMm(9, 32) - glm::dvec2(0.05, 0.0);
         QVERIFY(reads({beside, -4.0}, std::nullopt, std::nullopt, std::sqrt(1.1 * 1.1 + 1.0)));
+        // The head of the bur, a ball of 0.5 mm, is nearer than its tip where the pulp lies beside it.
+        QVERIFY(isClose(imaging::readDepth(tooth, pulp, {beside, -5.5}, 0.5).toPulpMm.value(), 0.6));
     }
 
     void besideTheToothNothingIsRead()

@@ -285,7 +285,7 @@ private slots:
         QTRY_VERIFY(std::exchange(one, shown(first, 0.0F)) == one);
         QTRY_VERIFY(shown(other, 0.0F) == one);
         QTRY_VERIFY(shown(first, 0.7F) == one);
-        for (const char* name : {"materialFigure", "depthFigure", "dentinFigure", "decayFigure", "enamelRemoved"})
+        for (const char* name : {"materialFigure", "depthFigure", "pulpFigure", "decayFigure", "enamelRemoved"})
             QVERIFY2(!child<TabularLabel>(name)->isVisible(), name);
         for (QAction* aid :
              {actions().section, actions().radiograph, actions().depthColours, actions().mirror, actions().history})

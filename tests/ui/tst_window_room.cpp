@@ -243,7 +243,7 @@ private slots:
             QVERIFY(aid->toolTip().contains("does not allow"));
         }
         QVERIFY(!child<TabularLabel>("depthFigure")->isVisible());
-        QVERIFY(!child<TabularLabel>("dentinFigure")->isVisible());
+        QVERIFY(!child<TabularLabel>("pulpFigure")->isVisible());
         press(Qt::Key_X);
         press(Qt::Key_F);
         QVERIFY(!section->isVisible() && !films->isVisible());
@@ -311,16 +311,16 @@ private slots:
         ServoState servo;
         servo.tick = 5;
         const auto isShown = [&](const char* name) { return child<TabularLabel>(name)->isVisible(); };
-        const int depthPx = child<TabularLabel>("depthFigure")->width();
         servo.anchorMm = {0.0, 0.0, -1.0};
         servo.touching = servo.hasDepth = true;
         take(servo, {});
-        QTRY_VERIFY(isShown("dentinFigure"));
+        QTRY_VERIFY(isShown("pulpFigure"));
         QVERIFY(!isShown("marginFigure"));
+        const int depthPx = child<TabularLabel>("depthFigure")->width();
         servo.anchorMm = {100.0, 100.0, 5.0};
         servo.touching = servo.hasDepth = false;
         take(servo, {});
-        QTRY_VERIFY(!isShown("dentinFigure"));
+        QTRY_VERIFY(!isShown("pulpFigure"));
         QCOMPARE(child<TabularLabel>("depthFigure")->width(), depthPx);
     }
 
@@ -337,7 +337,7 @@ private slots:
         QTRY_COMPARE(figure("materialFigure"), QString("Block"));
         QTRY_COMPARE(figure("enamelRemoved"), QString("3.00"));
         QVERIFY(!child<TabularLabel>("dentinRemoved")->isVisible());
-        QVERIFY(!child<TabularLabel>("dentinFigure")->isVisible());
+        QVERIFY(!child<TabularLabel>("pulpFigure")->isVisible());
         beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
         take(servo, session);
         QTRY_COMPARE(figure("materialFigure"), QString("Enamel"));

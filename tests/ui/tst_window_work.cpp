@@ -133,7 +133,7 @@ private slots:
         QVERIFY(std::all_of(ofACut.begin(), ofACut.end(), told));
         for (const Task task : {Task::TouchPoints, Task::HoldForce}) {
             beginLesson(assigned(task));
-            QVERIFY(std::none_of(ofACut.begin(), ofACut.end(), told) && !told("dentinFigure"));
+            QVERIFY(std::none_of(ofACut.begin(), ofACut.end(), told) && !told("pulpFigure"));
             QVERIFY2(told("enamelRemoved") && told("forceFigure"), "a scratch is told all the same");
             // R begins it anew, and no stroke is to be brought back.
             QSignalSpy again(m_window.get(), &MainWindow::attemptAgainWanted);

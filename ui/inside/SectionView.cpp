@@ -152,7 +152,7 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
         QT_TR_NOOP("Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there."));
     m_down = addFigure(QT_TR_NOOP("Tip straight down to the pulp"), "sectionDown",
                        QT_TR_NOOP("Straight down from the tip of the bur. A dash: no pulp there."));
-    m_nearest = addFigure(QT_TR_NOOP("Tip to the nearest pulp"), "sectionNearest",
+    m_nearest = addFigure(QT_TR_NOOP("Bur to the nearest pulp"), "sectionNearest",
                           QT_TR_NOOP("The shortest way in any direction, also out of the plane of the picture."));
 
     auto* column = new QVBoxLayout(this);

@@ -1421,14 +1421,18 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     m_servo = servo;
     m_periods.take(servo);
     const core::terrain::Tooth* tooth = m_view->tooth();
-    core::imaging::DepthReading reading = tooth != nullptr && m_pulp && servo.tick > 0
-                                              ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm)
-                                              : core::imaging::DepthReading{};
+    core::imaging::DepthReading reading =
+        tooth != nullptr && m_pulp && servo.tick > 0
+            ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm,
+                                       core::drilling::burs()[servo.burIndex].headRadiusMm)
+            : core::imaging::DepthReading{};
     // One depth, wherever it is told: that of the servo, who knows the flanks. Above the old surface there is none.
     reading.overTooth = servo.hasDepth && (servo.touching || reading.depthMm >= 0.0);
     reading.depthMm = servo.depthMm;
-    if (!reading.overTooth && !servo.touching)
+    if (!reading.overTooth && !servo.touching) {
         reading.dentinOverPulpMm.reset();
+        reading.toPulpMm.reset();
+    }
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
     guide(servo);

@@ -41,9 +41,9 @@ constexpr qint64 kWordsEveryMs = 80;
 constexpr double kSidewaysFromN = 0.15;
 /// In the air, less than this is the tremble of the bur (core::contact::BurVibration), and no push.
 constexpr double kTrembleN = 0.2;
-/// Dentin over the pulp: less than this wants a lining, and less than that harms the pulp (teeth.md, section 7).
-constexpr double kThinDentinMm = 1.0;
-constexpr double kHarmfulDentinMm = 0.5;
+/// Distance to the pulp: less than this wants a lining, and less than that harms the pulp (teeth.md, section 7).
+constexpr double kThinMm = 1.0;
+constexpr double kHarmfulMm = 0.5;
 
 std::size_t at(Material material)
 {
@@ -91,7 +91,7 @@ SidePanel::SidePanel(const Actions& actions, tooth::ToothView& view, QWidget* pa
     auto* pair = new QHBoxLayout;
     pair->setSpacing(kSpace2);
     m_depth = addFigure(pair, "depthFigure");
-    m_dentin = addFigure(pair, "dentinFigure");
+    m_pulp = addFigure(pair, "pulpFigure");
     pair->setStretch(0, 1);
     pair->setStretch(1, 1);
     column->addLayout(pair);
@@ -184,10 +184,10 @@ SidePanel::SidePanel(const Actions& actions, tooth::ToothView& view, QWidget* pa
         m_depth.block->setToolTip(
             brokenIntoLines(tr("Depth of the tip below the original surface. No value is shown at the edge of the "
                                "tooth, where a vertical depth means little.")));
-        name(m_dentin, tr("Dentin over pulp"));
-        m_dentin.block->setToolTip(
-            brokenIntoLines(tr("Sound dentin between the cut and the pulp, vertically below the tip. Leave two "
-                               "millimetres; less than half a millimetre harms the pulp.")));
+        name(m_pulp, tr("To the pulp"));
+        m_pulp.block->setToolTip(brokenIntoLines(
+            tr("Shortest distance from the head of the bur to the pulp, downwards or sideways. Leave two "
+               "millimetres; less than half a millimetre harms the pulp.")));
         //: How far the bur is from what is to be kept
         name(m_margin, tr("To the limit"));
         m_margin.block->setToolTip(
@@ -248,10 +248,10 @@ void SidePanel::setColours(render::Palette colours)
         swatch->setColours(colours);
 }
 
-void SidePanel::setTold(bool depth, bool dentin)
+void SidePanel::setTold(bool depth, bool pulp)
 {
     m_tellsDepth = depth;
-    m_tellsDentin = dentin;
+    m_tellsPulp = pulp;
     showFigures();
 }
 
@@ -277,7 +277,7 @@ void SidePanel::showFigures()
         figure.block->setSizePolicy(policy);
         figure.block->setVisible(isTold && hasValue);
     };
-    show(m_dentin, m_tellsDentin && tells && !m_isBlock, m_hasDentin);
+    show(m_pulp, m_tellsPulp && tells && !m_isBlock, m_hasPulp);
     show(m_margin, tells, m_hasMargin);
     for (const Material material : {Material::Dentin, Material::Pulp})
         m_removed.at(at(material))->parentWidget()->setVisible(!m_isBlock);
@@ -329,15 +329,15 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         setFigure(m_depth, text::number(reading.depthMm, 2), QStringLiteral("mm"));
     else
         setFigure(m_depth, dash(), QStringLiteral("mm"), quiet);
-    if (reading.dentinOverPulpMm) {
-        const double left = *reading.dentinOverPulpMm;
-        setFigure(m_dentin, text::number(left, 2), QStringLiteral("mm"),
-                  left < kHarmfulDentinMm ? tone.harmText
-                  : left < kThinDentinMm  ? tone.attentionText
-                                          : QColor());
+    if (reading.toPulpMm) {
+        const double left = *reading.toPulpMm;
+        setFigure(m_pulp, text::number(left, 2), QStringLiteral("mm"),
+                  left < kHarmfulMm ? tone.harmText
+                  : left < kThinMm  ? tone.attentionText
+                                    : QColor());
     }
-    if (m_hasDentin != reading.dentinOverPulpMm.has_value()) {
-        m_hasDentin = !m_hasDentin;
+    if (m_hasPulp != reading.toPulpMm.has_value()) {
+        m_hasPulp = !m_hasPulp;
         showFigures();
     }
 

@@ -47,8 +47,8 @@ public:
     void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
     /// Of the discs beside the names of tissues.
     void setColours(render::Palette colours);
-    /// What a depth gauge tells, and what only an X-ray picture tells: how much dentin is left over the pulp.
-    void setTold(bool depth, bool dentin);
+    /// What a depth gauge tells, and what only an X-ray picture tells: how near the pulp is.
+    void setTold(bool depth, bool pulp);
     /// Tissues are to be told by feel: nothing of what would name them is shown.
     void setBlindfold(bool on);
     [[nodiscard]] HandControls& hand() { return *m_hand; }
@@ -72,7 +72,7 @@ private:
     Figure m_material{};
     Figure m_force{};
     Figure m_depth{};
-    Figure m_dentin{};
+    Figure m_pulp{};
     Figure m_decay{};
     Figure m_margin{};
     QLabel* m_overcutWords = nullptr;
@@ -88,10 +88,10 @@ private:
     QLabel* m_health = nullptr;
     QWidget* m_removedBlock = nullptr;
     bool m_isBlock = false;
-    bool m_hasDentin = false;  ///< m_dentin has a value
+    bool m_hasPulp = false;    ///< m_pulp has a value
     bool m_hasMargin = false;  ///< m_margin has a value
     bool m_tellsDepth = true;
-    bool m_tellsDentin = true;
+    bool m_tellsPulp = true;
     bool m_blindfold = false;
     HandControls* m_hand = nullptr;
     QElapsedTimer m_sinceWords;
