@@ -13,6 +13,7 @@
 #include "core/drilling/Reach.h"
 #include "core/grading/MeasureTable.h"
 #include "core/grading/Referee.h"
+#include "core/guidance/Landmarks.h"
 #include "core/preparation/ToothDesign.h"
 #include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
@@ -186,6 +187,22 @@ private slots:
         QFETCH(const double, most);
         const double depth = depthToCutMm(assigned(QTest::currentDataTag()));
         QVERIFY2(depth >= least && depth <= most, qPrintable(QString::number(depth)));
+    }
+
+    void everyPlaceThatAStepNamesIsThere()
+    {
+        for (const Lesson& lesson : withIdeal()) {
+            std::optional<Assignment> assignment;
+            for (const Step& step : lesson.steps) {
+                if (!step.mark)
+                    continue;
+                if (!assignment)
+                    assignment = assigned(lesson.id);
+                const auto places =
+                    core::guidance::findLandmark(*step.mark, *assignment->anatomy, *assignment->shownIdeal());
+                QVERIFY2(!places.empty(), inLanguage(step.text, "en").c_str());
+            }
+        }
     }
 
     void everyIdealEarnsFullPoints_data()
