@@ -7,7 +7,9 @@
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QPointingDevice>
 #include <QSignalSpy>
+#include <QTabletEvent>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -166,6 +168,29 @@ private slots:
         QVERIFY(pointer().pushing);
         QCOMPARE(pointer().pushForceN, PointerControl::kFirstN);
         QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at);
+        QVERIFY(!pointer().pushing);
+    }
+
+    void aPenPushesWithItsPressure()
+    {
+        look(0.0, 88.0);
+        const QPoint at = pixelOf({-1.5, 2.0, -2.0});
+        const QPointingDevice pen(QStringLiteral("pen"), 1, QInputDevice::DeviceType::Stylus,
+                                  QPointingDevice::PointerType::Pen, QInputDevice::Capability::Pressure, 1, 1);
+        const auto send = [&](QEvent::Type type, double pressure, Qt::MouseButton button) {
+            const bool isDown = type != QEvent::TabletRelease && pressure > 0.0;
+            QTabletEvent event(type, &pen, at, m_view->mapToGlobal(at), pressure, 0.0F, 0.0F, 0.0F, 0.0, 0.0F,
+                               Qt::NoModifier, button, isDown ? Qt::LeftButton : Qt::NoButton);
+            QCoreApplication::sendEvent(m_view.get(), &event);
+            return event.isAccepted();
+        };
+        QVERIFY(send(QEvent::TabletMove, 0.0, Qt::NoButton));
+        QVERIFY(near(pixelOf({pointer().targetMm, pointer().hoverMm}).x(), at.x(), 2.0));
+        m_links->servo.publish(burAt({pointer().targetMm, pointer().hoverMm}));
+        QVERIFY(send(QEvent::TabletPress, 0.5, Qt::LeftButton));
+        QTRY_VERIFY(pointer().pushing);
+        QVERIFY(near(pointer().pushForceN, 0.5 * PointerControl::kFirstN));
+        QVERIFY(send(QEvent::TabletRelease, 0.0, Qt::LeftButton));
         QVERIFY(!pointer().pushing);
     }
 

@@ -259,8 +259,7 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
     std::shared_ptr<const std::vector<float>> lookedAt;
     std::vector<std::size_t> brown;
     const auto placeOf = [&](std::size_t k, const std::vector<float>& tops) {
-        const auto side = static_cast<std::size_t>(grid.side);
-        return glm::dvec3(grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side)), tops[k]);
+        return glm::dvec3(grid.nodeMm(k), tops[k]);
     };
     glm::dvec2 meant = kScreenPx / 2.0;
     const auto decide = [&](const Sight& now) {
@@ -300,9 +299,9 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
             meant += way * std::min(1.0, 4.0 / glm::length(way));
         }
         const bool isOnGoal = goal && glm::distance(seen->burPx, meant) < kAheadPx;
-        const bool isBrownUnder =
+        const bool isSoundUnder =
             !hand.stopMm && seen->under && *seen->under != Material::Caries && seen->depthMm.value_or(0.0) > 0.3;
-        deed = {person.aim(meant), isOnGoal && !isBrownUnder && !brown.empty(), stopMm,
+        deed = {person.aim(meant), isOnGoal && !isSoundUnder && !brown.empty(), stopMm,
                 cleanS > 1.0 || now.seconds > kGivesUpS - 1.0};
         return deed;
     };
