@@ -73,7 +73,8 @@ constexpr int kSettleMs = 20;
 constexpr int kMostTakeUpLooks = 250;
 constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
-constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
+constexpr int kLongestLookMs = 1500;   ///< for what a page shows of the school
+constexpr int kLongestCheckMs = 6000;  ///< for whether an attempt is left: a busy computer answers late
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
 constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
@@ -1063,7 +1064,7 @@ void Application::askWhetherAllowed(const std::string& lessonId, const std::func
         [once](const core::Result<std::optional<int>>& left) {
             once(!left || !left->has_value() || left->value() > 0);
         });
-    QTimer::singleShot(kLongestLookMs, this, [once] { once(true); });
+    QTimer::singleShot(kLongestCheckMs, this, [once] { once(true); });
 }
 
 /// Goes on where the student may still try this lesson; else says so.
@@ -2018,7 +2019,7 @@ void Application::offerUnfinished()
             if (!std::exchange(*isDecided, true) && m_who == who)
                 lookForUnfinished(known.value_or(KnownAttempts()));
         });
-    QTimer::singleShot(kLongestLookMs, this, [this, isDecided, who = m_who] {
+    QTimer::singleShot(kLongestCheckMs, this, [this, isDecided, who = m_who] {
         if (!std::exchange(*isDecided, true) && m_who == who)
             lookForUnfinished({});
     });
