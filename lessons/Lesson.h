@@ -107,8 +107,9 @@ enum class Reached : std::uint8_t {
     DecayFound,    ///< the bur has removed some decay
     Junction,      ///< the bur has removed some dentin
     DecayRemoved,  ///< at most 1 % of the decay is left
+    Depth,         ///< the bur is as deep as the depth stop begins at (depthToCutMm)
 };
-inline constexpr std::size_t kReachedCount = 3;
+inline constexpr std::size_t kReachedCount = 4;
 
 /// A step of the work, with a hint on request.
 struct Step

@@ -33,7 +33,8 @@ constexpr int kMostPointsToTouch = 40;
 constexpr double kFarthestPointMm = 30.0;
 constexpr qint64 kLargestSeed = qint64{1} << 53;
 constexpr int kNewestFormat = 1'000'000;
-const QStringList kReached{QStringLiteral("decay_found"), QStringLiteral("junction"), QStringLiteral("decay_removed")};
+const QStringList kReached{QStringLiteral("decay_found"), QStringLiteral("junction"), QStringLiteral("decay_removed"),
+                           QStringLiteral("depth")};
 const QStringList kLandmarks{QStringLiteral("central_pit"),  QStringLiteral("mesial_pit"),
                              QStringLiteral("distal_pit"),   QStringLiteral("mesial_ridge"),
                              QStringLiteral("distal_ridge"), QStringLiteral("ridges_to_keep"),

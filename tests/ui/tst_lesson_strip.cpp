@@ -52,15 +52,29 @@ private slots:
         const core::terrain::PerMaterial whole{10.0, 10.0, 10.0, 10.0};
         core::terrain::PerMaterial removed{};
         removed[static_cast<std::size_t>(Material::Dentin)] = 1.0;
-        m_strip->follow(whole, removed);
+        m_strip->follow(whole, removed, false);
         QCOMPARE(words(), QString("First"));
         removed[static_cast<std::size_t>(Material::Caries)] = 1.0;
-        m_strip->follow(whole, removed);
+        m_strip->follow(whole, removed, false);
         QCOMPARE(words(), QString("Third"));
         // A student who goes back stays there while nothing new is reached.
         arrow("Previous step").click();
-        m_strip->follow(whole, removed);
+        m_strip->follow(whole, removed, false);
         QCOMPARE(words(), QString("Second"));
+    }
+
+    void eachDepthIsReachedAnew()
+    {
+        lessons::Lesson lesson = threeSteps();
+        lesson.steps[0].doneWhen = lesson.steps[1].doneWhen = lessons::Reached::Depth;
+        m_strip->setLesson(lesson);
+        for (const char* next : {"Second", "Third"}) {
+            m_strip->follow({}, {}, false);
+            for (int pictures = 0; pictures < 2; ++pictures) {
+                m_strip->follow({}, {}, true);
+                QCOMPARE(words(), QString(next));
+            }
+        }
     }
 
     void practiceSaysWhatToDo()
@@ -74,10 +88,10 @@ private slots:
         const QString first = words();
         QVERIFY(first.contains("decay"));
         removed[decay] = 5.0;
-        m_strip->follow(whole, removed);
+        m_strip->follow(whole, removed, false);
         QCOMPARE(words(), first);
         removed[decay] = 9.95;
-        m_strip->follow(whole, removed);
+        m_strip->follow(whole, removed, false);
         QVERIFY(words() != first);
     }
 

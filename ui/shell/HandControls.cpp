@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/HandControls.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -100,6 +101,15 @@ void HandControls::begin(bool stopIsAllowed, double depthMm)
 {
     m_stopOn->setEnabled(stopIsAllowed);
     m_view.setDepthStop(stopIsAllowed, depthMm);
+    m_depthMm = depthMm;
+}
+
+bool HandControls::isDeep(const core::session::ServoState& servo) const
+{
+    constexpr double kNearlyMm = 0.1;
+    const double belowSurfaceMm = servo.hasDepth ? servo.depthMm : 0.0;
+    const double shownMm = m_view.hand().depthMm(servo.anchorMm.z).value_or(0.0);
+    return servo.touching && std::max(belowSurfaceMm, shownMm) >= m_depthMm - kNearlyMm;
 }
 
 void HandControls::setFeed(double mmPerS)

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include "core/session/Links.h"
+
 class QCheckBox;
 class QSlider;
 
@@ -25,6 +27,8 @@ public:
     /// Sets the depth stop for a lesson: switched on at this depth or, where it is not allowed, switched off and
     /// disabled.
     void begin(bool stopIsAllowed, double depthMm);
+    /// Returns whether the bur touches the tooth at the depth of the lesson.
+    [[nodiscard]] bool isDeep(const core::session::ServoState& servo) const;
     /// Sets the feed, and stores it for the next run of the program.
     void setFeed(double mmPerS);
     /// Restores the default feed and force.
@@ -35,6 +39,7 @@ private:
     void showHand();
 
     tooth::ToothView& m_view;
+    double m_depthMm = 0.0;  ///< of the lesson
     QSlider* m_feed = nullptr;
     QCheckBox* m_stopOn = nullptr;
     QSlider* m_stop = nullptr;

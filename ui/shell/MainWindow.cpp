@@ -1500,7 +1500,7 @@ void MainWindow::takeSession()
     } else if (m_session.toothGeneration == m_ownGeneration) {
         if (m_assignment) {
             runClock();
-            m_room->lesson().follow(m_session.wholeMm3, m_session.removedMm3);
+            m_room->lesson().follow(m_session.wholeMm3, m_session.removedMm3, m_room->panel().hand().isDeep(m_servo));
         }
         m_room->history().follow(m_session.historyVersion);
     }

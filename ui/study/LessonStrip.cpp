@@ -31,13 +31,13 @@ using core::guidance::Landmark;
 
 /// Returns whether each of lessons::Reached has been reached, in their order.
 std::array<bool, ::lessons::kReachedCount> reachedOn(const core::terrain::PerMaterial& wholeMm3,
-                                                     const core::terrain::PerMaterial& removedMm3)
+                                                     const core::terrain::PerMaterial& removedMm3, bool isDeep)
 {
     constexpr auto kCaries = static_cast<std::size_t>(core::terrain::Material::Caries);
     constexpr auto kDentin = static_cast<std::size_t>(core::terrain::Material::Dentin);
     const double decay = wholeMm3[kCaries];
     return {removedMm3[kCaries] > kSomeMm3, removedMm3[kDentin] > kSomeMm3,
-            decay > 0.0 && decay - removedMm3[kCaries] <= kDecayLeftMost * decay};
+            decay > 0.0 && decay - removedMm3[kCaries] <= kDecayLeftMost * decay, isDeep};
 }
 
 QString landmarkName(Landmark landmark)
@@ -153,15 +153,19 @@ void LessonStrip::markPlaces(tooth::ExerciseMarks& marks, const core::terrain::T
         marks.points.push_back({placeMm, 0.0, false, landmarkName(landmark)});
 }
 
-void LessonStrip::follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3)
+void LessonStrip::follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3,
+                         bool isDeep)
 {
-    const auto reached = reachedOn(wholeMm3, removedMm3);
+    auto reached = reachedOn(wholeMm3, removedMm3, isDeep);
     if (std::exchange(m_reached, reached) == reached || m_isConcluded)
         return;
     std::size_t step = m_step;
     while (step + 1 < m_lesson.steps.size() && m_lesson.steps[step].doneWhen &&
-           reached.at(static_cast<std::size_t>(*m_lesson.steps[step].doneWhen)))
+           reached.at(static_cast<std::size_t>(*m_lesson.steps[step].doneWhen))) {
+        // The bur is deep in one place: the next step that asks for it is done in another.
+        reached.at(static_cast<std::size_t>(::lessons::Reached::Depth)) = false;
         ++step;
+    }
     if (step != m_step)
         goTo(step);
 }

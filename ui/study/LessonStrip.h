@@ -36,7 +36,8 @@ public:
                     const std::vector<float>& ideal) const;
     /// Shows the next step if the bur has just reached what the current step asks for.
     /// @param wholeMm3, removedMm3  volumes of the uncut tooth, and of what was removed, by material
-    void follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3);
+    /// @param isDeep  the bur is as deep as the lesson asks
+    void follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3, bool isDeep);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
     /// Tells whether another attempt at the exam is left after its grade.
