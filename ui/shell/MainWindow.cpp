@@ -1724,9 +1724,7 @@ void MainWindow::goBack()
         m_actions->history->trigger();
     } else if (m_replaying) {
         emit replayStopRequested();
-    } else if (m_messages->dismiss()) {
-        return;
-    } else if (m_room->hideNotice()) {
+    } else if (m_messages->dismiss() || m_room->hideNotice()) {
         return;
     } else if (!m_watch->names().isEmpty()) {
         m_watch->forget({});
