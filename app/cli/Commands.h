@@ -47,5 +47,6 @@ int userCommand(const QStringList& arguments);
 int importCommand(const QStringList& arguments);
 int exportCommand(const QStringList& arguments);
 int presetCommand(const QStringList& arguments);
+int falconCommand(const QStringList& arguments);
 
 }  // namespace app::cli

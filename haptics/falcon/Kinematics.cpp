@@ -21,6 +21,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLegRad[3] = {105.0 * kDegree, -15.0 * kDegree, -135.0 * kDegree};
 constexpr double kHomeRad = 35.0 * kDegree;
 
+constexpr double kMmPerM = 1000.0;
+
 constexpr double kExactRad = 1.0e-9;
 constexpr int kMostSteps = 20;
 
@@ -71,6 +73,21 @@ std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& n
             return grip;
     }
     return std::nullopt;
+}
+
+glm::dvec3 countsAt(const glm::dvec3& angleRad) noexcept
+{
+    return (angleRad - kHomeRad) / kCountRad;
+}
+
+glm::dvec3 torquesNm(const Arms& arms, const glm::dvec3& forceN) noexcept
+{
+    // The columns of the Jacobian are the inverse of the gradients.
+    const auto& [g0, g1, g2] = arms.perMm;
+    const glm::dvec3 g12 = glm::cross(g1, g2);
+    const glm::dvec3 turns(glm::dot(g12, forceN), glm::dot(glm::cross(g2, g0), forceN),
+                           glm::dot(glm::cross(g0, g1), forceN));
+    return turns / (kMmPerM * glm::dot(g0, g12));
 }
 
 glm::dvec3 roundedToCounts(const glm::dvec3& angleRad, double share) noexcept

@@ -49,6 +49,14 @@ struct Arms
 /// One count of an encoder as an angle of the arm: 320 slots, four edges each, a cable drive of 110 : 14.25.
 inline constexpr double kCountRad = 2.0 * std::numbers::pi / (320.0 * 4.0 * 110.0 / 14.25);
 
+/// Returns the counts of the encoders at these angles, unrounded. The count is 0 at 35 degrees.
+[[nodiscard]] glm::dvec3 countsAt(const glm::dvec3& angleRad) noexcept;
+
+/// Returns the torques of the three arms, in Nm, that press with a force on whoever holds the grip: the transpose of
+/// the Jacobian times the force.
+/// @param forceN  device frame
+[[nodiscard]] glm::dvec3 torquesNm(const Arms& arms, const glm::dvec3& forceN) noexcept;
+
 /// The nearest angles that the encoders can tell; they count from 35 degrees.
 /// @param share  of a count, for encoders finer or coarser than the device's
 [[nodiscard]] glm::dvec3 roundedToCounts(const glm::dvec3& angleRad, double share = 1.0) noexcept;

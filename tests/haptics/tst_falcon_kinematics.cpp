@@ -78,6 +78,21 @@ private slots:
         }
     }
 
+    /// The motors do the work that the force does at the grip.
+    void torquesDoTheWorkOfTheForce()
+    {
+        const glm::dvec3 grip = kCentreMm + glm::dvec3(-20.0, 11.0, 14.0);
+        const Arms here = armsAt(grip).value();
+        const glm::dvec3 forceN(1.5, -2.0, 0.7);
+        for (int axis = 0; axis < 3; ++axis) {
+            const glm::dvec3 turnRad(here.perMm[0][axis], here.perMm[1][axis], here.perMm[2][axis]);
+            const double workNmm = 1000.0 * glm::dot(torquesNm(here, forceN), turnRad);
+            QVERIFY(std::abs(workNmm - forceN[axis]) < 1.0e-9);
+        }
+        const glm::dvec3 counts = countsAt(roundedToCounts(here.angleRad));
+        QVERIFY(glm::length(counts - glm::round(countsAt(here.angleRad))) < 1.0e-9);
+    }
+
     /// The three arms together resolve this much along an axis: one count over the rise of all angles.
     void oneCountIsSoMuchAtTheCentre()
     {
