@@ -1566,6 +1566,30 @@
         <translation>Das abgenommene Ideal endet zu früh: Es wurde beim Schreiben oder Kopieren abgeschnitten. Nehmen Sie eine vollständige Kopie.</translation>
     </message>
     <message>
+        <source>The firmware file is empty; choose another file.</source>
+        <translation>Die Firmware-Datei ist leer; wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 KiB and cannot be firmware for the Falcon; choose another file.</source>
+        <translation>Die Datei ist größer als %1 KiB und kann keine Firmware für den Falcon sein; wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>This is not firmware for the Falcon; choose another file.</source>
+        <translation>Das ist keine Firmware für den Falcon; wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The firmware file is too short: it has %1 bytes, and its header alone has %2. Use a complete copy.</source>
+        <translation>Die Firmware-Datei ist zu kurz: Sie hat %1 Bytes, und allein ihr Kopf hat %2. Nehmen Sie eine vollständige Kopie.</translation>
+    </message>
+    <message>
+        <source>The firmware file ends before its block %1 is complete. Use a complete copy.</source>
+        <translation>Die Firmware-Datei endet, bevor ihr Block %1 vollständig ist. Nehmen Sie eine vollständige Kopie.</translation>
+    </message>
+    <message>
+        <source>The firmware ends after %1 bytes, but the file has %2. Use an unchanged copy.</source>
+        <translation>Die Firmware endet nach %1 Bytes, aber die Datei hat %2. Nehmen Sie eine unveränderte Kopie.</translation>
+    </message>
+    <message>
         <source>There is no handpiece &apos;%1&apos;; choose one of %2.</source>
         <translation>Es gibt kein Handstück „%1“; wählen Sie eines von %2.</translation>
     </message>

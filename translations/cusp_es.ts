@@ -1566,6 +1566,30 @@
         <translation>El ideal capturado termina antes de tiempo: se cortó al escribirlo o copiarlo. Use una copia completa.</translation>
     </message>
     <message>
+        <source>The firmware file is empty; choose another file.</source>
+        <translation>El archivo de firmware está vacío; elija otro archivo.</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 KiB and cannot be firmware for the Falcon; choose another file.</source>
+        <translation>El archivo ocupa más de %1 KiB y no puede ser firmware para el Falcon; elija otro archivo.</translation>
+    </message>
+    <message>
+        <source>This is not firmware for the Falcon; choose another file.</source>
+        <translation>Esto no es firmware para el Falcon; elija otro archivo.</translation>
+    </message>
+    <message>
+        <source>The firmware file is too short: it has %1 bytes, and its header alone has %2. Use a complete copy.</source>
+        <translation>El archivo de firmware es demasiado corto: tiene %1 bytes y solo su cabecera ya tiene %2. Use una copia completa.</translation>
+    </message>
+    <message>
+        <source>The firmware file ends before its block %1 is complete. Use a complete copy.</source>
+        <translation>El archivo de firmware termina antes de que su bloque %1 esté completo. Use una copia completa.</translation>
+    </message>
+    <message>
+        <source>The firmware ends after %1 bytes, but the file has %2. Use an unchanged copy.</source>
+        <translation>El firmware termina tras %1 bytes, pero el archivo tiene %2. Use una copia sin cambios.</translation>
+    </message>
+    <message>
         <source>There is no handpiece &apos;%1&apos;; choose one of %2.</source>
         <translation>No hay ninguna pieza de mano «%1»; elija una de %2.</translation>
     </message>

@@ -1564,6 +1564,30 @@
         <translation>取り込んだ理想形が途中で終わっています。書き込みかコピーの途中で切れました。完全な控えを使ってください。</translation>
     </message>
     <message>
+        <source>The firmware file is empty; choose another file.</source>
+        <translation>ファームウェアのファイルが空です。別のファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 KiB and cannot be firmware for the Falcon; choose another file.</source>
+        <translation>ファイルが %1 KiB より大きく、Falcon のファームウェアではありません。別のファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>This is not firmware for the Falcon; choose another file.</source>
+        <translation>これは Falcon のファームウェアではありません。別のファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>The firmware file is too short: it has %1 bytes, and its header alone has %2. Use a complete copy.</source>
+        <translation>ファームウェアのファイルが短すぎます。%1 バイトしかなく、先頭部だけで %2 バイトあるはずです。完全な控えを使ってください。</translation>
+    </message>
+    <message>
+        <source>The firmware file ends before its block %1 is complete. Use a complete copy.</source>
+        <translation>ファームウェアのファイルが、ブロック %1 の途中で終わっています。完全な控えを使ってください。</translation>
+    </message>
+    <message>
+        <source>The firmware ends after %1 bytes, but the file has %2. Use an unchanged copy.</source>
+        <translation>ファームウェアは %1 バイトで終わりますが、ファイルは %2 バイトあります。変更されていない控えを使ってください。</translation>
+    </message>
+    <message>
         <source>There is no handpiece &apos;%1&apos;; choose one of %2.</source>
         <translation>ハンドピース「%1」はありません。次から選んでください：%2。</translation>
     </message>

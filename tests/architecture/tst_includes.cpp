@@ -30,7 +30,7 @@ const QList<Room> kRooms{
      {},
      QStringList{"glm/", "tl/", "zstd"} + kSystem,
      "core is standard C++, GLM, tl::expected and Zstandard: no Qt, no OpenGL, no other folder"},
-    {"haptics/", {"haptics/", "core/"}, {}, {"glm/"}, "haptics sees core: no Qt, no window"},
+    {"haptics/", {"haptics/", "core/"}, {}, {"glm/", "sodium"}, "haptics sees core and libsodium: no Qt, no window"},
     {"lab/", {"lab/", "haptics/", "core/"}, {}, {"glm/"}, "lab sees core and haptics: no Qt, no window"},
     {"lessons/",
      {"lessons/", "core/"},

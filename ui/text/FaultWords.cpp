@@ -69,6 +69,14 @@ namespace {
     QT_TRANSLATE_NOOP("Fault",
                       "The captured ideal ends early: it was cut off while being written or copied. Use a whole "
                       "copy."),
+    QT_TRANSLATE_NOOP("Fault", "The firmware file is empty; choose another file."),
+    QT_TRANSLATE_NOOP("Fault",
+                      "The file is larger than %1 KiB and cannot be firmware for the Falcon; choose another file."),
+    QT_TRANSLATE_NOOP("Fault", "This is not firmware for the Falcon; choose another file."),
+    QT_TRANSLATE_NOOP(
+        "Fault", "The firmware file is too short: it has %1 bytes, and its header alone has %2. Use a complete copy."),
+    QT_TRANSLATE_NOOP("Fault", "The firmware file ends before its block %1 is complete. Use a complete copy."),
+    QT_TRANSLATE_NOOP("Fault", "The firmware ends after %1 bytes, but the file has %2. Use an unchanged copy."),
     QT_TRANSLATE_NOOP("Fault", "There is no handpiece '%1'; choose one of %2."),
     QT_TRANSLATE_NOOP("Fault", "There is no bur '%1'; choose one of %2."),
     QT_TRANSLATE_NOOP("Fault", "There is no hardness preset '%1'; choose natural or typodont, or name a file."),
