@@ -119,7 +119,7 @@ private slots:
     void bytesAfterTheEndAreRefused()
     {
         const auto bytes = soundStream();
-        for (const std::size_t more : {1, 2, 62, 1000}) {
+        for (const std::size_t more : {std::size_t{1}, std::size_t{2}, std::size_t{62}, std::size_t{1000}}) {
             auto longer = bytes;
             longer.resize(bytes.size() + more, 0);
             const auto image = FirmwareImage::check(longer);
@@ -147,9 +147,7 @@ private slots:
 
     void otherFilesAreRefused()
     {
-        for (const std::string text : {"x", "\xAA", "\xAA\x10", "Hello, this is a letter.\n",
-                                       "\x7F"
-                                       "ELF\x02\x01\x01",
+        for (const std::string text : {"x", "\xAA", "\xAA\x10", "Hello, this is a letter.\n", "\177ELF\x02\x01\x01",
                                        "%PDF-1.7 and so on and so on and so on"}) {
             const auto image = FirmwareImage::check({text.begin(), text.end()});
             QVERIFY(support::isRefused(image, text == "\xAA" ? ErrorCode::FileTruncated : ErrorCode::WrongKind));
