@@ -107,7 +107,7 @@ enum class Reached : std::uint8_t {
     DecayFound,    ///< the bur has removed some decay
     Junction,      ///< the bur has removed some dentin
     DecayRemoved,  ///< at most 1 % of the decay is left
-    Depth,         ///< the bur is as deep as the depth stop begins at (depthToCutMm)
+    Depth,         ///< the bur has reached the first value of the depth stop (depthToCutMm)
 };
 inline constexpr std::size_t kReachedCount = 4;
 

@@ -36,7 +36,7 @@ constexpr double kCanalAlong = 0.24;   ///< the same along the longer axis: a fl
 constexpr double kApexShare = 0.35;    ///< size of a canal at the apex, as a share of its size at the orifice
 constexpr double kLeastRadiusMm = 0.13;
 constexpr double kMostRadiusMm = 0.6;
-constexpr double kLeastDentinMm = 1.0;  ///< thickness below a canal
+constexpr double kLeastDentinMm = 1.0;  ///< least thickness of the dentin below a canal
 constexpr double kJoinMm = 1.0;         ///< a canal that ends no further below the chamber is joined to it
 
 /// The section of a root at one height.

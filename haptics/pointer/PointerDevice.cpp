@@ -9,13 +9,13 @@
 namespace haptics {
 namespace {
 
-constexpr double kGlideLagS = 0.012;             ///< each of the two lags sideways: half a mouse report together
-constexpr double kPushLagS = 0.08;               ///< the force builds up over this time
-constexpr double kFollowLagS = 2.0 * kPushLagS;  ///< and the pace of a cut is learnt over this: fast without swinging
-constexpr double kLiftLagS = 0.03;               ///< and is gone over this
+constexpr double kGlideLagS = 0.012;  ///< each of the two lags sideways; together half the interval of a mouse
+constexpr double kPushLagS = 0.08;    ///< the force builds up over this time
+constexpr double kFollowLagS = 2.0 * kPushLagS;  ///< the hand learns the speed of a cut over this time
+constexpr double kLiftLagS = 0.03;               ///< the force ends over this time
 constexpr double kApproachMmPerS = 25.0;         ///< fastest descent of the leaning hand before it meets the tooth
 constexpr double kGlideMmPerS = 400.0;           ///< fastest travel in the air
-constexpr double kFeltN = 0.05;                  ///< less than this is no contact to a hand (haptics.md section 7)
+constexpr double kFeltN = 0.05;                  ///< a smaller force is not felt as contact
 constexpr double kDragMmPerS = 40.0;             ///< fastest travel while leaning or touching
 
 // The hand with a feed.

@@ -18,7 +18,7 @@ namespace {
 constexpr QRgb kDisc = 0xFF16191A;
 constexpr QRgb kInk = 0xFFECEEEE;
 constexpr QRgb kOcclusal = 0xFF56C7C9;
-constexpr double kArm = 0.74;      ///< of the radius: where the letters stand
+constexpr double kArm = 0.74;      ///< distance of the letters from the centre, as a share of the radius
 constexpr double kKnob = 0.21;     ///< radius of a letter's knob, at the depth of the centre
 constexpr double kHitKnobs = 1.8;  ///< a click so many radii away is meant for the letter
 
