@@ -4,11 +4,13 @@
 #include <pthread.h>
 #include <sched.h>
 
-#include <thread>
+#include <algorithm>
 
 namespace app {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::microseconds kShortestStep{1};
 
 LoopThread::LoopThread(core::rt::Loop& loop, std::chrono::microseconds period, Urgency urgency)
     : m_loop(loop), m_period(period), m_urgency(urgency)
@@ -33,6 +35,7 @@ void LoopThread::run()
     auto due = Clock::now();
     std::chrono::microseconds step = m_period;
     while (!isInterruptionRequested()) {
+        const auto begun = Clock::now();
         m_loop.tick(step);
         due += m_period;
         step = m_period;
@@ -41,7 +44,10 @@ void LoopThread::run()
             due += missed * m_period;
             step += missed * m_period;
         }
-        std::this_thread::sleep_until(due);
+        if (m_loop.waitForBeat(due)) {
+            due = Clock::now();
+            step = std::max(kShortestStep, std::chrono::duration_cast<std::chrono::microseconds>(due - begun));
+        }
     }
     m_loop.end();
 }

@@ -8,8 +8,9 @@
 
 namespace app {
 
-/// Beats a core::rt::Loop at a fixed period in a thread of its own. A beat that comes late is told how many periods it
-/// stands for; missed beats are skipped, never caught up in a burst.
+/// Runs a core::rt::Loop in a thread of its own: at a fixed period, or when the input of the loop has a beat of its own
+/// (Loop::waitForBeat). A beat that comes late is told how many periods it stands for; missed beats are skipped, never
+/// caught up in a burst.
 class LoopThread final : public QThread
 {
     Q_OBJECT

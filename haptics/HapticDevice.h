@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include <glm/vec3.hpp>
 
@@ -16,7 +18,7 @@ struct DeviceSample
     std::optional<bool> pedal{};  ///< true while the pedal is down; empty if there is no pedal
 };
 
-/// Anything a hand can hold, or that plays a hand. Called from the servo thread only, once a tick.
+/// Anything a hand can hold, or that plays a hand. Called from the servo thread only, each function once a tick.
 class HapticDevice
 {
 public:
@@ -30,6 +32,16 @@ public:
     /// Gives the force of the last tick to the hand and takes its new position. Never allocates, locks or waits.
     /// @param forceOnHandN  tooth frame, newtons
     virtual DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept = 0;
+    /// Gives the force that answers the position of this tick, at its end. For a device that exchanges with the
+    /// hardware on a thread of its own: it need not wait for the next tick. Never allocates, locks or waits.
+    virtual void give(const glm::dvec3& /*forceOnHandN*/) noexcept {}
+    /// Waits between two ticks: until this time or, with a device that sets the pace, until it has a new position.
+    /// @returns whether there is one
+    virtual bool waitForReading(std::chrono::steady_clock::time_point due) noexcept
+    {
+        std::this_thread::sleep_until(due);
+        return false;
+    }
 };
 
 }  // namespace haptics

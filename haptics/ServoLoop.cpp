@@ -233,6 +233,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
             sendPatches();
     }
 
+    m_device.give(clamped(m_tick->state().forceN + m_guideN, m_tick->settings().force.clampN));
     const ServoState& state = m_tick->state();
     m_trail[m_nextPose++ % m_trail.size()] = {std::chrono::nanoseconds(taken).count(), state.deviceMm, state.anchorMm};
     ServoState& out = m_stateOut.back();

@@ -29,6 +29,7 @@ public:
     ~ServoLoop() override;
 
     void tick(std::chrono::microseconds dt) noexcept override;
+    bool waitForBeat(std::chrono::steady_clock::time_point due) override { return m_device.waitForReading(due); }
 
     /// As of the last tick; for single-threaded use.
     [[nodiscard]] const core::session::ServoState& state() const noexcept { return m_tick->state(); }

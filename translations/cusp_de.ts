@@ -1646,6 +1646,62 @@
         <source>%1 has the last version that there can be, %2; keep this under another name</source>
         <translation>%1 hat die letzte mögliche Version, %2; speichern Sie dies unter einem anderen Namen</translation>
     </message>
+    <message>
+        <source>The USB of this computer cannot be used (%1). The mouse works without it.</source>
+        <translation>Der USB dieses Computers lässt sich nicht verwenden (%1). Die Maus arbeitet ohne ihn.</translation>
+    </message>
+    <message>
+        <source>You have no permission to use the Falcon. Install the rule that &quot;cusp falcon rules&quot; prints, then unplug the Falcon and plug it in again.</source>
+        <translation>Ihnen fehlt die Berechtigung für den Falcon. Installieren Sie die Regel, die „cusp falcon rules“ ausgibt, und stecken Sie den Falcon aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>Another program uses the Falcon. Close that program.</source>
+        <translation>Ein anderes Programm verwendet den Falcon. Schließen Sie dieses Programm.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the Falcon. Give it the driver WinUSB.</source>
+        <translation>Ein anderer Treiber des Systems belegt den Falcon. Weisen Sie ihm den Treiber WinUSB zu.</translation>
+    </message>
+    <message>
+        <source>The USB connection to the Falcon failed (%1). Unplug the Falcon and plug it in again.</source>
+        <translation>Die USB-Verbindung zum Falcon ist gestört (%1). Stecken Sie den Falcon aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in.</source>
+        <translation>Es ist kein Falcon angeschlossen.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Check that its mains adapter is plugged in, then unplug its USB cable and plug it in again.</source>
+        <translation>Der Falcon antwortet nicht. Prüfen Sie, ob sein Netzteil angeschlossen ist, und stecken Sie sein USB-Kabel aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>The Falcon was unplugged while its firmware was loaded.</source>
+        <translation>Der Falcon wurde ausgesteckt, während seine Firmware geladen wurde.</translation>
+    </message>
+    <message>
+        <source>The Falcon received byte %1 of the firmware wrongly. Try another USB port, without a hub.</source>
+        <translation>Der Falcon hat Byte %1 der Firmware falsch empfangen. Versuchen Sie einen anderen USB-Anschluss, ohne Hub.</translation>
+    </message>
+    <message>
+        <source>Loading the firmware was stopped.</source>
+        <translation>Das Laden der Firmware wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The firmware file cannot be read; choose it again.</source>
+        <translation>Die Firmware-Datei lässt sich nicht lesen; wählen Sie sie erneut.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware, which cannot be shipped with Cusp. Choose the firmware file of your Falcon&apos;s software.</source>
+        <translation>Der Falcon braucht seine Firmware, die nicht mit Cusp geliefert werden darf. Wählen Sie die Firmware-Datei aus der Software Ihres Falcon.</translation>
+    </message>
+    <message>
+        <source>The firmware was loaded, but does not answer. Try another firmware file.</source>
+        <translation>Die Firmware wurde geladen, antwortet aber nicht. Versuchen Sie eine andere Firmware-Datei.</translation>
+    </message>
+    <message>
+        <source>This program was built without libusb: force devices are left out.</source>
+        <translation>Dieses Programm wurde ohne libusb gebaut: Kraftgeräte sind nicht enthalten.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>

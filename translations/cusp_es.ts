@@ -1646,6 +1646,62 @@
         <source>%1 has the last version that there can be, %2; keep this under another name</source>
         <translation>%1 tiene la última versión posible, %2; guárdelo con otro nombre</translation>
     </message>
+    <message>
+        <source>The USB of this computer cannot be used (%1). The mouse works without it.</source>
+        <translation>No se puede usar el USB de este ordenador (%1). El ratón funciona sin él.</translation>
+    </message>
+    <message>
+        <source>You have no permission to use the Falcon. Install the rule that &quot;cusp falcon rules&quot; prints, then unplug the Falcon and plug it in again.</source>
+        <translation>No tiene permiso para usar el Falcon. Instale la regla que imprime «cusp falcon rules» y desconecte y vuelva a conectar el Falcon.</translation>
+    </message>
+    <message>
+        <source>Another program uses the Falcon. Close that program.</source>
+        <translation>Otro programa usa el Falcon. Cierre ese programa.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the Falcon. Give it the driver WinUSB.</source>
+        <translation>Otro controlador del sistema ocupa el Falcon. Asígnele el controlador WinUSB.</translation>
+    </message>
+    <message>
+        <source>The USB connection to the Falcon failed (%1). Unplug the Falcon and plug it in again.</source>
+        <translation>La conexión USB con el Falcon ha fallado (%1). Desconecte y vuelva a conectar el Falcon.</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in.</source>
+        <translation>No hay ningún Falcon conectado.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Check that its mains adapter is plugged in, then unplug its USB cable and plug it in again.</source>
+        <translation>El Falcon no responde. Compruebe que su adaptador de corriente está conectado y desconecte y vuelva a conectar su cable USB.</translation>
+    </message>
+    <message>
+        <source>The Falcon was unplugged while its firmware was loaded.</source>
+        <translation>El Falcon se desconectó mientras se cargaba su firmware.</translation>
+    </message>
+    <message>
+        <source>The Falcon received byte %1 of the firmware wrongly. Try another USB port, without a hub.</source>
+        <translation>El Falcon recibió mal el byte %1 del firmware. Pruebe otro puerto USB, sin concentrador.</translation>
+    </message>
+    <message>
+        <source>Loading the firmware was stopped.</source>
+        <translation>Se detuvo la carga del firmware.</translation>
+    </message>
+    <message>
+        <source>The firmware file cannot be read; choose it again.</source>
+        <translation>No se puede leer el archivo de firmware; elíjalo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware, which cannot be shipped with Cusp. Choose the firmware file of your Falcon&apos;s software.</source>
+        <translation>El Falcon necesita su firmware, que no se puede distribuir con Cusp. Elija el archivo de firmware del software de su Falcon.</translation>
+    </message>
+    <message>
+        <source>The firmware was loaded, but does not answer. Try another firmware file.</source>
+        <translation>El firmware se cargó, pero no responde. Pruebe otro archivo de firmware.</translation>
+    </message>
+    <message>
+        <source>This program was built without libusb: force devices are left out.</source>
+        <translation>Este programa se compiló sin libusb: los dispositivos de fuerza no están incluidos.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>

@@ -1644,6 +1644,62 @@
         <source>%1 has the last version that there can be, %2; keep this under another name</source>
         <translation>%1 は最後のバージョン %2 に達しています。別の名前で保存してください</translation>
     </message>
+    <message>
+        <source>The USB of this computer cannot be used (%1). The mouse works without it.</source>
+        <translation>このコンピューターの USB を使用できません (%1)。マウスはそのまま使えます。</translation>
+    </message>
+    <message>
+        <source>You have no permission to use the Falcon. Install the rule that &quot;cusp falcon rules&quot; prints, then unplug the Falcon and plug it in again.</source>
+        <translation>Falcon を使用する権限がありません。「cusp falcon rules」が出力するルールをインストールし、Falcon を抜いて差し直してください。</translation>
+    </message>
+    <message>
+        <source>Another program uses the Falcon. Close that program.</source>
+        <translation>ほかのプログラムが Falcon を使用しています。そのプログラムを終了してください。</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the Falcon. Give it the driver WinUSB.</source>
+        <translation>システムの別のドライバーが Falcon を占有しています。WinUSB ドライバーを割り当ててください。</translation>
+    </message>
+    <message>
+        <source>The USB connection to the Falcon failed (%1). Unplug the Falcon and plug it in again.</source>
+        <translation>Falcon との USB 接続に失敗しました (%1)。Falcon を抜いて差し直してください。</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in.</source>
+        <translation>Falcon が接続されていません。</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Check that its mains adapter is plugged in, then unplug its USB cable and plug it in again.</source>
+        <translation>Falcon が応答しません。電源アダプターが接続されていることを確認し、USB ケーブルを抜いて差し直してください。</translation>
+    </message>
+    <message>
+        <source>The Falcon was unplugged while its firmware was loaded.</source>
+        <translation>ファームウェアの読み込み中に Falcon が抜かれました。</translation>
+    </message>
+    <message>
+        <source>The Falcon received byte %1 of the firmware wrongly. Try another USB port, without a hub.</source>
+        <translation>Falcon がファームウェアのバイト %1 を正しく受信できませんでした。ハブを使わず、別の USB ポートを試してください。</translation>
+    </message>
+    <message>
+        <source>Loading the firmware was stopped.</source>
+        <translation>ファームウェアの読み込みを中止しました。</translation>
+    </message>
+    <message>
+        <source>The firmware file cannot be read; choose it again.</source>
+        <translation>ファームウェアファイルを読み込めません。もう一度選択してください。</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware, which cannot be shipped with Cusp. Choose the firmware file of your Falcon&apos;s software.</source>
+        <translation>Falcon にはファームウェアが必要ですが、Cusp に同梱することはできません。お使いの Falcon のソフトウェアに含まれるファームウェアファイルを選択してください。</translation>
+    </message>
+    <message>
+        <source>The firmware was loaded, but does not answer. Try another firmware file.</source>
+        <translation>ファームウェアは読み込まれましたが、応答がありません。別のファームウェアファイルを試してください。</translation>
+    </message>
+    <message>
+        <source>This program was built without libusb: force devices are left out.</source>
+        <translation>このプログラムは libusb なしでビルドされています。力覚デバイスは利用できません。</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>

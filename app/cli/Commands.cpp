@@ -26,7 +26,7 @@ constexpr Command kCommands[] = {
     {"user", "enter people, list, reset and disable them", userCommand},
     {"import", "enter a class list", importCommand},
     {"export", "write the attempts as CSV", exportCommand},
-    {"falcon", "compute the mechanism of a Novint Falcon", falconCommand},
+    {"falcon", "find, test and calibrate a Novint Falcon", falconCommand},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
     {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},

@@ -13,6 +13,7 @@
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
+#include "app/cli/FalconParts.h"
 #include "core/base/WholeFile.h"
 #include "database/Csv.h"
 #include "haptics/falcon/Kinematics.h"
@@ -131,6 +132,12 @@ int kinematicsPart(const QStringList& arguments)
 }
 
 constexpr CommandPart kParts[] = {
+    {"list", "list the Falcons that are plugged in", falconListPart},
+    {"probe", "open a Falcon, load its firmware and measure the exchange of packets", falconProbePart},
+    {"home", "wait until the grip has been moved past the index marks", falconHomePart},
+    {"test", "push the grip in six directions", falconTestPart},
+    {"rules", "print the udev rule that lets users open a Falcon", falconRulesPart},
+    {"calibrate", "measure angles and forces with a ruler and a weight", falconCalibratePart},
     {"kinematics", "compute angles, counts and torques of the arms from positions and forces", kinematicsPart},
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <thread>
 
 namespace core::rt {
 
@@ -16,8 +17,17 @@ public:
     virtual ~Loop() = default;
 
     virtual void begin() {}
-    /// @param dt  since the last tick, a whole number of periods: more than one when beats were missed
+    /// @param dt  since the last tick: a whole number of periods, more than one when beats were missed; or, after a
+    /// beat
+    ///            that waitForBeat() found, as measured
     virtual void tick(std::chrono::microseconds dt) = 0;
+    /// Waits between two ticks until the next one is due. A loop whose input has a beat of its own waits for that.
+    /// @returns whether it was the input; it may come somewhat later than `due`
+    virtual bool waitForBeat(std::chrono::steady_clock::time_point due)
+    {
+        std::this_thread::sleep_until(due);
+        return false;
+    }
     virtual void end() {}
 };
 

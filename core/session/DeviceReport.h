@@ -32,24 +32,25 @@ struct ExchangeFigures
 
     std::uint64_t requests = 0;
     std::uint64_t answers = 0;
-    std::uint64_t lost = 0;      ///< requests without an answer in time
-    std::uint64_t rejected = 0;  ///< answers that were not plausible
-    double rateHz = 0.0;         ///< answers per second, over the last second
-    double roundTripUs = 0.0;    ///< median of the last second, from request to answer
-    double slowTripUs = 0.0;     ///< 99th percentile of the last second
+    std::uint64_t lost = 0;                        ///< requests without an answer in time
+    std::uint64_t rejected = 0;                    ///< answers that were not plausible
+    double rateHz = 0.0;                           ///< answers per second, over the last second
+    double roundTripUs = 0.0;                      ///< median of the last second, from request to answer
+    double slowTripUs = 0.0;                       ///< 99th percentile of the last second
     std::array<std::uint32_t, kBins> intervals{};  ///< of the last second
 };
 
 struct DeviceReport
 {
     DeviceStage stage = DeviceStage::Absent;
-    std::string serial;     ///< of the device; empty while absent
-    core::Error error{};    ///< why it is Unavailable or NeedsFirmware; else the last one that it recovered from, or empty
-    double progress = 0.0;  ///< of LoadingFirmware
-    std::array<bool, 3> homed{};         ///< which arms have passed their index mark
-    glm::vec3 tipMm{0.0F};               ///< tooth frame; valid while Ready
-    glm::vec3 forceN{0.0F};              ///< tooth frame, as sent last
-    std::uint8_t buttons = 0;            ///< held; bits in the order of `presses`
+    std::string serial;  ///< of the device; empty while absent
+    core::Error
+        error{};  ///< why it is Unavailable or NeedsFirmware; else the last one that it recovered from, or empty
+    double progress = 0.0;                   ///< of LoadingFirmware
+    std::array<bool, 3> homed{};             ///< which arms have passed their index mark
+    glm::vec3 tipMm{0.0F};                   ///< tooth frame; valid while Ready
+    glm::vec3 forceN{0.0F};                  ///< tooth frame, as sent last
+    std::uint8_t buttons = 0;                ///< held; bits in the order of `presses`
     std::array<std::uint32_t, 4> presses{};  ///< of each button since it was opened: drill, undo, mirror, centre
     ExchangeFigures exchange;
 };
@@ -57,10 +58,10 @@ struct DeviceReport
 /// How the device stands before the user.
 struct DeviceSetup
 {
-    enum class Stand : std::uint8_t { Upright, OnItsBack };    ///< as sold; with the arms up
-    enum class Side : std::uint8_t { Front, Right, Left };     ///< where it stands, seen by the user
+    enum class Stand : std::uint8_t { Upright, OnItsBack };  ///< as sold; with the arms up
+    enum class Side : std::uint8_t { Front, Right, Left };   ///< where it stands, seen by the user
     static constexpr double kLeastScale = 0.5;
-    static constexpr double kMostScale = 5.0;
+    static constexpr double kMostScale = 2.5;
 
     Stand stand = Stand::Upright;
     Side side = Side::Front;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/falcon/Kinematics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,17 +10,8 @@
 namespace haptics::falcon {
 namespace {
 
-// Stamper's letters, mm.
-constexpr double kA = 60.0;        ///< arm
-constexpr double kB = 102.5;       ///< parallelogram, long side
-constexpr double kC = 14.43;       ///< grip: its joint, radially
-constexpr double kDE = 2 * 11.25;  ///< parallelogram, both short ends
-constexpr double kF = -25.0;       ///< grip: its joint, sideways
-constexpr double kR = 40.0;        ///< base: the arm's axis, radially
-constexpr double kS = -23.09;      ///< base: the arm's axis, sideways
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLegRad[3] = {105.0 * kDegree, -15.0 * kDegree, -135.0 * kDegree};
-constexpr double kHomeRad = 35.0 * kDegree;
 
 constexpr double kMmPerM = 1000.0;
 
@@ -28,26 +20,26 @@ constexpr int kMostSteps = 20;
 
 }  // namespace
 
-std::optional<Arms> armsAt(const glm::dvec3& gripMm) noexcept
+std::optional<Arms> armsAt(const glm::dvec3& gripMm, const Geometry& geometry) noexcept
 {
     Arms arms{};
     for (int leg = 0; leg < 3; ++leg) {
         const double cosLeg = std::cos(kLegRad[leg]);
         const double sinLeg = std::sin(kLegRad[leg]);
-        const double cos3 = (kF - kS - sinLeg * gripMm.x + cosLeg * gripMm.y) / kB;
+        const double cos3 = (geometry.f - geometry.s - sinLeg * gripMm.x + cosLeg * gripMm.y) / geometry.b;
         const double sin3 = std::sqrt(1.0 - cos3 * cos3);  // NaN out of reach, and so is all that follows
         // In the plane of the leg: an arm of length a and one of length l from the motor to (x, y).
-        const double x = kC - kR + cosLeg * gripMm.x + sinLeg * gripMm.y;
+        const double x = geometry.c - geometry.r + cosLeg * gripMm.x + sinLeg * gripMm.y;
         const double y = gripMm.z;
-        const double l = kDE + kB * sin3;
-        const double reach = x * x + y * y + kA * kA - l * l;
-        const double root = std::sqrt(4.0 * kA * kA * (x * x + y * y) - reach * reach);
-        const double angle = 2.0 * std::atan((2.0 * kA * y - root) / (reach + 2.0 * kA * x));
+        const double l = geometry.de + geometry.b * sin3;
+        const double reach = x * x + y * y + geometry.a * geometry.a - l * l;
+        const double root = std::sqrt(4.0 * geometry.a * geometry.a * (x * x + y * y) - reach * reach);
+        const double angle = 2.0 * std::atan((2.0 * geometry.a * y - root) / (reach + 2.0 * geometry.a * x));
         const double cos1 = std::cos(angle);
         const double sin1 = std::sin(angle);
-        const double cos2 = (x - kA * cos1) / l;
-        const double sin2 = (y - kA * sin1) / l;
-        const double bend = kA * (sin2 * cos1 - cos2 * sin1) * sin3;  // Stamper's equations 4.9 to 4.13
+        const double cos2 = (x - geometry.a * cos1) / l;
+        const double sin2 = (y - geometry.a * sin1) / l;
+        const double bend = geometry.a * (sin2 * cos1 - cos2 * sin1) * sin3;  // Stamper's equations 4.9 to 4.13
         const auto n = static_cast<std::size_t>(leg);
         arms.angleRad[leg] = angle;
         arms.perMm[n] =
@@ -58,11 +50,12 @@ std::optional<Arms> armsAt(const glm::dvec3& gripMm) noexcept
     return arms;
 }
 
-std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& nearMm) noexcept
+std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& nearMm,
+                                 const Geometry& geometry) noexcept
 {
     glm::dvec3 grip = nearMm;
     for (int step = 0; step < kMostSteps; ++step) {
-        const std::optional<Arms> arms = armsAt(grip);
+        const std::optional<Arms> arms = armsAt(grip, geometry);
         if (!arms)
             return std::nullopt;
         const glm::dvec3 missing = angleRad - arms->angleRad;
@@ -88,6 +81,19 @@ glm::dvec3 torquesNm(const Arms& arms, const glm::dvec3& forceN) noexcept
     const glm::dvec3 turns(glm::dot(g12, forceN), glm::dot(glm::cross(g2, g0), forceN),
                            glm::dot(glm::cross(g0, g1), forceN));
     return turns / (kMmPerM * glm::dot(g0, g12));
+}
+
+std::array<std::int16_t, 3> motorCommands(const Arms& arms, const glm::dvec3& forceN,
+                                          const Calibration& calibration) noexcept
+{
+    glm::dvec3 commands = torquesNm(arms, forceN) * -calibration.commandPerNm;
+    const double most = std::max({std::abs(commands.x), std::abs(commands.y), std::abs(commands.z)});
+    if (!std::isfinite(most))
+        return {};
+    if (most > kMostCommand)
+        commands *= kMostCommand / most;
+    const auto rounded = [](double command) { return static_cast<std::int16_t>(std::lround(command)); };
+    return {rounded(commands.x), rounded(commands.y), rounded(commands.z)};
 }
 
 glm::dvec3 roundedToCounts(const glm::dvec3& angleRad, double share) noexcept

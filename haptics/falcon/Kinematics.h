@@ -2,13 +2,15 @@
 #pragma once
 
 #include <array>
-#include <numbers>
+#include <cstdint>
 #include <optional>
 
 #include <glm/vec3.hpp>
 
+#include "haptics/falcon/Calibration.h"
+
 /// The Novint Falcon's mechanism: three legs, each an arm on a motor and a parallelogram, carry the grip without
-/// turning it (Stamper 1997, chapters 3 and 4). Figures of the geometry and of the encoders are libnifalcon's.
+/// turning it (Stamper 1997, chapters 3 and 4).
 ///
 /// Device frame, mm, as the user sees it: x right, y up, z out of the device; origin in the base plane, on the axis.
 /// No function allocates.
@@ -38,24 +40,37 @@ struct Arms
 };
 
 /// Inverse kinematics, closed form. Nothing where a leg does not reach.
-[[nodiscard]] std::optional<Arms> armsAt(const glm::dvec3& gripMm) noexcept;
+[[nodiscard]] std::optional<Arms> armsAt(const glm::dvec3& gripMm, const Geometry& geometry = {}) noexcept;
 
 /// Forward kinematics by Newton's method in full steps to 1e-9 rad: two or three from a place a tick ago.
 /// (libnifalcon's half steps to 0.01 rad lag behind a moving grip by a whole tick.) Nothing if no grip position has
 /// these angles.
 /// @param nearMm  where to begin
-[[nodiscard]] std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& nearMm) noexcept;
+[[nodiscard]] std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& nearMm,
+                                               const Geometry& geometry = {}) noexcept;
 
-/// One count of an encoder as an angle of the arm: 320 slots, four edges each, a cable drive of 110 : 14.25.
-inline constexpr double kCountRad = 2.0 * std::numbers::pi / (320.0 * 4.0 * 110.0 / 14.25);
-
-/// Returns the counts of the encoders at these angles, unrounded. The count is 0 at 35 degrees.
+/// Returns the counts of the encoders at these angles, unrounded, of a Falcon with the usual values.
 [[nodiscard]] glm::dvec3 countsAt(const glm::dvec3& angleRad) noexcept;
+
+/// Returns the angles of the arms at these counts.
+[[nodiscard]] inline glm::dvec3 anglesAt(const glm::dvec3& counts, const Calibration& calibration) noexcept
+{
+    return calibration.homeRad + counts * calibration.countRad;
+}
 
 /// Returns the torques of the three arms, in Nm, that press with a force on whoever holds the grip: the transpose of
 /// the Jacobian times the force.
 /// @param forceN  device frame
 [[nodiscard]] glm::dvec3 torquesNm(const Arms& arms, const glm::dvec3& forceN) noexcept;
+
+/// Greatest motor command, either way.
+inline constexpr double kMostCommand = 4095.0;
+
+/// Returns the commands of the three motors for a force on whoever holds the grip. If one would exceed kMostCommand,
+/// all are reduced by the same factor, so that the direction of the force is kept. Zero for a force that is not finite.
+/// @param forceN  device frame
+[[nodiscard]] std::array<std::int16_t, 3> motorCommands(const Arms& arms, const glm::dvec3& forceN,
+                                                        const Calibration& calibration) noexcept;
 
 /// The nearest angles that the encoders can tell; they count from 35 degrees.
 /// @param share  of a count, for encoders finer or coarser than the device's

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <semaphore>
+
+namespace core::rt {
+
+/// Wakes one thread when another has something new for it. Signals that are raised before they are waited for count as
+/// one. The value itself goes through a TripleBuffer or a queue and is published first.
+class Signal
+{
+public:
+    /// Never waits. Any thread.
+    void raise() noexcept
+    {
+        if (!m_isRaised.exchange(true, std::memory_order_acq_rel))
+            m_semaphore.release();
+    }
+
+    /// Waits until the signal is raised or the time has come. Returns whether it was raised. One thread.
+    [[nodiscard]] bool waitUntil(std::chrono::steady_clock::time_point due)
+    {
+        if (!m_semaphore.try_acquire_until(due))
+            return false;
+        // What is raised from here on wakes again, and what was raised before can be read after this.
+        m_isRaised.store(false, std::memory_order_release);
+        return true;
+    }
+
+private:
+    std::counting_semaphore<> m_semaphore{0};
+    std::atomic<bool> m_isRaised{false};
+};
+
+}  // namespace core::rt

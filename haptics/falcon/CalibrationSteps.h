@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/falcon/Calibration.h"
+
+/// What a ruler and a weight say about a Falcon. Any thread.
+namespace haptics::falcon {
+
+/// Finds the angle at the index marks, the same for the three arms, from two places of the grip whose distance was
+/// measured. Two places along the axis, 40 to 70 mm apart, tell most: half a millimetre on the ruler is about a degree.
+/// @param nearMm, farMm  where the grip was, device frame, as computed with this calibration
+/// @returns the calibration with other angles at the index marks. Errors: OutOfRange if no angle from 15 to 55 degrees
+/// explains the distance.
+[[nodiscard]] core::Result<Calibration> withDistance(const Calibration& calibration, const glm::dvec3& nearMm,
+                                                     const glm::dvec3& farMm, double distanceMm);
+
+/// Finds the scale of the motor commands from the force that held the grip, without and with a weight on it.
+/// @param emptyN, loadedN  upward force as sent with this calibration
+/// @returns the calibration with another scale and the weight of the grip. Errors: OutOfRange if no Falcon can have it.
+[[nodiscard]] core::Result<Calibration> withWeight(const Calibration& calibration, double emptyN, double loadedN,
+                                                   double weightN);
+
+}  // namespace haptics::falcon

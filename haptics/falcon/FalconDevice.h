@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "core/rt/Signal.h"
+#include "core/rt/TripleBuffer.h"
+#include "haptics/ForceDevice.h"
+#include "haptics/falcon/AnswerCheck.h"
+#include "haptics/falcon/Calibration.h"
+#include "haptics/falcon/ExchangeWatch.h"
+#include "haptics/falcon/FtdiPort.h"
+#include "haptics/falcon/Placement.h"
+
+namespace haptics::falcon {
+
+/// Sets the force of every Falcon to zero and waits up to 0.1 s until that is sent; they stay without force. For the
+/// handler of a signal that ends the program: it only touches atomics and sleeps. On a device's own thread it returns
+/// at once and changes nothing.
+void letGoOfAll() noexcept;
+
+/// A Novint Falcon in the hand. A thread of its own finds and opens it, loads its firmware, waits until the grip is
+/// homed, and then exchanges frames with it as fast as it answers, about 1,000 a second: the answer wakes the servo,
+/// and the force that the servo gives goes out with the next request.
+///
+/// The force is zero unless the grip is homed and the servo has answered within the last 20 ms. It grows over half a
+/// second when the device becomes ready.
+class FalconDevice final : public ForceDevice
+{
+public:
+    /// How a test or a command uses it differently.
+    struct Options
+    {
+        std::string serial;  ///< empty: the first that can be opened
+        Calibration calibration{};
+    };
+
+    FalconDevice() : FalconDevice(Options{}) {}
+    /// @param options  the calibration must have passed its check
+    explicit FalconDevice(Options options);
+    ~FalconDevice() override;
+
+    void start() override;
+    void stop() override;
+    [[nodiscard]] core::session::DeviceReport report() const override;
+    [[nodiscard]] bool isReady() const noexcept override { return m_isReady.load(std::memory_order_acquire); }
+    void setUp(const core::session::DeviceSetup& setup) override;
+    void setFirmware(const std::string& path) override;
+    void setTestForce(const glm::dvec3& forceN) override;
+
+    DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
+    void give(const glm::dvec3& forceOnHandN) noexcept override;
+    bool waitForReading(std::chrono::steady_clock::time_point due) noexcept override;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Stage = core::session::DeviceStage;
+
+    /// Device thread to servo.
+    struct Reading
+    {
+        std::uint64_t serial = 0;  ///< 0: none yet
+        glm::vec3 tipMm{0.0F};
+        Clock::time_point taken;  ///< when the request was sent
+        float delayS = 0.0F;      ///< of the force sent last, from the reading that it answers
+        bool drill = false;       ///< the button is held
+    };
+    /// Servo to device thread.
+    struct Given
+    {
+        glm::dvec3 forceN{0.0};
+        Clock::time_point given{};
+        Clock::time_point answers{};  ///< when the reading was taken
+    };
+    /// Ui to device thread.
+    struct TestForce
+    {
+        glm::dvec3 forceN{0.0};
+        Clock::time_point until{};
+    };
+    /// Device thread to ui: what changes with every exchange.
+    struct Live
+    {
+        glm::vec3 tipMm{0.0F};
+        glm::vec3 forceN{0.0F};
+        std::array<bool, 3> homed{};
+        std::uint8_t buttons = 0;
+        std::array<std::uint32_t, 4> presses{};
+        core::session::ExchangeFigures exchange;
+    };
+    struct Wishes
+    {
+        core::session::DeviceSetup setup;
+        std::string firmware;
+    };
+
+    void run();
+    [[nodiscard]] std::unique_ptr<FtdiPort> bringUp(const Usb& usb);
+    [[nodiscard]] std::unique_ptr<FtdiPort> load(const Usb& usb, std::unique_ptr<FtdiPort> port);
+    void tell(Stage stage, core::Error error = {}, double progress = 0.0);
+    void tellSerial(const std::string& serial);
+    void rest(std::chrono::milliseconds time);
+    void waitWith(FtdiPort& port, std::chrono::milliseconds time);
+
+    void exchangeFrames(FtdiPort& port);
+    [[nodiscard]] bool exchangeOnce(FtdiPort& port, FrameReader& reader);
+    void take(const Answer& answer, Clock::time_point sent) noexcept;
+    void takeButtons(std::uint8_t buttons) noexcept;
+    void setReady(bool ready) noexcept;
+    void takeWishes() noexcept;
+    [[nodiscard]] Request nextRequest() noexcept;
+    [[nodiscard]] glm::dvec3 wantedN(Clock::time_point now) noexcept;
+    void drain(FtdiPort& port, FrameReader& reader);
+    void letGo(FtdiPort& port);
+    void publishLive() noexcept;
+
+    const std::string m_serial;
+    const Calibration m_calibration;
+
+    // Between the threads.
+    std::atomic<bool> m_isStopping{false};
+    std::atomic<bool> m_isReady{false};
+    std::atomic<bool> m_hasWishes{false};
+    mutable std::mutex m_mutex;  ///< of the next three
+    std::condition_variable m_woken;
+    core::session::DeviceReport m_told;  ///< stage, serial, error, progress
+    Wishes m_wishes;
+    core::rt::TripleBuffer<Reading> m_reading;
+    core::rt::TripleBuffer<Given> m_given;
+    core::rt::TripleBuffer<TestForce> m_test;
+    mutable core::rt::TripleBuffer<Live> m_live;
+    core::rt::Signal m_hasReading;
+    core::rt::Signal m_hasForce;
+
+    // Servo thread.
+    std::uint64_t m_readSerial = 0;
+    Clock::time_point m_readTaken{};
+
+    // Device thread.
+    std::string m_firmware;
+    Placement m_placement;
+    AnswerCheck m_check;
+    ExchangeWatch m_watch;
+    Live m_now;
+    glm::dvec3 m_gripMm{kCentreMm};
+    std::uint64_t m_nextSerial = 0;
+    double m_ramp = 0.0;
+    Clock::time_point m_rampedAt{};
+    float m_delayS = 0.0F;
+    int m_unhomed = 0;  ///< answers in a row with an arm that is not homed
+    int m_refused = 0;  ///< answers in a row that were not believed
+    int m_silent = 0;   ///< requests in a row without an answer
+    Clock::time_point m_answeredAt{};
+    Clock::time_point m_silentSince{};
+    std::uint8_t m_buttonsSeen = 0;
+    int m_buttonsAgree = 0;
+    int m_sincePublished = 0;
+
+    std::thread m_thread;  ///< last: it uses all of the above
+};
+
+}  // namespace haptics::falcon

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "core/base/Result.h"
+#include "haptics/falcon/FirmwareImage.h"
+#include "haptics/falcon/FtdiPort.h"
+
+/// Loads firmware into the Falcon's controller, which has none after power-up. The steps are those of libnifalcon
+/// (FalconCommLibUSB.cpp): a greeting at 9,600 baud, then the SCI boot loader of TI's C28x processors, which measures
+/// the baud rate by an 'A' and sends every byte back.
+namespace haptics::falcon {
+
+/// Sets the line to what the firmware uses, and drops what was received before.
+[[nodiscard]] core::Status setForRunning(FtdiPort& port);
+
+/// Whether firmware answers. Sets the line for it and sends requests without force for up to 0.3 s.
+[[nodiscard]] core::Result<bool> firmwareRuns(FtdiPort& port);
+
+/// Loads the firmware and sets the line for it. Takes 1 to 3 s. May fail on a good device: try again on a port that was
+/// opened anew.
+/// @param goOn  called with the share that is loaded; returns false to give up
+/// Errors: ConnectionLost, each with its own sentence; Busy if goOn returned false.
+[[nodiscard]] core::Status loadFirmware(FtdiPort& port, const FirmwareImage& image,
+                                        const std::function<bool(double)>& goOn);
+
+}  // namespace haptics::falcon

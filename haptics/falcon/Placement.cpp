@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/falcon/Placement.h"
+
+#include <algorithm>
+
+namespace haptics::falcon {
+namespace {
+
+using core::session::DeviceSetup;
+
+/// Where the axes of the device point in the tooth frame if it faces the user.
+glm::dmat3 standing(DeviceSetup::Stand stand)
+{
+    // As sold, its y points up and its z at the user. On its back, z points up and y away from the user.
+    return stand == DeviceSetup::Stand::Upright ? glm::dmat3({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0})
+                                                : glm::dmat3(1.0);
+}
+
+/// A quarter turn about the vertical: a device at the right of the user faces left.
+glm::dmat3 turned(DeviceSetup::Side side)
+{
+    switch (side) {
+    case DeviceSetup::Side::Right:
+        return {{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+    case DeviceSetup::Side::Left:
+        return {{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+    case DeviceSetup::Side::Front:
+        break;
+    }
+    return glm::dmat3(1.0);
+}
+
+}  // namespace
+
+Placement::Placement(const DeviceSetup& setup) noexcept
+    : m_toothFromDevice(turned(setup.side) * standing(setup.stand)),
+      m_scale(std::clamp(setup.scale, DeviceSetup::kLeastScale, DeviceSetup::kMostScale))
+{}
+
+}  // namespace haptics::falcon

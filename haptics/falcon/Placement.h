@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/session/DeviceReport.h"
+#include "haptics/falcon/Kinematics.h"
+
+namespace haptics::falcon {
+
+/// Converts between the device frame of a Falcon and the tooth frame, for how the Falcon stands before the user. The
+/// middle of the work area is the origin of the tooth.
+class Placement
+{
+public:
+    explicit Placement(const core::session::DeviceSetup& setup = {}) noexcept;
+
+    [[nodiscard]] glm::dvec3 toothFromGripMm(const glm::dvec3& gripMm) const noexcept
+    {
+        return m_toothFromDevice * (gripMm - kCentreMm) / m_scale;
+    }
+    [[nodiscard]] glm::dvec3 gripFromToothMm(const glm::dvec3& toothMm) const noexcept
+    {
+        return kCentreMm + toothMm * m_scale * m_toothFromDevice;  // the transpose turns back
+    }
+    /// A force on the hand is the same whatever the scale.
+    [[nodiscard]] glm::dvec3 deviceFromToothN(const glm::dvec3& forceN) const noexcept
+    {
+        return forceN * m_toothFromDevice;
+    }
+
+private:
+    glm::dmat3 m_toothFromDevice;
+    double m_scale;
+};
+
+}  // namespace haptics::falcon
