@@ -169,6 +169,11 @@ extern "C" {
 
 int libusb_init(libusb_context** context)
 {
+    static std::once_flag isStarted;
+    std::call_once(isStarted, [] {
+        if (usb().onFirstInit != nullptr)
+            usb().onFirstInit();
+    });
     const auto lock = UsbAccess::lock();
     if (!UsbAccess::usbPresent())
         return LIBUSB_ERROR_OTHER;

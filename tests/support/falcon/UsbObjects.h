@@ -97,6 +97,7 @@ struct UsbAccess
     std::unordered_map<const libusb_transfer*, UsbTransfer> transfers;
     std::vector<std::unique_ptr<libusb_device>> devices;
     libusb_context* defaultContext = nullptr;
+    void (*onFirstInit)() = nullptr;  ///< called once, without the lock, before libusb_init does anything
 
     using Lock = std::unique_lock<std::mutex>;
     [[nodiscard]] static Lock lock() { return Lock(emulatedBus().m_mutex); }

@@ -271,17 +271,24 @@ int libusb_cancel_transfer(struct libusb_transfer* pointer)
 int libusb_control_transfer(libusb_device_handle* pointer, uint8_t type, uint8_t request, uint16_t value,
                             uint16_t index, unsigned char* data, uint16_t length, unsigned int /*timeout*/)
 {
-    const auto lock = UsbAccess::lock();
-    const libusb_device_handle& handle = usb().handle(pointer);
-    if (handle.device->context->handler == std::this_thread::get_id())
-        return LIBUSB_ERROR_BUSY;
-    const Time now = Clock::now();
-    UsbAccess::advance(now);
-    if (handle.device->falcon == nullptr)
-        return LIBUSB_ERROR_NO_DEVICE;
-    const auto answered = UsbAccess::hardware(*handle.device->falcon)
-                              .control(type, request, value, index, std::span<std::uint8_t>(data, length), now);
-    UsbAccess::changed().notify_all();
+    libusb_context* context = nullptr;
+    std::optional<std::size_t> answered;
+    {
+        const auto lock = UsbAccess::lock();
+        const libusb_device_handle& handle = usb().handle(pointer);
+        context = handle.device->context;
+        if (context->handler == std::this_thread::get_id())
+            return LIBUSB_ERROR_BUSY;
+        const Time now = Clock::now();
+        UsbAccess::advance(now);
+        if (handle.device->falcon == nullptr)
+            return LIBUSB_ERROR_NO_DEVICE;
+        answered = UsbAccess::hardware(*handle.device->falcon)
+                       .control(type, request, value, index, std::span<std::uint8_t>(data, length), now);
+        UsbAccess::changed().notify_all();
+    }
+    // libusb handles events while it waits, so that callbacks of other transfers can be called from here.
+    support::handleEvents(*context, Clock::now(), nullptr);
     return answered ? static_cast<int>(*answered) : LIBUSB_ERROR_PIPE;
 }
 
