@@ -47,7 +47,10 @@ std::optional<glm::dvec3> AnswerCheck::take(const Answer& answer, std::chrono::n
                                      : m_known == 1 && isWithin(moved, kMostCountsPerMs * ms);
     if (m_known == kConfirmed && !agrees)
         return std::nullopt;
-    m_countsPerMs = !agrees ? glm::dvec3(0.0) : m_known == 1 ? moved / ms : 0.5 * (m_countsPerMs + moved / ms);
+    if (!agrees)
+        m_countsPerMs = glm::dvec3(0.0);
+    else
+        m_countsPerMs += (moved / ms - m_countsPerMs) * (m_known == 1 ? 1.0 : ms / (ms + kPaceLagMs));
     m_known = agrees ? std::min(m_known + 1, kConfirmed) : 1;
     m_counts = counts;
     m_taken = taken;

@@ -104,6 +104,7 @@ void FalconDevice::start()
     if (m_thread.joinable())
         return;
     m_isStopping = false;
+    g_letGo = false;
     m_thread = std::thread([this] { run(); });
 }
 

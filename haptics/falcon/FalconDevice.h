@@ -23,9 +23,9 @@
 
 namespace haptics::falcon {
 
-/// Sets the force of every Falcon to zero and waits up to 0.1 s until that is sent; they stay without force. For the
-/// handler of a signal that ends the program: it only touches atomics and sleeps. On a device's own thread it returns
-/// at once and changes nothing.
+/// Sets the force of every Falcon to zero and waits up to 0.1 s until that is sent. They stay without force until one
+/// is started. For the handler of a signal that ends the program: it only touches atomics and sleeps. On a device's own
+/// thread it returns at once and changes nothing.
 void letGoOfAll() noexcept;
 
 /// A Novint Falcon in the hand. A thread of its own finds and opens it, loads its firmware, waits until the grip is
