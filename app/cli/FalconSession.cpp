@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/FalconCalibration.h"
+#include "app/StopForces.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/StopSignal.h"
 
@@ -74,6 +75,7 @@ core::Result<std::unique_ptr<FalconSession>> FalconSession::open(const QCommandL
     options.calibration = *calibration;
     std::unique_ptr<FalconSession> session(
         new FalconSession(std::move(options), std::chrono::seconds(parser.value(QStringLiteral("wait")).toLongLong())));
+    stopForcesOnSignals();
     session->m_device.setFirmware(parser.value(QStringLiteral("firmware")).toStdString());
     session->m_device.start();
     return session;

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands about a Falcon, run as a user runs them, with an emulated Falcon in place of the USB.
+#include <csignal>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/Program.h"
+
+using support::Ending;
+using support::runCusp;
+
+namespace {
+
+constexpr int kPatienceMs = 30'000;
+
+}  // namespace
+
+class TestFalconProgram : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void listsWhatIsPluggedIn();
+    void withoutUsbEveryPartSaysSo_data();
+    void withoutUsbEveryPartSaysSo();
+    void probeLoadsTheFirmwareAndMeasures();
+    void probeRefusesAFileThatIsNoFirmware();
+    void homeSaysWhatToDo();
+    void testPushesInSixDirections();
+    void rulesPrintsTheUdevRule();
+    void theForceIsZeroAfterASignal_data();
+    void theForceIsZeroAfterASignal();
+    void aWrongCalibrationFileIsRefused();
+    void calibrateNeedsItsSteps();
+
+private:
+    [[nodiscard]] QStringList environment() const
+    {
+        return {QStringLiteral("LD_PRELOAD=" CUSP_BINARY_DIR "/tests/libemulated_falcon.so"),
+                QStringLiteral("CUSP_EMULATED_FALCON=") + m_folder->path(),
+                QStringLiteral("XDG_CONFIG_HOME=") + m_folder->path()};
+    }
+    void command(const QByteArray& lines)
+    {
+        QFile file(m_folder->filePath(QStringLiteral("command")));
+        QVERIFY(file.open(QIODevice::Append));
+        file.write(lines + '\n');
+    }
+    /// The values of a line of the emulator's state; empty if there is none.
+    [[nodiscard]] QByteArrayList state(const QByteArray& name) const
+    {
+        QFile file(m_folder->filePath(QStringLiteral("state")));
+        if (!file.open(QIODevice::ReadOnly))
+            return {};
+        for (const QByteArray& line : file.readAll().split('\n'))
+            if (line.startsWith(name + ' '))
+                return line.mid(name.size() + 1).split(' ');
+        return {};
+    }
+    [[nodiscard]] bool hasForce() const
+    {
+        const QByteArrayList motors = state("motors");
+        return motors.size() == 3 && motors != QByteArrayList{"0", "0", "0"};
+    }
+    /// Moves the grip past the index marks, again and again, until a condition holds.
+    template <class Condition>
+    [[nodiscard]] bool homeUntil(Condition condition)
+    {
+        return QTest::qWaitFor(
+            [&] {
+                command("hand none\ngrip 0 0 165\ngrip 0 0 90 0.3");
+                QTest::qWait(400);
+                command("grip 0 0 165 0.3");
+                QTest::qWait(400);
+                return condition();
+            },
+            kPatienceMs);
+    }
+    [[nodiscard]] QString file(const QByteArray& bytes)
+    {
+        const QString path = m_folder->filePath(QStringLiteral("given"));
+        QFile file(path);
+        if (file.open(QIODevice::WriteOnly))
+            file.write(bytes);
+        return path;
+    }
+
+    std::optional<QTemporaryDir> m_folder;
+};
+
+namespace {
+
+/// A boot stream that holds no program of anybody.
+QByteArray bootStream()
+{
+    QByteArray bytes;
+    const auto add = [&](int word) {
+        bytes += static_cast<char>(word & 0xFF);
+        bytes += static_cast<char>(word >> 8);
+    };
+    add(0x08AA);
+    for (int n = 0; n < 8; ++n)
+        add(0);
+    for (const int word : {0x003F, 0x8002, 300, 0x003F, 0x8000})
+        add(word);
+    for (int n = 0; n < 300; ++n)
+        add(n * 31 & 0xFFFF);
+    add(0);
+    return bytes;
+}
+
+}  // namespace
+
+void TestFalconProgram::init()
+{
+    m_folder.emplace();
+    QVERIFY(m_folder->isValid());
+}
+
+void TestFalconProgram::listsWhatIsPluggedIn()
+{
+    const Ending none = runCusp({"falcon", "list", "--json"}, environment());
+    expectDone(none);
+    QVERIFY(none.json()["falcons"].toArray().isEmpty());
+    command("plug FT1\nplug FT2\ndeny");
+    const Ending two = runCusp({"falcon", "list", "--json"}, environment());
+    expectDone(two);
+    const QJsonArray rows = two.json()["falcons"].toArray();
+    QCOMPARE(rows.size(), 2);
+    QCOMPARE(rows[0].toObject()["serial"].toString(), QStringLiteral("FT1"));
+    QVERIFY(rows[0].toObject()["usable"].toBool());
+    QVERIFY(!rows[1].toObject()["usable"].toBool());
+    QVERIFY(!rows[1].toObject()["why"].toString().isEmpty());
+}
+
+void TestFalconProgram::withoutUsbEveryPartSaysSo_data()
+{
+    QTest::addColumn<QString>("part");
+    for (const char* part : {"list", "probe", "home", "test", "calibrate"})
+        QTest::newRow(part) << part;
+}
+
+void TestFalconProgram::withoutUsbEveryPartSaysSo()
+{
+    QFETCH(QString, part);
+    command("usb off");
+    QStringList arguments{"falcon", part};
+    if (part != u"list")
+        arguments << "--wait"
+                  << "1";
+    const Ending ending = runCusp(arguments, environment());
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY(ending.error.contains("USB"));
+}
+
+void TestFalconProgram::probeLoadsTheFirmwareAndMeasures()
+{
+    command("plug FT1");
+    const Ending ending = runCusp({"falcon", "probe", "--firmware", file(bootStream()), "--json"}, environment());
+    expectDone(ending);
+    QCOMPARE(ending.json()["serial"].toString(), QStringLiteral("FT1"));
+    QVERIFY(ending.json()["rate_hz"].toDouble() > 0.0);
+    QVERIFY(ending.json()["round_trip_us"].toObject()["p50"].toDouble() > 0.0);
+    QCOMPARE(state("loads").value(0), QByteArray("1"));
+}
+
+void TestFalconProgram::probeRefusesAFileThatIsNoFirmware()
+{
+    command("plug FT1");
+    const Ending ending = runCusp({"falcon", "probe", "--firmware", file("no firmware at all")}, environment());
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY(ending.error.contains("not firmware"));
+    QCOMPARE(state("image_bytes").value(0), QByteArray("0"));
+}
+
+void TestFalconProgram::homeSaysWhatToDo()
+{
+    command("plug FT1\nfirmware");
+    const Ending early = runCusp({"falcon", "home", "--wait", "1"}, environment());
+    QCOMPARE(early.exitCode, 1);
+    QVERIFY(early.error.contains("Pull the grip"));
+}
+
+void TestFalconProgram::testPushesInSixDirections()
+{
+    command("plug FT1\nfirmware");
+    QProcess program;
+    QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    for (const QString& variable : environment())
+        all.insert(variable.section('=', 0, 0), variable.section('=', 1));
+    program.setProcessEnvironment(all);
+    program.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), {"falcon", "test", "--force", "800", "--json"});
+    QVERIFY(homeUntil([&] { return hasForce(); }));
+    QVERIFY(program.waitForFinished(kPatienceMs));
+    QCOMPARE(program.exitCode(), 0);
+    QCOMPARE(program.readAllStandardError().count("Pushing "), 6);
+    QVERIFY(!hasForce());
+}
+
+void TestFalconProgram::rulesPrintsTheUdevRule()
+{
+    const Ending ending = runCusp({"falcon", "rules"});
+    expectDone(ending);
+    QVERIFY(ending.out.contains("ATTR{idVendor}==\"0403\""));
+    QVERIFY(ending.out.contains("ATTR{idProduct}==\"cb48\""));
+}
+
+void TestFalconProgram::theForceIsZeroAfterASignal_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("terminated") << SIGTERM;
+    QTest::newRow("Ctrl+C") << SIGINT;
+    QTest::newRow("a crash") << SIGSEGV;
+    QTest::newRow("abort") << SIGABRT;
+}
+
+void TestFalconProgram::theForceIsZeroAfterASignal()
+{
+    QFETCH(int, signal);
+    command("plug FT1\nfirmware");
+    QProcess program;
+    QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    for (const QString& variable : environment())
+        all.insert(variable.section('=', 0, 0), variable.section('=', 1));
+    program.setProcessEnvironment(all);
+    program.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), {"falcon", "test", "--force", "1000"});
+    QVERIFY(homeUntil([&] { return hasForce(); }));
+    QCOMPARE(::kill(static_cast<pid_t>(program.processId()), signal), 0);
+    QVERIFY(program.waitForFinished(kPatienceMs));
+    QVERIFY(!hasForce());
+}
+
+void TestFalconProgram::aWrongCalibrationFileIsRefused()
+{
+    command("plug FT1\nfirmware");
+    for (const QByteArray& text : {QByteArray(), QByteArray("text"), QByteArray("{\"format\": 2}"),
+                                   QByteArray("{\"format\": 1, \"command_per_nm\": \"many\"}"),
+                                   QByteArray("{\"format\": 1, \"command_per_nm\": 0}"),
+                                   QByteArray("{\"format\": 1, \"home_deg\": [35, 35]}")}) {
+        const Ending ending = runCusp({"falcon", "probe", "--calibration", file(text)}, environment());
+        expectRefusal(ending);
+    }
+    expectRefusal(runCusp({"falcon", "probe", "--calibration", "/does/not/exist"}, environment()));
+    expectDone(runCusp({"falcon", "probe", "--calibration", file("{\"format\": 1, \"command_per_nm\": 6616}")},
+                       environment()));
+}
+
+void TestFalconProgram::calibrateNeedsItsSteps()
+{
+    expectRefusal(runCusp({"falcon", "calibrate", "--weight", "5"}, environment()), "--weight", 2);
+}
+
+QTEST_GUILESS_MAIN(TestFalconProgram)
+#include "tst_falcon_program.moc"
