@@ -67,6 +67,9 @@ struct Context
 /// without the pulp, and how near the bur stays to the pointer.
 [[nodiscard]] core::Result<Figures> pointerSuite(const Context& context);
 
+/// What an exchange of packets with a Falcon costs, and its kinematics.
+[[nodiscard]] core::Result<Figures> falconSuite(const Context& context);
+
 /// A recording of continuous drilling played to its end, and looked at here and there.
 [[nodiscard]] core::Result<Figures> replaySuite(const Context& context);
 /// A servo in its thread at 1 kHz, by turns alone and with the live measures of a lesson beside it, and what those
