@@ -42,6 +42,9 @@ public:
         std::this_thread::sleep_until(due);
         return false;
     }
+    /// Begins anew, before the first exchange() after another device moved the bur (DeviceSwitch). A hand that was
+    /// pressing has let go.
+    virtual void takeOver() noexcept {}
 };
 
 }  // namespace haptics

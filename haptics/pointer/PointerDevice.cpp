@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -45,6 +46,11 @@ DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
     if (const core::session::PointerInput& asked = m_input.latest(); isFinite(asked))
         m_want = asked;
+    if (std::exchange(m_begins, false))
+        begin();
+    m_isHeldSince = m_isHeldSince && m_want.pushing;
+    if (m_isHeldSince)
+        m_want.pushing = false;
     const double force = std::sqrt(glm::dot(forceOnHandN, forceOnHandN));
     const glm::dvec3 stretch = m_burMm - m_tip;
     m_freeS = glm::dot(stretch, stretch) > kTouchMm * kTouchMm ? 0.0 : m_freeS + m_period;
@@ -60,6 +66,18 @@ DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
     if (m_want.buttonIsPedal)
         sample.pedal = m_want.pushing && m_idleS < kPedalLiftsAfterS;
     return sample;
+}
+
+void PointerDevice::begin() noexcept
+{
+    m_isHeldSince = m_want.pushing;
+    m_between = m_want.targetMm;
+    m_tip = glm::dvec3(m_want.targetMm, m_want.hoverMm);
+    m_levelMm = m_tip.z;
+    m_isInAir = true;
+    m_followMmPerS = 0.0;
+    m_idleS = 0.0;
+    m_freeS = 1.0;
 }
 
 /// Stops at a wall that pushes back with the wanted force, so that the spring is not stretched further.

@@ -31,8 +31,11 @@ public:
 
     void seeBur(const glm::dvec3& tipMm) noexcept override { m_burMm = tipMm; }
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
+    /// Hovers over the target. A button that is held counts again after it has been released.
+    void takeOver() noexcept override { m_begins = true; }
 
 private:
+    void begin() noexcept;
     void moveAside(const glm::dvec3& forceOnHandN, double forceN) noexcept;
     void lean(double forceN) noexcept;
     void lower() noexcept;
@@ -50,6 +53,8 @@ private:
     double m_freeS = 1.0;         ///< time without contact
     glm::dvec3 m_tip{0.0, 0.0, 4.0};
     glm::dvec2 m_between{0.0, 0.0};  ///< target after the first lag
+    bool m_begins = false;           ///< takeOver() was called since the last exchange()
+    bool m_isHeldSince = false;      ///< the button was down at takeOver() and has not been released since
 };
 
 }  // namespace haptics
