@@ -33,8 +33,6 @@
 #include "database/sql/Feedback.h"
 #include "database/sql/Logins.h"
 #include "haptics/falcon/FalconFeel.h"
-#include "haptics/pointer/PointerDevice.h"
-#include "haptics/simulated/GuidedFalcon.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
@@ -134,21 +132,14 @@ std::optional<ui::study::Expectation> expectationOf(const database::AttemptRecor
     return ui::study::Expectation{*attempt.expectedTenths, {}};
 }
 
-using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
+constexpr double kStiffnessNPerMm = core::contact::ForceSettings{}.stiffnessNPerMm;
+constexpr double kServoPeriodS = std::chrono::duration<double>(kServoPeriod).count();
 
-std::unique_ptr<haptics::HapticDevice> makeDevice(bool simulated, Wishes& demo, Wishes& pointer)
-{
-    const double stiffness = core::contact::ForceSettings{}.stiffnessNPerMm;
-    const double periodS = std::chrono::duration<double>(kServoPeriod).count();
-    if (simulated)
-        return std::make_unique<haptics::GuidedFalcon>(demo, stiffness, periodS);
-    return std::make_unique<haptics::PointerDevice>(pointer, stiffness, periodS);
-}
-
-core::session::ServoSettings settingsFor(bool simulated)
+/// @param hasForce  the hand that moves the bur feels a force
+core::session::ServoSettings settingsFor(bool hasForce)
 {
     core::session::ServoSettings settings;
-    if (simulated)
+    if (hasForce)
         haptics::falcon::addFalconFeel(settings.force);
     return settings;
 }
@@ -164,8 +155,10 @@ core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions
 }
 
 Application::Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick)
-    : m_options(options), m_device(makeDevice(options.simulatedDevice, m_demoWish, m_links.pointer)),
-      m_servo(*m_device, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
+    : m_options(options), m_pointer(m_links.pointer, kStiffnessNPerMm, kServoPeriodS),
+      m_simulatedHand(m_demoWish, kStiffnessNPerMm, kServoPeriodS),
+      m_bur(options.simulatedDevice ? static_cast<haptics::HapticDevice&>(m_simulatedHand) : m_pointer, kServoPeriod),
+      m_servo(m_bur, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
       m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)), m_follower(m_session),
       m_window(std::make_unique<ui::shell::MainWindow>(m_links)), m_presets(*m_window, [this] { return m_who; })
 {
@@ -244,13 +237,14 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
 
-    if (options.simulatedDevice) {
-        m_window->setSelfDrilling();
-        m_window->offerHome();
-        m_demoBeat.setInterval(kDemoBeatMs);
-        connect(&m_demoBeat, &QTimer::timeout, this, &Application::letHandDecide);
-        m_demoBeat.start();
-    }
+    m_demoBeat.setInterval(kDemoBeatMs);
+    connect(&m_demoBeat, &QTimer::timeout, this, &Application::letHandDecide);
+    m_devices =
+        std::make_unique<DeviceController>(*m_window, DeviceController::Hands{m_bur, m_pointer, m_simulatedHand},
+                                           options.devices, options.simulatedDevice);
+    connect(m_devices.get(), &DeviceController::inUseChanged, this, &Application::followHand);
+    connect(m_devices.get(), &DeviceController::simulatedChanged, this, &Application::beginForAnotherHand);
+    followHand();
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
     static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
     startLoops();
@@ -264,6 +258,7 @@ Application::~Application()
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
     m_replay.reset();
+    m_devices.reset();
     // The window has asked about the work on the table before it let itself be closed.
     stopJournal(true);
     m_tour.reset();
@@ -853,7 +848,7 @@ void Application::feel(const core::settings::FeelPreset& preset)
     const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
-    m_numbers = core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_options.simulatedDevice), preset,
+    m_numbers = core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_devices->hasForce()), preset,
                                                                 m_tried ? m_triedKind : core::settings::ToothKind{}));
     tellNumbers();
 }
@@ -1156,7 +1151,7 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
     const core::settings::FeelPreset usual = m_tried.value_or(m_presets.inUse());
     const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_presets.inUse());
     const core::session::ServoSettings settings = lessons::servoSettings(
-        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice), preset);
+        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_devices->hasForce()), preset);
     auto servo = core::session::makeServoTick(settings);
     if (!servo) {
         refuse(servo.error(), Failed::OpeningLesson,
@@ -1208,6 +1203,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     holdHand(false);
     m_ownGeneration = ++m_generation;
     m_cutIn.clear();
+    m_cutWith.clear();
     m_takenUpAtTick = 0;
     m_isTakenUp = false;
     m_seenBefore.reset();
@@ -1233,13 +1229,52 @@ void Application::letHandDecide()
     m_demoWish.publish(m_demoHand->decide(state, *tooth));
 }
 
+/// Another hand has the bur.
+void Application::followHand()
+{
+    if (m_devices->isSimulated())
+        m_demoBeat.start();
+    else
+        m_demoBeat.stop();
+    // An attempt that nobody has worked on begins anew, so that it feels as the device can make it felt.
+    const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
+    const core::contact::ForceSettings felt = settingsFor(m_devices->hasForce()).force;
+    if (!m_devices->isSimulated() && m_settings.force.workAreaMm != felt.workAreaMm && !isExam &&
+        !m_assignment.exercise && !m_window->isBusy() && isUntouched())
+        beginAsItFeels();
+}
+
+/// The user has chosen the simulated hand, whose work is nobody's, or has left it.
+void Application::beginForAnotherHand()
+{
+    ++m_loading;
+    const std::optional<lessons::Lesson> lesson = m_assignment.lesson;
+    if (m_devices->isSimulated()) {
+        stopJournal(true);
+        if (lesson && lesson->exam)
+            clearTable();
+        else if (m_assignment.anatomy)
+            beginAsItFeels();
+    } else {
+        const std::uint64_t nobodys = m_ownGeneration;
+        clearTable();
+        keepJournal();
+        m_journal->leaveOut(nobodys);
+        if (lesson && !lesson->exam)
+            openLesson(*lesson);
+    }
+    m_window->showBegunAnew();
+}
+
 /// In practice a breach of the lesson's rules stops the bur and is explained. In an exam it is only noted.
 void Application::watchAttempt()
 {
     if (!m_replay) {
         tellNumbers();
-        if (m_links.servo.latest().cutting)
+        if (m_links.servo.latest().cutting) {
             ++m_cutIn[m_window->view().settings().presentation.stereo];
+            ++m_cutWith[m_devices->inUse()];
+        }
     }
     if (m_replay || !m_assignment.lesson)
         return;
@@ -1495,7 +1530,9 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
     record.scoreSheetJson = lessons::toJson(sheet, preset).toStdString();
     record.stateHash =
         QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();
-    record.device = m_options.simulatedDevice ? "simulated" : "pointer";
+    const auto mostlyWith = std::max_element(m_cutWith.begin(), m_cutWith.end(),
+                                             [](const auto& a, const auto& b) { return a.second < b.second; });
+    record.device = (mostlyWith != m_cutWith.end() ? mostlyWith->first : m_devices->inUse()).toStdString();
     record.method = m_settings.method;
     record.grid = m_assignment.anatomy->grid.side;
     const auto mostly = std::max_element(m_cutIn.begin(), m_cutIn.end(),
@@ -1521,7 +1558,7 @@ void Application::keepGrade()
     // guest's; the simulated hand is nobody's, nor is the block on which a preset is tried.
     const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
     const bool isNobodys =
-        m_options.simulatedDevice || m_tried || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
+        m_devices->isSimulated() || m_tried || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
     m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
@@ -1966,7 +2003,7 @@ void Application::readRecording(const QString& path, const UseRecording& use, co
 /// offered. What a simulated hand drills is nobody's work.
 void Application::keepJournal()
 {
-    if (m_options.simulatedDevice)
+    if (m_devices->isSimulated())
         return;
     stopJournal(m_journal != nullptr && !m_who.isGuest());
     m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_stationFolder, m_who));
@@ -2073,13 +2110,6 @@ void Application::resumeUnfinished()
 {
     if (!m_unfinished)
         return;
-    // What cuts is the attempt's own; what is felt must suit the device.
-    const core::contact::ForceSettings& force = m_unfinished->recording.settings().force;
-    const core::contact::ForceSettings device = settingsFor(m_options.simulatedDevice).force;
-    if (force.workAreaMm != device.workAreaMm || force.vibrationN != device.vibrationN) {
-        m_window->showMessage(tr("This attempt was made with another device and cannot be continued. It is kept."));
-        return;
-    }
     const int load = ++m_loading;
     m_window->showBusy(tr("Resuming the attempt …"));
     if (const std::string lesson = limitedLessonOf(m_unfinished->recording); !lesson.empty())
@@ -2177,8 +2207,8 @@ void Application::discardUnfinished()
 /// The student's own attempt stays in the two loops, which rest meanwhile.
 bool Application::play(const core::recording::Recording& recording, std::optional<double> momentS, const QString& whose)
 {
-    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
-                                   m_options.simulatedDevice ? m_device.get() : nullptr);
+    auto replay =
+        ReplayDesk::make(recording, m_links, *m_window, m_generation + 1, m_devices->hasForce() ? &m_bur : nullptr);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
         return false;

@@ -15,6 +15,7 @@
 
 #include "app/AdminDesk.h"
 #include "app/CardDesk.h"
+#include "app/DeviceController.h"
 #include "app/Explainer.h"
 #include "app/GradedMark.h"
 #include "app/Letters.h"
@@ -31,7 +32,10 @@
 #include "core/teeth/ToothBuilder.h"
 #include "database/people.h"
 #include "database/records.h"
+#include "haptics/DeviceSwitch.h"
 #include "haptics/ServoLoop.h"
+#include "haptics/pointer/PointerDevice.h"
+#include "haptics/simulated/GuidedFalcon.h"
 #include "haptics/simulated/IdealHand.h"
 #include "lessons/Assignment.h"
 #include "lessons/ClassStanding.h"
@@ -58,6 +62,8 @@ struct WindowOptions
     QString picture;          ///< draw the tooth, or the end of the recording, into this file and quit
     /// A simulated hand with a simulated Falcon does the work; the student watches.
     bool simulatedDevice = false;
+    /// The force devices that this station can have.
+    std::vector<DeviceRow> devices = stationDevices();
 };
 
 using AnatomyPointer = std::shared_ptr<const core::terrain::ToothAnatomy>;
@@ -193,6 +199,8 @@ private:
     void stopReplay();
     void drawPicture();
     void letHandDecide();
+    void followHand();
+    void beginForAnotherHand();
     void startLoops();
     void stopLoops();
 
@@ -204,11 +212,14 @@ private:
     core::rt::TripleBuffer<core::session::PointerInput> m_demoWish;  ///< of m_demoHand
     std::optional<haptics::IdealHand> m_demoHand;
     std::uint8_t m_demoBur = 0;  ///< that it holds
-    std::unique_ptr<haptics::HapticDevice> m_device;
+    haptics::PointerDevice m_pointer;
+    haptics::GuidedFalcon m_simulatedHand;
+    haptics::DeviceSwitch m_bur;
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;
     core::session::Follower m_follower;
     std::unique_ptr<ui::shell::MainWindow> m_window;
+    std::unique_ptr<DeviceController> m_devices;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
     std::unique_ptr<Letters> m_letters;    ///< null where m_desk is
     std::unique_ptr<PeopleDesk> m_people;  ///< the same
@@ -299,6 +310,7 @@ private:
     };
     BegunExam m_begunExam;
     std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by what it is seen in
+    std::map<QString, int> m_cutWith;           ///< the same, by the hand that moves the bur
     bool m_isTakenUp = false;                   ///< it was not finished when it was left
     QTimer m_demoBeat;
     std::unique_ptr<ReplayDesk> m_replay;

@@ -10,12 +10,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QShowEvent>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/console/ParameterWords.h"
+#include "ui/shell/Actions.h"
 #include "ui/shell/LanguageMenu.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScrollPane.h"
@@ -44,9 +46,9 @@ QString groupOf(const core::settings::Parameter& parameter)
 }  // namespace
 
 SettingsPage::SettingsPage(const Actions& actions, const core::settings::Parameters& parameters, QWidget* parent)
-    : Page(actions, parent), m_parameters(parameters), m_search(new QLineEdit(this)), m_fault(study::faultLabel(this)),
-      m_blind(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)), m_content(new QWidget(this)),
-      m_column(new QVBoxLayout(m_content)),
+    : Page(actions, parent), m_actions(actions), m_parameters(parameters), m_search(new QLineEdit(this)),
+      m_fault(study::faultLabel(this)), m_blind(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+      m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content)),
       m_none(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this))
 {
     m_search->setClearButtonEnabled(true);
@@ -120,23 +122,26 @@ void SettingsPage::addWindowRows()
 {
     auto* heading = study::formWords(tr("Window"), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
     m_column->addWidget(heading);
-    const auto add = [&](const char* name, const QString& label, const QString& help) {
+    const auto addRow = [&](const QString& label, QWidget* input, const QString& help) {
         auto* whole = new QWidget(m_content);
         auto* line = new QHBoxLayout(whole);
         line->setContentsMargins(0, 0, 0, 0);
         line->setSpacing(kSpace4);
         auto* words = study::formWords(label, kBody, QFont::Normal, QPalette::WindowText, whole);
         words->setFixedWidth(kLabelPx);
-        auto* choice = study::choiceInput(label, whole);
+        line->addWidget(words);
+        line->addWidget(input);
+        line->addWidget(study::formWords(help, kSmall, QFont::Normal, QPalette::PlaceholderText, whole), 1);
+        m_column->addWidget(whole);
+        m_rows.push_back({whole, heading, {}, QStringLiteral("%1 %2").arg(label, help), [] {}});
+    };
+    const auto add = [&](const char* name, const QString& label, const QString& help) {
+        auto* choice = study::choiceInput(label, m_content);
         choice->setObjectName(QLatin1String(name));
         choice->setMinimumWidth(kNumberPx);
         choice->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // as wide as its words in this language
         choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        line->addWidget(words);
-        line->addWidget(choice);
-        line->addWidget(study::formWords(help, kSmall, QFont::Normal, QPalette::PlaceholderText, whole), 1);
-        m_column->addWidget(whole);
-        m_rows.push_back({whole, heading, {}, QStringLiteral("%1 %2").arg(label, help), [] {}});
+        addRow(label, choice, help);
         return choice;
     };
     QComboBox* language = add("language", tr("Language"), tr("Of every window, at once."));
@@ -160,6 +165,10 @@ void SettingsPage::addWindowRows()
     theme->setCurrentIndex(theme->findData(static_cast<int>(rememberedTheme())));
     connect(theme, &QComboBox::activated, this,
             [theme] { rememberTheme(static_cast<ThemeChoice>(theme->currentData().toInt())); });
+    QPushButton* devices = pageButton(m_actions.devices, "", m_content);
+    devices->setObjectName(QStringLiteral("openDevices"));
+    devices->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    addRow(tr("Hand"), devices, tr("Mouse or pen, a simulated hand, or a force device: choose, home and try it."));
 }
 
 QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidget* parent, Row& row)

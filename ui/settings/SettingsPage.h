@@ -43,6 +43,7 @@ private:
     void set(const std::string& name, double value);
     void search(const QString& words);
 
+    const shell::Actions& m_actions;
     const core::settings::Parameters& m_parameters;
     QLineEdit* m_search;
     QLabel* m_fault;

@@ -201,6 +201,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
             {Qt::Key_F10, Qt::Key_QuoteLeft});
     settings =
         add("settings", QT_TR_NOOP("Settings"), QT_TR_NOOP("Every setting with its range"), {Qt::CTRL | Qt::Key_Comma});
+    devices =
+        add("mouse", QT_TR_NOOP("Devices"), QT_TR_NOOP("Choose and try what moves the bur"), {Qt::CTRL | Qt::Key_D});
     account = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : m_username; },
                   QT_TR_NOOP("Log in, lock this workstation, or change your password or the language"), {});
     lock = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : tr("Lock or switch user"); },
@@ -252,6 +254,16 @@ void Actions::showAccount(const QString& username)
     lock->setText(username.isEmpty() ? tr("Log in") : tr("Lock or switch user"));
 }
 
+void Actions::showDevice(const QString& drawing, const QString& state)
+{
+    if (devices->property(kDrawing).toString() != drawing) {
+        devices->setProperty(kDrawing, drawing);
+        devices->setIcon(lineIcon(drawing, roomPalette()));
+    }
+    const QString tip = tipOf(devices, devices->statusTip());
+    devices->setToolTip(state.isEmpty() ? tip : state + u'\n' + tip);
+}
+
 void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)
 {
     if (!aid->property(kOwnTip).isValid())
@@ -294,13 +306,18 @@ QAction* Actions::add(const QString& drawing, const char* text, const char* tip,
         drawing, [text] { return tr(text); }, tip, keys);
 }
 
+QString Actions::tipOf(const QAction* action, const QString& what)
+{
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    //: Tooltip: what it does, then its key
+    return key.isEmpty() ? what : tr("%1 (%2)").arg(what, key);
+}
+
 void Actions::speak()
 {
     for (const Words& words : m_words) {
         const QString tip = tr(words.tip);
-        const QString key = words.action->shortcut().toString(QKeySequence::NativeText);
-        //: Tooltip: what it does, then its key
-        const QString whole = key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key);
+        const QString whole = tipOf(words.action, tip);
         const bool refused = isRefused(words.action);
         if (words.action->property(kOwnTip).isValid())
             words.action->setProperty(kOwnTip, whole);

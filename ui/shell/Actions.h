@@ -39,6 +39,10 @@ public:
     void showReplayPaused(bool paused);
     /// @param username  empty: a guest
     void showAccount(const QString& username);
+    /// What `devices` shows.
+    /// @param drawing  its icon
+    /// @param state    the hand in use and its state
+    void showDevice(const QString& drawing, const QString& state);
     [[nodiscard]] bool isGuest() const { return m_username.isEmpty(); }
     /// Where `back` leads from the page that is shown.
     enum class Back { Tooth, Lessons, Attempts, Class };
@@ -114,6 +118,7 @@ public:
     QAction* panel = nullptr;  ///< checkable: the side panel is there
     QAction* console = nullptr;
     QAction* settings = nullptr;
+    QAction* devices = nullptr;  ///< its icon and tooltip show the hand in use
     QAction* account = nullptr;  ///< who is logged in; opens what he can do about it, or leads to the login
     QAction* lock = nullptr;
     QAction* fullScreen = nullptr;
@@ -142,6 +147,7 @@ private:
     QWidget* m_window;
     QList<Group> m_groups;
     QList<Words> m_words;
+    [[nodiscard]] static QString tipOf(const QAction* action, const QString& what);
     [[nodiscard]] QString wayBack() const;
     QString m_username;
     Back m_back = Back::Tooth;

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QVBoxLayout>
 
 #include "ui/shell/Memory.h"
 #include "ui/shell/TabularLabel.h"
@@ -33,9 +34,19 @@ int stepsOf(double value, double step)
 
 }  // namespace
 
-HandControls::HandControls(tooth::ToothView& view, QWidget* parent) : QWidget(parent), m_view(view)
+HandControls::HandControls(tooth::ToothView& view, QWidget* parent)
+    : QWidget(parent), m_view(view), m_sliders(new QWidget(this)), m_device(new QLabel(this))
 {
-    auto* grid = new QGridLayout(this);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_sliders);
+    column->addWidget(m_device);
+    m_device->setObjectName(QStringLiteral("forceDevice"));
+    m_device->setFont(typeface(kSmall));
+    m_device->setForegroundRole(QPalette::PlaceholderText);
+    m_device->setWordWrap(true);
+    m_device->hide();
+    auto* grid = new QGridLayout(m_sliders);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(kSpace2);
     grid->setVerticalSpacing(kSpace1);
@@ -43,12 +54,12 @@ HandControls::HandControls(tooth::ToothView& view, QWidget* parent) : QWidget(pa
     const auto addRow = [&](int row, QWidget* caption, const char* name, double low, double high, double step) {
         caption->setFont(typeface(kSmall));
         caption->setForegroundRole(QPalette::PlaceholderText);
-        auto* slider = new QSlider(Qt::Horizontal, this);
+        auto* slider = new QSlider(Qt::Horizontal, m_sliders);
         slider->setRange(stepsOf(low, step), stepsOf(high, step));
         slider->setPageStep(5);
         slider->setFocusPolicy(Qt::TabFocus);
         slider->setObjectName(QLatin1String(name));
-        auto* text = new TabularLabel(this);
+        auto* text = new TabularLabel(m_sliders);
         text->setFont(typeface(kBody, QFont::Medium));
         text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grid->addWidget(caption, row, 0);
@@ -56,10 +67,10 @@ HandControls::HandControls(tooth::ToothView& view, QWidget* parent) : QWidget(pa
         grid->addWidget(text, row, 2);
         return std::pair(slider, text);
     };
-    auto* feed = new QLabel(this);
-    m_stopOn = new QCheckBox(this);
+    auto* feed = new QLabel(m_sliders);
+    m_stopOn = new QCheckBox(m_sliders);
     m_stopOn->setObjectName(QStringLiteral("depthStopOn"));
-    auto* push = new QLabel(this);
+    auto* push = new QLabel(m_sliders);
     std::tie(m_feed, m_feedText) = addRow(0, feed, "feed", PointerControl::kSlowestMmPerS,
                                           PointerControl::kFastestMmPerS, PointerControl::kStepMmPerS);
     std::tie(m_stop, m_stopText) = addRow(1, m_stopOn, "depthStop", PointerControl::kShallowestMm,
@@ -86,6 +97,7 @@ HandControls::HandControls(tooth::ToothView& view, QWidget* parent) : QWidget(pa
         for (QSlider* slider : {m_feed, m_stop, m_push})
             slider->setStatusTip(slider->toolTip());
         showHand();
+        setForceDevice(m_deviceName);
     });
     connect(m_feed, &QSlider::valueChanged, this, [this](int steps) { setFeed(steps * PointerControl::kStepMmPerS); });
     connect(m_stop, &QSlider::valueChanged, this,
@@ -127,6 +139,15 @@ void HandControls::reset()
 double HandControls::pushForce() const
 {
     return m_view.hand().forceN();
+}
+
+void HandControls::setForceDevice(const QString& name)
+{
+    m_deviceName = name;
+    m_sliders->setVisible(name.isEmpty());
+    m_device->setVisible(!name.isEmpty());
+    //: %1: a force device
+    m_device->setText(tr("The %1 moves the bur. Feed, depth stop and force are for the mouse.").arg(name));
 }
 
 void HandControls::showHand()

@@ -6,6 +6,7 @@
 #include "core/session/Links.h"
 
 class QCheckBox;
+class QLabel;
 class QSlider;
 
 namespace ui::tooth {
@@ -34,12 +35,18 @@ public:
     /// Restores the default feed and force.
     void reset();
     [[nodiscard]] double pushForce() const;
+    /// While a force device moves the bur, the sliders mean nothing: a sentence is in their place.
+    /// @param name  of the device; empty: the pointer moves the bur
+    void setForceDevice(const QString& name);
 
 private:
     void showHand();
 
     tooth::ToothView& m_view;
     double m_depthMm = 0.0;  ///< of the lesson
+    QWidget* m_sliders;
+    QLabel* m_device;
+    QString m_deviceName;
     QSlider* m_feed = nullptr;
     QCheckBox* m_stopOn = nullptr;
     QSlider* m_stop = nullptr;

@@ -40,6 +40,7 @@
 #include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
+#include "ui/devices/DevicesPage.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/AssignPage.h"
@@ -145,8 +146,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
       m_watch(new console::WatchPanel(m_parameters, m_room)),
       m_console(new console::Console(m_parameters, *m_watch, m_room)),
-      m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
-      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
+      m_devicesPage(new devices::DevicesPage(*m_actions, m_pages)), m_xray(new inside::XrayPage(*m_actions, m_pages)),
+      m_messages(new MessageBar(m_pages)), m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
       m_tour(new Tour(*m_actions, {*m_room, *m_lessonsPage, *m_classes, *m_admin}, m_pages)),
       m_stereoCard(new StereoCard(m_room)), m_infractionCard(new study::InfractionCard(m_room)),
       m_exerciseCard(new study::ExerciseCard(m_actions->grade, m_room))
@@ -164,7 +165,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
           static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_history),
           static_cast<QWidget*>(m_classes), static_cast<QWidget*>(m_assign), static_cast<QWidget*>(m_presets),
-          static_cast<QWidget*>(m_admin)})
+          static_cast<QWidget*>(m_admin), static_cast<QWidget*>(m_devicesPage)})
         m_pages->addWidget(page);
     registerParameters();
     m_settingsPage = new settings::SettingsPage(*m_actions, m_parameters, m_pages);
@@ -879,6 +880,7 @@ void MainWindow::registerParameters()
         }
         placeOverlays();
     });
+    connect(m_actions->devices, &QAction::triggered, this, [this] { goTo(m_devicesPage); });
     connect(m_actions->settings, &QAction::triggered, this, [this] {
         m_settingsPage->refresh();
         goTo(m_settingsPage);
@@ -1189,10 +1191,15 @@ void MainWindow::showLeadEnd(bool pushed)
                        : tr("The handpiece is no longer available, so the guidance stopped."));
 }
 
-void MainWindow::offerHome()
+bool MainWindow::isInRoom() const
 {
-    m_canLead = true;
-    m_actions->bringHome->setVisible(true);
+    return m_pages->currentWidget() == m_room;
+}
+
+void MainWindow::offerHome(bool canLead)
+{
+    m_canLead = canLead;
+    m_actions->bringHome->setVisible(canLead);
     enableActions();
 }
 
@@ -1778,6 +1785,7 @@ void MainWindow::enableActions()
     m_actions->search->setEnabled(true);
     m_actions->console->setEnabled(inRoom);
     m_actions->settings->setEnabled(!m_busy->isWorking());
+    m_actions->devices->setEnabled(!m_busy->isWorking());
     m_actions->presets->setEnabled(!m_busy->isWorking());
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
     m_actions->mouth->setEnabled(!m_busy->isWorking() && m_actions->mouth->isVisible());
@@ -2619,7 +2627,7 @@ bool MainWindow::isNoKeyOfTheTooth(const QKeyEvent& key, const QWidget& focused)
                          !key.text().isEmpty() && (key.text().at(0).isLetterOrNumber() || key.text().at(0) == u' ');
     const QWidget* const page = m_pages->currentWidget();
     const QList<const QWidget*> offices{m_history,      m_classes, m_assign,   m_admin, m_presets,
-                                        m_settingsPage, m_editor,  m_forecast, m_login};
+                                        m_settingsPage, m_editor,  m_forecast, m_login, m_devicesPage};
     // In the room the history is a list, too, and the keys drill.
     return isPlain &&
            (offices.contains(page) || (page != m_room && qobject_cast<const QAbstractItemView*>(&focused) != nullptr) ||

@@ -49,6 +49,10 @@ namespace ui::admin {
 class AdminPage;
 }
 
+namespace ui::devices {
+class DevicesPage;
+}
+
 namespace ui::people {
 class AssignPage;
 class ClassPage;
@@ -126,6 +130,11 @@ public:
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
     [[nodiscard]] admin::AdminPage& adminPage() { return *m_admin; }
+    [[nodiscard]] devices::DevicesPage& devicesPage() { return *m_devicesPage; }
+    [[nodiscard]] Actions& actions() { return *m_actions; }
+    [[nodiscard]] MessageBar& messages() { return *m_messages; }
+    [[nodiscard]] PracticeRoom& room() { return *m_room; }
+    [[nodiscard]] bool isInRoom() const;
     [[nodiscard]] people::AssignPage& assignPage() { return *m_assign; }
     /// What showBusy() told of goes on.
     [[nodiscard]] bool isBusy() const;
@@ -307,10 +316,13 @@ public slots:
     /// @param where       its file, or its server
     /// @param backupMade  when the backup was that can be put in its place; invalid: there is none
     void setUnreachable(const std::optional<core::Error>& error, const QString& where, const QDateTime& backupMade);
-    /// Every tooth shown from now on is drilled by the simulated handpiece, and the window says so beside its name.
-    void setSelfDrilling() { m_selfDrilling = true; }
-    /// The device has a work area and a force: the user can ask to be led home over the tooth.
-    void offerHome();
+    /// Whether the simulated handpiece drills every tooth that is shown from now on. The window says so beside its
+    /// name.
+    void setSelfDrilling(bool isOn) { m_selfDrilling = isOn; }
+    /// Whether the device has a work area and a force, so that the user can ask to be led home over the tooth.
+    void offerHome(bool canLead);
+    /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
+    void leaveWork(const std::function<void()>& what);
     /// What the lesson allows; all of it to begin with. What it does not is put away and rests.
     void setAids(const lessons::Aids& aids);
     /// No attempt at the lesson on the table is left after the one that was graded: it is not begun again.
@@ -448,8 +460,6 @@ private:
     /// What the student has cut off the present tooth; all zero on a whole one.
     [[nodiscard]] core::terrain::PerMaterial ownWork() const;
     [[nodiscard]] bool wouldLoseWork() const;
-    /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
-    void leaveWork(const std::function<void()>& what);
     void leaveGrades(const std::function<void()>& what);
     /// Asks whether to discard unsaved changes before `what` is done, if there are any.
     void leaveUnsaved(const std::function<void()>& what);
@@ -536,6 +546,7 @@ private:
     console::WatchPanel* m_watch;
     console::Console* m_console;
     settings::SettingsPage* m_settingsPage = nullptr;
+    devices::DevicesPage* m_devicesPage;
     core::settings::FeelPreset m_feel;       ///< of what lies on the table
     core::settings::FeelPreset m_usualFeel;  ///< of it, if nobody had turned anything
     core::session::ServoState m_servo;       ///< of the last frame

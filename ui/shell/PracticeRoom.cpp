@@ -255,6 +255,9 @@ QWidget* PracticeRoom::makeBottomBar(const Actions& actions, ViewMenu& viewMenu)
     row.addStretch(1);
     for (QAction* action : {actions.otherHand, actions.bringHome})
         add(barButton(action, true, frame));
+    auto* device = barButton(actions.devices, false, frame);
+    device->setObjectName(QStringLiteral("deviceButton"));
+    row.addWidget(device);
     add(viewMenu.makeButton(frame));
     row.addStretch(1);
     row.addWidget(pageButton(actions.grade, "filled", frame));

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "app/StationDevices.h"
+#include "core/session/DeviceReport.h"
+#include "haptics/DeviceSwitch.h"
+#include "ui/shell/MainWindow.h"
+
+namespace app {
+
+/// Decides which hand moves the bur: mouse or pen, the simulated hand, or a force device while it is ready.
+///
+/// It starts, watches and stops the force devices of this station, shows them on the page of devices, and remembers
+/// the user's choice. While the page is open, the pointer has the bur, and a device can be tried without a tooth. Ui
+/// thread.
+class DeviceController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// The switch, and the two hands that are no force device. All of them outlive the controller.
+    struct Hands
+    {
+        haptics::DeviceSwitch& bur;
+        haptics::HapticDevice& pointer;
+        haptics::HapticDevice& simulated;
+    };
+    /// Takes the hand that was chosen in the last run.
+    /// @param isSimulated  the simulated hand is chosen instead, for this run
+    DeviceController(ui::shell::MainWindow& window, const Hands& hands, std::vector<DeviceRow> rows, bool isSimulated);
+    /// Stops the devices. No thread reads the switch any more.
+    ~DeviceController() override;
+
+    /// Id of the hand that moves the bur now: "pointer", "simulated" or that of a kind of force device.
+    [[nodiscard]] const QString& inUse() const { return m_inUse; }
+    [[nodiscard]] bool isSimulated() const;
+    /// The hand in use feels a force.
+    [[nodiscard]] bool hasForce() const;
+
+signals:
+    /// Emitted when another hand moves the bur.
+    void inUseChanged();
+    /// Emitted when the user has chosen or left the simulated hand: what is on the table begins anew.
+    void simulatedChanged();
+
+private:
+    struct Device
+    {
+        DeviceRow row;
+        std::unique_ptr<haptics::ForceDevice> device;  ///< null until it is first started
+        core::session::DeviceSetup setup;
+        QString firmware;
+        bool isRunning = false;
+    };
+    void recall();
+    void connectPage();
+    void startWanted();
+    void start(Device& device);
+    void stop(Device& device);
+    void poll();
+    void want(const QString& id);
+    void choose(const QString& id);
+    void follow();
+    void use(const QString& id);
+    void say(const Device& device, bool isReady);
+    void pressButtons(const core::session::DeviceReport& report);
+    void showState(const Device* device, const core::session::DeviceReport& report);
+    [[nodiscard]] Device* find(const QString& id);
+
+    ui::shell::MainWindow& m_window;
+    Hands m_hands;
+    std::vector<Device> m_devices;
+    QString m_chosen;
+    QString m_inUse;
+    bool m_isPageOpen = false;
+    bool m_wasReady = false;                   ///< the chosen device, when it was looked at last
+    bool m_isLost = false;                     ///< it was in use, and has stopped to be ready
+    std::array<std::uint32_t, 4> m_presses{};  ///< of its grip buttons that are done
+    QTimer m_poll;
+};
+
+}  // namespace app

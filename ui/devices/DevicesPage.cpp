@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/devices/DevicesPage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/devices/DeviceWords.h"
+#include "ui/devices/FirmwareCard.h"
+#include "ui/devices/ForceTest.h"
+#include "ui/devices/HandList.h"
+#include "ui/devices/HomingMarks.h"
+#include "ui/devices/LiveTest.h"
+#include "ui/devices/RuleCard.h"
+#include "ui/devices/SetupCard.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/ScrollPane.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::devices {
+namespace {
+
+using core::session::DeviceReport;
+using core::session::DeviceSetup;
+using core::session::DeviceStage;
+using namespace ui::shell;
+
+constexpr int kHandsPx = 300;
+constexpr int kHeadSignPx = 26;
+constexpr int kWidestCardPx = 900;
+constexpr int kPercentFull = 100;
+
+}  // namespace
+
+DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
+    : Page(actions, parent), m_back(actions.back), m_chosen(QLatin1String(kPointer)), m_hands(new HandList(this))
+{
+    removeGuestSign();
+    m_hands->setFixedWidth(kHandsPx);
+    auto* cards = new QWidget(this);
+    cards->setMaximumWidth(kWidestCardPx);
+    auto* column = new QVBoxLayout(cards);
+    column->setContentsMargins(0, 0, kSpace4, 0);
+    column->setSpacing(kSpace4);
+    m_help = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, cards);
+    m_help->setObjectName(QStringLiteral("deviceHelp"));
+    m_progress = new QProgressBar(cards);
+    m_progress->setRange(0, kPercentFull);
+    m_progress->setTextVisible(false);
+    m_progress->setObjectName(QStringLiteral("firmwareProgress"));
+    m_rule = new RuleCard(cards);
+    m_homing = makeHoming(cards);
+    m_live = new LiveTest(cards);
+    m_firmware = new FirmwareCard(cards);
+    m_setup = new SetupCard(cards);
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_rule), m_homing,
+          static_cast<QWidget*>(m_live), static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup)})
+        column->addWidget(part);
+    column->addStretch(1);
+
+    auto* right = new QVBoxLayout;
+    right->setSpacing(kSpace4);
+    right->addWidget(makeHead());
+    right->addWidget(new ScrollPane(cards, QPalette::Window, this), 1);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(kSpace4, 0, 0, 0);
+    row->setSpacing(kSpace6);
+    row->addWidget(m_hands);
+    row->addLayout(right, 1);
+    body()->addLayout(row, 1);
+
+    connect(m_hands, &QListWidget::currentRowChanged, this, &DevicesPage::showHand);
+    connect(m_hands, &QListWidget::itemActivated, m_next, &QPushButton::click);
+    connect(m_next, &QPushButton::clicked, this, [this] {
+        if (shownHand() == m_chosen)
+            m_back->trigger();
+        else
+            emit handWanted(shownHand());
+    });
+    connect(m_setup, &SetupCard::setupChanged, this, [this](const DeviceSetup& setup) {
+        if (Device* device = find(shownHand())) {
+            device->setup = setup;
+            emit setupChanged(device->kind.id, setup);
+        }
+    });
+    connect(m_firmware, &FirmwareCard::fileChosen, this,
+            [this](const QString& path) { emit firmwareChosen(shownHand(), path); });
+    text::inEveryLanguage(this, [this] {
+        setTitle(tr("Devices"));
+        m_progress->setAccessibleName(tr("Loading the firmware"));
+        showHands();
+        showHand();
+    });
+}
+
+QWidget* DevicesPage::makeHead()
+{
+    auto* head = new QWidget(this);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(0, 0, kSpace4, 0);
+    row->setSpacing(kSpace2);
+    m_sign = new QLabel(head);
+    row->addWidget(m_sign, 0, Qt::AlignTop);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    m_name = study::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, head);
+    m_name->setObjectName(QStringLiteral("deviceName"));
+    m_state = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, head);
+    m_state->setObjectName(QStringLiteral("deviceState"));
+    words->addWidget(m_name);
+    words->addWidget(m_state);
+    row->addLayout(words, 1);
+    m_next = new QPushButton(head);
+    m_next->setObjectName(QStringLiteral("deviceNext"));
+    m_next->setProperty("kind", "filled");
+    row->addWidget(m_next, 0, Qt::AlignTop);
+    return head;
+}
+
+QWidget* DevicesPage::makeHoming(QWidget* parent)
+{
+    auto* card = new QFrame(parent);
+    card->setProperty("kind", "card");
+    card->setObjectName(QStringLiteral("homing"));
+    auto* column = new QVBoxLayout(card);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace4);
+    auto* what = study::formWords({}, kTitle, QFont::Medium, QPalette::WindowText, card);
+    what->setObjectName(QStringLiteral("homingWords"));
+    auto* hint = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, card);
+    m_marks = new HomingMarks(card);
+    column->addWidget(what);
+    column->addWidget(m_marks);
+    column->addWidget(hint);
+    text::inEveryLanguage(card, [what, hint] {
+        //: Of the grip of a force device
+        what->setText(tr("Pull the grip towards you as far as it goes, then push it straight in."));
+        hint->setText(
+            tr("Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged "
+               "in."));
+    });
+    return card;
+}
+
+void DevicesPage::setKinds(const QList<DeviceKind>& kinds)
+{
+    m_devices.clear();
+    for (const DeviceKind& kind : kinds)
+        m_devices.push_back({kind, {}, {}, {}});
+    showHands();
+    showHand();
+}
+
+const DevicesPage::Device* DevicesPage::find(const QString& id) const
+{
+    const auto found =
+        std::find_if(m_devices.begin(), m_devices.end(), [&](const Device& device) { return device.kind.id == id; });
+    return found == m_devices.end() ? nullptr : &*found;
+}
+
+DevicesPage::Device* DevicesPage::find(const QString& id)
+{
+    return const_cast<Device*>(std::as_const(*this).find(id));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+void DevicesPage::setReport(const QString& id, const DeviceReport& report)
+{
+    Device* const device = find(id);
+    if (device == nullptr)
+        return;
+    device->report = report;
+    showHands();
+    if (shownHand() == id)
+        showStage(*device);
+}
+
+void DevicesPage::setSetup(const QString& id, const DeviceSetup& setup)
+{
+    Device* const device = find(id);
+    if (device == nullptr)
+        return;
+    device->setup = setup;
+    if (shownHand() == id)
+        m_setup->setSetup(setup);
+}
+
+void DevicesPage::setFirmware(const QString& id, const FirmwareFile& file)
+{
+    Device* const device = find(id);
+    if (device == nullptr)
+        return;
+    device->firmware = file;
+    if (shownHand() == id)
+        m_firmware->setFile(file);
+}
+
+void DevicesPage::setChosen(const QString& id)
+{
+    m_chosen = id;
+    showHands();
+    m_hands->selectHand(id);
+    showHand();
+}
+
+void DevicesPage::setSimulatedFixed(const QString& whyNot)
+{
+    if (whyNot == m_whySimulatedFixed)
+        return;
+    m_whySimulatedFixed = whyNot;
+    showHand();
+}
+
+QString DevicesPage::shownHand() const
+{
+    return m_hands->selectedHand();
+}
+
+glm::dvec3 DevicesPage::testForce() const
+{
+    return m_live->isVisible() ? m_live->force().force() : glm::dvec3(0.0);
+}
+
+QString DevicesPage::handName(const QString& id) const
+{
+    if (id == QLatin1String(kPointer))
+        return tr("Mouse or pen");
+    if (id == QLatin1String(kSimulated))
+        return tr("Simulated hand");
+    const Device* const device = find(id);
+    return device == nullptr ? id : device->kind.name;
+}
+
+void DevicesPage::showHands()
+{
+    QList<HandList::Row> rows;
+    const auto add = [&](const QString& id, const QString& state, Sign sign) {
+        rows.push_back({id, handName(id), state, sign, id == m_chosen});
+    };
+    add(QLatin1String(kPointer), tr("Always ready."), Sign::Ready);
+    add(QLatin1String(kSimulated), tr("Drills by itself while you watch."), Sign::Ready);
+    for (const Device& device : m_devices)
+        add(device.kind.id, stateWords(device.kind, device.report), signOf(device.kind, device.report));
+    m_hands->setRows(rows);
+}
+
+void DevicesPage::showHand()
+{
+    const Device* const device = find(shownHand());
+    m_name->setText(handName(shownHand()));
+    if (device != nullptr) {
+        m_rule->setKind(device->kind);
+        m_firmware->setFile(device->firmware);
+        m_setup->setSetup(device->setup);
+        showStage(*device);
+    } else {
+        const bool isPointer = shownHand() == QLatin1String(kPointer);
+        m_sign->setPixmap(signPixmap(Sign::Ready, palette(), kHeadSignPx, devicePixelRatioF()));
+        m_state->setText(isPointer ? tr("Always ready.") : tr("Drills by itself while you watch."));
+        m_help->setText(isPointer
+                            ? tr("The bur follows the pointer over the tooth and goes down while you press the button. "
+                                 "You feel no force. Feed, depth stop and force are set beside the tooth.")
+                            : tr("A simulated hand with a simulated force device cuts the ideal preparation. When you "
+                                 "start or leave it, the attempt begins anew. Its attempts are not saved.") +
+                                  (m_whySimulatedFixed.isEmpty() ? QString() : u'\n' + m_whySimulatedFixed));
+        for (QWidget* part :
+             {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_rule), m_homing, static_cast<QWidget*>(m_live),
+              static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup)})
+            part->hide();
+        m_help->show();
+    }
+    showNextStep();
+}
+
+void DevicesPage::showStage(const Device& device)
+{
+    const DeviceReport& report = device.report;
+    m_sign->setPixmap(signPixmap(signOf(device.kind, report), palette(), kHeadSignPx, devicePixelRatioF()));
+    m_state->setText(stateWords(device.kind, report));
+    const QString help = helpWords(device.kind, report);
+    m_help->setText(help);
+    m_help->setVisible(!help.isEmpty());
+    const bool isInBuild = device.kind.isInBuild;
+    m_progress->setVisible(isInBuild && report.stage == DeviceStage::LoadingFirmware);
+    m_progress->setValue(static_cast<int>(std::lround(kPercentFull * report.progress)));
+    m_rule->setVisible(isInBuild && lacksPermission(report) && !device.kind.rule.isEmpty());
+    m_homing->setVisible(isInBuild && report.stage == DeviceStage::Homing);
+    m_marks->setHomed(report.homed);
+    m_live->setVisible(isInBuild && report.stage == DeviceStage::Ready);
+    m_live->setReport(report, device.setup.scale);
+    m_firmware->setVisible(isInBuild && device.kind.needsFirmware);
+    m_setup->setVisible(isInBuild);
+    showNextStep();
+}
+
+/// One button is filled: what is to be done next.
+void DevicesPage::showNextStep()
+{
+    const QString id = shownHand();
+    const Device* const device = find(id);
+    const bool isChosen = id == m_chosen;
+    const bool isReady = device == nullptr || device->report.stage == DeviceStage::Ready;
+    m_firmware->setIsNextStep(isChosen && device != nullptr && device->report.stage == DeviceStage::NeedsFirmware);
+    m_rule->setIsNextStep(isChosen);
+    m_next->setVisible(!isChosen || isReady);
+    //: The button that leads back to the tooth
+    m_next->setText(isChosen ? tr("Practise")
+                             //: %1: "Novint Falcon", "Mouse or pen"
+                             : tr("Use: %1").arg(handName(id)));
+    const bool concernsSimulated = id == QLatin1String(kSimulated) || m_chosen == QLatin1String(kSimulated);
+    const bool isFixed = !isChosen && concernsSimulated && !m_whySimulatedFixed.isEmpty();
+    m_next->setEnabled(!isFixed && (device == nullptr || device->kind.isInBuild));
+    m_next->setToolTip(isFixed ? m_whySimulatedFixed : QString());
+}
+
+void DevicesPage::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    if (event->spontaneous())
+        return;
+    m_hands->selectHand(m_chosen);
+    m_hands->setFocus();
+    emit opened(true);
+}
+
+void DevicesPage::hideEvent(QHideEvent* event)
+{
+    Page::hideEvent(event);
+    if (!event->spontaneous())
+        emit opened(false);
+}
+
+}  // namespace ui::devices

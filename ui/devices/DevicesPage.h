@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+
+#include <QList>
+#include <glm/vec3.hpp>
+
+#include "core/session/DeviceReport.h"
+#include "ui/devices/DeviceKind.h"
+#include "ui/shell/Page.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace ui::devices {
+
+class FirmwareCard;
+class HandList;
+class HomingMarks;
+class LiveTest;
+class RuleCard;
+class SetupCard;
+
+/// The page on which a hand is chosen and tried: mouse or pen, a simulated hand, or a force device.
+///
+/// The page finds and opens nothing itself: the reports of the devices are given to it, and its signals ask for the
+/// rest.
+class DevicesPage : public shell::Page
+{
+    Q_OBJECT
+public:
+    DevicesPage(const shell::Actions& actions, QWidget* parent);
+
+    /// The kinds of force devices, in the order of the list. None has a report yet.
+    void setKinds(const QList<DeviceKind>& kinds);
+    void setReport(const QString& id, const core::session::DeviceReport& report);
+    void setSetup(const QString& id, const core::session::DeviceSetup& setup);
+    void setFirmware(const QString& id, const FirmwareFile& file);
+    /// The hand that is in use. Shows it, too.
+    void setChosen(const QString& id);
+    /// @param whyNot  why the simulated hand cannot be chosen or left now; empty: it can
+    void setSimulatedFixed(const QString& whyNot);
+
+    /// Id of the hand that is shown at the right.
+    [[nodiscard]] QString shownHand() const;
+    /// Force that the user tries with a button held down, tooth frame; zero if none is.
+    [[nodiscard]] glm::dvec3 testForce() const;
+
+    /// "Mouse or pen", "Simulated hand", or the name of the product.
+    [[nodiscard]] QString handName(const QString& id) const;
+
+signals:
+    /// Emitted when the user wants to use this hand.
+    void handWanted(const QString& id);
+    void setupChanged(const QString& id, const core::session::DeviceSetup& setup);
+    void firmwareChosen(const QString& id, const QString& path);
+    /// Emitted when the page opens and when it closes.
+    void opened(bool isOpen);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    struct Device
+    {
+        DeviceKind kind;
+        core::session::DeviceReport report;
+        core::session::DeviceSetup setup;
+        FirmwareFile firmware;
+    };
+    QWidget* makeHead();
+    QWidget* makeHoming(QWidget* parent);
+    void showHands();
+    void showHand();
+    void showStage(const Device& device);
+    void showNextStep();
+    [[nodiscard]] const Device* find(const QString& id) const;
+    [[nodiscard]] Device* find(const QString& id);
+
+    QAction* m_back;
+    QList<Device> m_devices;
+    QString m_chosen;
+    QString m_whySimulatedFixed;
+
+    HandList* m_hands;
+    QLabel* m_sign = nullptr;
+    QLabel* m_name = nullptr;
+    QLabel* m_state = nullptr;
+    QPushButton* m_next = nullptr;
+    QLabel* m_help = nullptr;
+    QProgressBar* m_progress = nullptr;
+    RuleCard* m_rule = nullptr;
+    QWidget* m_homing = nullptr;
+    HomingMarks* m_marks = nullptr;
+    LiveTest* m_live = nullptr;
+    FirmwareCard* m_firmware = nullptr;
+    SetupCard* m_setup = nullptr;
+};
+
+}  // namespace ui::devices

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QListWidget>
+
+#include "ui/devices/DeviceWords.h"
+
+namespace ui::devices {
+
+/// The hands that a student can drill with, each with its state as a shape and a sentence.
+class HandList : public QListWidget
+{
+    Q_OBJECT
+public:
+    explicit HandList(QWidget* parent);
+
+    struct Row
+    {
+        QString id;
+        QString name;
+        QString state;
+        Sign sign = Sign::Ready;
+        bool isChosen = false;
+        bool operator==(const Row&) const = default;
+    };
+    /// Shows the rows. The selected one stays selected.
+    void setRows(const QList<Row>& rows);
+    [[nodiscard]] const QList<Row>& rows() const { return m_rows; }
+    void selectHand(const QString& id);
+    /// Id of the selected row.
+    [[nodiscard]] QString selectedHand() const;
+
+private:
+    QList<Row> m_rows;
+};
+
+}  // namespace ui::devices

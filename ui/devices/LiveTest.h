@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+#include "core/session/DeviceReport.h"
+
+class QLabel;
+
+namespace ui::shell {
+class TabularLabel;
+}
+
+namespace ui::devices {
+
+class ButtonLights;
+class ForceTest;
+class IntervalChart;
+class PositionView;
+
+/// Shows what a device that is ready measures: position, grip buttons, and how the exchange with it runs. Six buttons
+/// try its force.
+class LiveTest : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit LiveTest(QWidget* parent);
+
+    /// @param scale  of the set-up: how far the hand moves for one millimetre of the bur
+    void setReport(const core::session::DeviceReport& report, double scale);
+    [[nodiscard]] const ForceTest& force() const { return *m_force; }
+
+private:
+    shell::TabularLabel* addFigure(class QGridLayout& grid, int row, int column, const char* name, QLabel*& caption);
+
+    PositionView* m_position;
+    ForceTest* m_force;
+    ButtonLights* m_buttons;
+    IntervalChart* m_intervals;
+    shell::TabularLabel* m_rate = nullptr;
+    shell::TabularLabel* m_trip = nullptr;
+    shell::TabularLabel* m_slowTrip = nullptr;
+    shell::TabularLabel* m_lost = nullptr;
+    shell::TabularLabel* m_rejected = nullptr;
+};
+
+}  // namespace ui::devices

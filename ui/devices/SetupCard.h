@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <QFrame>
+
+#include "core/session/DeviceReport.h"
+
+class QButtonGroup;
+class QDoubleSpinBox;
+class QRadioButton;
+
+namespace ui::devices {
+
+class PlacementPicture;
+
+/// How the device is placed, with a picture: stand, side and scale.
+class SetupCard : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit SetupCard(QWidget* parent);
+
+    void setSetup(const core::session::DeviceSetup& setup);
+    [[nodiscard]] const core::session::DeviceSetup& setup() const { return m_setup; }
+
+signals:
+    /// Emitted when the user has changed the set-up.
+    void setupChanged(const core::session::DeviceSetup& setup);
+
+private:
+    void change(const core::session::DeviceSetup& setup);
+
+    core::session::DeviceSetup m_setup;
+    PlacementPicture* m_picture;
+    std::array<QRadioButton*, 2> m_stands{};
+    std::array<QRadioButton*, 3> m_sides{};
+    QDoubleSpinBox* m_scale;
+};
+
+}  // namespace ui::devices
