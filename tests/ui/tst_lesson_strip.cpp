@@ -98,7 +98,7 @@ private slots:
     void aLongStepIsNoHigherThanAShortOne()
     {
         lessons::Lesson lesson = threeSteps();
-        lesson.steps[1].text = {{"en", std::string(30, 'a') + ' ' + std::string(30, 'b')}};
+        lesson.steps[1].text = {{"en", std::string(30, 'a').append(1, ' ').append(30, 'b')}};
         lesson.steps[1].hint = lesson.steps[0].hint;
         m_strip->setLesson(lesson);
         const int widthPx = m_strip->sizeHint().width() + 150;

@@ -119,7 +119,7 @@ private slots:
         spoil();
         press(Qt::Key_C);
         QVERIFY(sent().empty());
-        m_window->offerHome();
+        m_window->offerHome(true);
         press(Qt::Key_C);
         const auto commands = sent();
         QCOMPARE(commands.size(), 1);

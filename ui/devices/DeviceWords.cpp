@@ -106,9 +106,13 @@ QString helpWords(const DeviceKind& kind, const DeviceReport& report)
         return Words::tr("The firmware came with the software of the device and may not be shipped with Cusp.");
     case DeviceStage::Silent:
         return Words::tr("Check both plugs. The device continues by itself when it responds again.");
-    case DeviceStage::LoadingFirmware:
     case DeviceStage::Homing:
     case DeviceStage::Ready:
+        if (!report.error.detail.empty())
+            //: %1: what went wrong, a sentence
+            return Words::tr("The last problem, which is over: %1").arg(text::faultWords(core::wordsOf(report.error)));
+        break;
+    case DeviceStage::LoadingFirmware:
         break;
     }
     return {};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QFrame>
 #include <QHBoxLayout>
@@ -284,7 +285,11 @@ void DevicesPage::showStage(const Device& device)
 {
     const DeviceReport& report = device.report;
     m_sign->setPixmap(signPixmap(signOf(device.kind, report), palette(), kHeadSignPx, devicePixelRatioF()));
-    m_state->setText(stateWords(device.kind, report));
+    QString state = stateWords(device.kind, report);
+    if (!report.serial.empty())
+        //: %1: the number of a device
+        state += u' ' + tr("Serial number %1.").arg(QString::fromStdString(report.serial));
+    m_state->setText(state);
     const QString help = helpWords(device.kind, report);
     m_help->setText(help);
     m_help->setVisible(!help.isEmpty());
@@ -315,6 +320,7 @@ void DevicesPage::showNextStep()
     m_next->setText(isChosen ? tr("Practise")
                              //: %1: "Novint Falcon", "Mouse or pen"
                              : tr("Use: %1").arg(handName(id)));
+    m_next->setAccessibleName(m_next->text());
     const bool concernsSimulated = id == QLatin1String(kSimulated) || m_chosen == QLatin1String(kSimulated);
     const bool isFixed = !isChosen && concernsSimulated && !m_whySimulatedFixed.isEmpty();
     m_next->setEnabled(!isFixed && (device == nullptr || device->kind.isInBuild));

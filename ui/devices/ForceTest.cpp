@@ -10,6 +10,8 @@
 namespace ui::devices {
 namespace {
 
+constexpr int kButtonPx = 84;
+
 struct Direction
 {
     const char* objectName;
@@ -36,6 +38,9 @@ ForceTest::ForceTest(QWidget* parent) : QWidget(parent)
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(shell::kSpace1);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    for (const int column : {0, 1, 2, 3})
+        grid->setColumnMinimumWidth(column, kButtonPx);
     for (std::size_t k = 0; k < kDirections.size(); ++k) {
         const Direction& direction = kDirections.at(k);
         auto* button = new QPushButton(this);

@@ -15,7 +15,7 @@ namespace {
 
 using namespace ui::shell;
 
-constexpr int kHandRowPx = 84;
+constexpr int kHandRowPx = 76;
 constexpr int kSignPx = 22;
 constexpr int kBarPx = 3;
 
@@ -32,7 +32,8 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
         const HandList::Row& row = m_list->rows().at(index.row());
-        const QPalette& palette = m_list->palette();
+        // Its own Base is transparent.
+        const QPalette& palette = m_list->parentWidget()->palette();
         const bool isSelected = option.state.testFlag(QStyle::State_Selected);
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
@@ -47,7 +48,7 @@ public:
         const QRect inner = option.rect.adjusted(kSpace4, kSpace2 + 2, -kSpace4, -kSpace2);
         painter->drawPixmap(inner.topLeft(), signPixmap(row.sign, palette, kSignPx, m_list->devicePixelRatioF()));
         const QRect words = inner.adjusted(kSignPx + kSpace2, 0, 0, 0);
-        const QString mark = row.isChosen ? HandList::tr("In use") : QString();
+        const QString mark = row.isChosen ? HandList::tr("Chosen") : QString();
         painter->setFont(typeface(kSmall, QFont::DemiBold));
         const int markPx = mark.isEmpty() ? 0 : painter->fontMetrics().horizontalAdvance(mark) + kSpace2;
         painter->setPen(palette.color(QPalette::Link));
@@ -94,7 +95,7 @@ void HandList::setRows(const QList<Row>& rows)
         addItem(new QListWidgetItem);
     for (int k = 0; k < count(); ++k) {
         const Row& row = m_rows.at(k);
-        const QString name = row.isChosen ? tr("%1, in use").arg(row.name) : row.name;
+        const QString name = row.isChosen ? tr("%1, chosen").arg(row.name) : row.name;
         item(k)->setData(Qt::AccessibleTextRole, QStringLiteral("%1. %2").arg(name, row.state));
         item(k)->setToolTip(row.state);
     }

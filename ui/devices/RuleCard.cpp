@@ -47,6 +47,7 @@ RuleCard::RuleCard(QWidget* parent)
             [this] { QGuiApplication::clipboard()->setText(m_rule->toPlainText()); });
     text::inEveryLanguage(this, [this] {
         m_copy->setText(tr("Copy the rule"));
+        m_copy->setAccessibleName(m_copy->text());
         m_rule->setAccessibleName(tr("Rule for this device"));
         describe();
     });

@@ -106,6 +106,8 @@ SetupCard::SetupCard(QWidget* parent)
         scale->setText(tr("Scale"));
         scaleHelp->setText(tr("Movement of the hand for 1 mm of the bur, in millimetres"));
         m_scale->setAccessibleName(tr("Scale"));
+        for (auto* button : findChildren<QRadioButton*>())
+            button->setAccessibleName(button->text());
     });
     setSetup(m_setup);
 }

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The devices of a station in the whole program, with a force device that a test plays.
+#include <QFile>
+#include <QLabel>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QToolButton>
+
+#include <glm/geometric.hpp>
+
+#include "database/sql/Attempts.h"
+#include "tests/app/ProgramWindow.h"
+#include "tests/app/ScriptedDevice.h"
+#include "tests/support/OpenGlMain.h"
+#include "ui/devices/DevicesPage.h"
+#include "ui/devices/HandList.h"
+#include "ui/shell/Memory.h"
+#include "ui/shell/QuestionCard.h"
+#include "ui/study/ScorePage.h"
+
+using core::session::DeviceSetup;
+using core::session::DeviceStage;
+
+class TestDevices : public support::ProgramWindow
+{
+    Q_OBJECT
+private slots:
+    void init()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        ui::shell::memory().clear();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_script = std::make_shared<support::DeviceScript>();
+    }
+    void cleanup() { m_application.reset(); }
+
+    void theChoiceIsRememberedOnTheStation()
+    {
+        start();
+        QVERIFY(!m_script->isRunning);
+        openPage();
+        WAIT_FOR(m_script->isRunning);  // to see whether it is plugged in
+        use("arm");
+        child<QRadioButton>("sideRight")->click();
+        WAIT_FOR(m_script->setup().side == DeviceSetup::Side::Right);
+        emit child<ui::devices::DevicesPage>()->firmwareChosen("arm", "/tmp/arm.bin");
+        QCOMPARE(m_script->firmware(), std::string("/tmp/arm.bin"));
+        actions().back->trigger();
+        WAIT_FOR(m_script->isRunning);
+        m_application.reset();
+        QVERIFY(!m_script->isRunning);
+
+        m_script = std::make_shared<support::DeviceScript>();
+        start();
+        QVERIFY(m_script->isRunning);
+        QVERIFY(m_script->setup().side == DeviceSetup::Side::Right);
+        QCOMPARE(m_script->firmware(), std::string("/tmp/arm.bin"));
+        openPage();
+        use("pointer");
+        QVERIFY(m_script->isRunning);
+        actions().back->trigger();
+        WAIT_FOR(!m_script->isRunning);
+    }
+
+    void aReadyDeviceMovesTheBurAndIsNotedInTheAttempt()
+    {
+        start();
+        chooseArm();
+        WAIT_FOR(isOverTheTooth());
+        QVERIFY(actions().bringHome->isVisible());
+        QVERIFY(!child<QSlider>("feed")->isVisible());
+        QVERIFY(child<QLabel>("forceDevice")->isVisible());
+        QVERIFY(child<QToolButton>("deviceButton")->toolTip().contains("Test Arm"));
+        cutWithArm();
+        actions().grade->trigger();
+        waitForPage<ui::study::ScorePage>();
+    }
+
+    void theMouseGoesOnWhileADeviceIsLost()
+    {
+        start();
+        chooseArm();
+        cutWithArm();
+        const QString cut = removed();
+        const std::uint64_t attempt = servo().toothGeneration;
+        m_script->stage(DeviceStage::Silent);
+        waitForMessage("Test Arm");
+        WAIT_FOR(child<QSlider>("feed")->isVisible());
+        QVERIFY(!actions().bringHome->isVisible());
+        // The bur is above the tooth, and nothing pushes it.
+        WAIT_FOR(!servo().touching && servo().tick > 0 && servo().anchorMm.z > 0.5);
+        QVERIFY(glm::length(servo().forceN) < 0.01);
+        const QString lost = message();
+        drill(2.0);
+        QVERIFY(removed() != cut);
+        QCOMPARE(servo().toothGeneration, attempt);
+
+        m_script->moveTo({0.0F, 0.0F, 9.0F});
+        m_script->stage(DeviceStage::Ready);
+        WAIT_FOR(message() != lost);
+        QVERIFY(message().contains("Test Arm"));
+        WAIT_FOR(isOverTheTooth());
+        QCOMPARE(servo().toothGeneration, attempt);
+        QVERIFY(!child<QSlider>("feed")->isVisible());
+    }
+
+    void theGripButtonsAreTheWindowsActions()
+    {
+        start();
+        chooseArm();
+        cutWithArm();
+        WAIT_FOR(actions().undo->isEnabled());
+        QSignalSpy undo(actions().undo, &QAction::triggered);
+        QSignalSpy mirror(actions().mirror, &QAction::triggered);
+        QSignalSpy centre(actions().bringHome, &QAction::triggered);
+        m_script->press(0);  // the pedal is the device's own business
+        m_script->press(1);
+        WAIT_FOR_VALUE(undo.count(), 1);
+        m_script->press(2);
+        WAIT_FOR_VALUE(mirror.count(), 1);
+        m_script->press(3);
+        WAIT_FOR_VALUE(centre.count(), 1);
+        QCOMPARE(undo.count(), 1);
+        // Where no tooth is seen, they do nothing.
+        openPage();
+        m_script->press(1);
+        actions().back->trigger();
+        m_script->press(2);
+        WAIT_FOR_VALUE(mirror.count(), 2);
+        QCOMPARE(undo.count(), 1);
+    }
+
+    void theForceIsTriedOnThePageOnly()
+    {
+        start();
+        chooseArm();
+        openPage();
+        WAIT_FOR(child<QPushButton>("pushLeft")->isVisible());
+        QTest::mousePress(child<QPushButton>("pushLeft"), Qt::LeftButton);
+        WAIT_FOR(m_script->testForce().x < -0.1);
+        QTest::mouseRelease(child<QPushButton>("pushLeft"), Qt::LeftButton);
+        WAIT_FOR(m_script->testForce() == glm::dvec3(0.0));
+    }
+
+    void anAttemptThatNobodyHasBegunFeelsAsTheDeviceCan()
+    {
+        start();
+        const std::uint64_t before = servo().toothGeneration;
+        chooseArm();
+        WAIT_FOR(servo().toothGeneration > before);
+        // And one that somebody has worked on stays.
+        cutWithArm();
+        const std::uint64_t worked = servo().toothGeneration;
+        openPage();
+        use("pointer");
+        actions().back->trigger();
+        WAIT_FOR(child<QSlider>("feed")->isVisible());
+        waitForTicks(200);
+        QCOMPARE(servo().toothGeneration, worked);
+    }
+
+    void theSimulatedHandIsChosenAndLeft()
+    {
+        start();
+        drill(-2.0);
+        WAIT_FOR_VALUE(journals().size(), 1);
+        const std::uint64_t own = servo().toothGeneration;
+        openPage();
+        hands().selectHand("simulated");
+        click("deviceNext");
+        WAIT_FOR(child<ui::shell::QuestionCard>("workQuestion") != nullptr);
+        click("questionDiscard");
+        WAIT_FOR(servo().toothGeneration > own);
+        waitForTooth();
+        WAIT_FOR(removed() != "0.00");  // it drills by itself
+        QVERIFY(journals().isEmpty());
+        const std::uint64_t simulated = servo().toothGeneration;
+        openPage();
+        use("pointer");
+        WAIT_FOR(servo().toothGeneration > simulated);
+        waitForTooth();
+        WAIT_FOR_VALUE(removed(), QString("0.00"));
+        waitForTicks(300);
+        QCOMPARE(removed(), QString("0.00"));
+        drill(-2.0);
+        WAIT_FOR_VALUE(journals().size(), 1);
+        // The next run is a student's again.
+        QVERIFY(ui::shell::memory().value("devices/hand").toString() != "simulated");
+    }
+
+private:
+    void start()
+    {
+        app::WindowOptions options;
+        options.source = {36};
+        options.devices = {support::scriptedRow(m_script)};
+        begin(options);
+        waitForTooth();
+        WAIT_FOR(servo().tick > 0);
+    }
+    void openPage() const
+    {
+        actions().devices->trigger();
+        waitForPage<ui::devices::DevicesPage>();
+    }
+    [[nodiscard]] ui::devices::HandList& hands() const { return *child<ui::devices::HandList>(); }
+    void use(const QString& hand) const
+    {
+        hands().selectHand(hand);
+        click("deviceNext");
+        WAIT_FOR(isChosen(hand));
+    }
+    [[nodiscard]] bool isChosen(const QString& hand) const
+    {
+        for (const auto& row : hands().rows())
+            if (row.isChosen)
+                return row.id == hand;
+        return false;
+    }
+    /// The arm is ready, and is used in the practice room.
+    void chooseArm() const
+    {
+        m_script->stage(DeviceStage::Ready);
+        openPage();
+        use("arm");
+        actions().back->trigger();
+        waitForTooth();
+        WAIT_FOR(isOverTheTooth());
+        waitForTooth();
+    }
+    [[nodiscard]] bool isOverTheTooth() const
+    {
+        return glm::distance(servo().anchorMm, glm::dvec3(m_script->tip())) < 0.05;
+    }
+    /// Brings the arm into the tooth with its pedal down, until something is removed, and out again.
+    void cutWithArm() const
+    {
+        const QString before = removed();
+        m_script->moveTo({-2.0F, 1.0F, 4.0F});
+        WAIT_FOR(isOverTheTooth());
+        m_script->isPedalDown = true;
+        for (float z = 4.0F; z > -4.0F && removed() == before; z -= 0.05F) {
+            m_script->moveTo({-2.0F, 1.0F, z});
+            waitForTicks(20);
+        }
+        WAIT_FOR(removed() != before);
+        m_script->isPedalDown = false;
+        m_script->moveTo({-2.0F, 1.0F, 6.0F});
+        WAIT_FOR(isOverTheTooth());
+        waitForStrokeEnd();
+    }
+
+    std::shared_ptr<support::DeviceScript> m_script;
+};
+
+int main(int argc, char** argv)
+{
+    return support::openGlMain<TestDevices>(argc, argv);
+}
+
+#include "tst_devices.moc"
