@@ -136,11 +136,12 @@ constexpr double kStiffnessNPerMm = core::contact::ForceSettings{}.stiffnessNPer
 constexpr double kServoPeriodS = std::chrono::duration<double>(kServoPeriod).count();
 
 /// @param hasForce  the hand that moves the bur feels a force
-core::session::ServoSettings settingsFor(bool hasForce)
+/// @param scale     how far it moves for one millimetre of the bur
+core::session::ServoSettings settingsFor(bool hasForce, double scale = 1.0)
 {
     core::session::ServoSettings settings;
     if (hasForce)
-        haptics::falcon::addFalconFeel(settings.force);
+        haptics::falcon::addFalconFeel(settings.force, scale);
     return settings;
 }
 
@@ -848,8 +849,9 @@ void Application::feel(const core::settings::FeelPreset& preset)
     const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
-    m_numbers = core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_devices->hasForce()), preset,
-                                                                m_tried ? m_triedKind : core::settings::ToothKind{}));
+    m_numbers =
+        core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_devices->hasForce(), m_devices->scale()),
+                                                        preset, m_tried ? m_triedKind : core::settings::ToothKind{}));
     tellNumbers();
 }
 
@@ -1150,8 +1152,9 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
     const bool isExam = assignment.lesson && assignment.lesson->exam;
     const core::settings::FeelPreset usual = m_tried.value_or(m_presets.inUse());
     const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_presets.inUse());
-    const core::session::ServoSettings settings = lessons::servoSettings(
-        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_devices->hasForce()), preset);
+    const core::session::ServoSettings settings =
+        lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr,
+                               settingsFor(m_devices->hasForce(), m_devices->scale()), preset);
     auto servo = core::session::makeServoTick(settings);
     if (!servo) {
         refuse(servo.error(), Failed::OpeningLesson,
@@ -1238,7 +1241,7 @@ void Application::followHand()
         m_demoBeat.stop();
     // An attempt that nobody has worked on begins anew, so that it feels as the device can make it felt.
     const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
-    const core::contact::ForceSettings felt = settingsFor(m_devices->hasForce()).force;
+    const core::contact::ForceSettings felt = settingsFor(m_devices->hasForce(), m_devices->scale()).force;
     if (!m_devices->isSimulated() && m_settings.force.workAreaMm != felt.workAreaMm && !isExam &&
         !m_assignment.exercise && !m_window->isBusy() && isUntouched())
         beginAsItFeels();

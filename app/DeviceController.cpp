@@ -145,11 +145,16 @@ void DeviceController::connectPage()
     });
 }
 
-DeviceController::Device* DeviceController::find(const QString& id)
+const DeviceController::Device* DeviceController::find(const QString& id) const
 {
     const auto found =
         std::find_if(m_devices.begin(), m_devices.end(), [&](const Device& one) { return one.row.kind.id == id; });
     return found == m_devices.end() ? nullptr : &*found;
+}
+
+DeviceController::Device* DeviceController::find(const QString& id)
+{
+    return const_cast<Device*>(std::as_const(*this).find(id));
 }
 
 bool DeviceController::isSimulated() const
@@ -160,6 +165,12 @@ bool DeviceController::isSimulated() const
 bool DeviceController::hasForce() const
 {
     return m_inUse != kPointer;
+}
+
+double DeviceController::scale() const
+{
+    const Device* const device = find(m_inUse);
+    return device != nullptr ? device->setup.scale : 1.0;
 }
 
 /// All devices run while the page is open, so that it can say what is plugged in; otherwise the chosen one.

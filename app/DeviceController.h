@@ -45,6 +45,8 @@ public:
     [[nodiscard]] bool isSimulated() const;
     /// The hand in use feels a force.
     [[nodiscard]] bool hasForce() const;
+    /// How far the hand in use moves for one millimetre of the bur.
+    [[nodiscard]] double scale() const;
 
 signals:
     /// Emitted when another hand moves the bur.
@@ -74,6 +76,7 @@ private:
     void say(const Device& device, bool isReady);
     void pressButtons(const core::session::DeviceReport& report);
     void showState(const Device* device, const core::session::DeviceReport& report);
+    [[nodiscard]] const Device* find(const QString& id) const;
     [[nodiscard]] Device* find(const QString& id);
 
     ui::shell::MainWindow& m_window;

@@ -3,7 +3,10 @@
 
 #include <QFile>
 
+#include "app/FalconCalibration.h"
+#include "haptics/falcon/FalconDevice.h"
 #include "haptics/falcon/FirmwareImage.h"
+#include "haptics/falcon/Usb.h"
 
 namespace app {
 namespace {
@@ -34,11 +37,15 @@ DeviceRow falconRow()
     DeviceRow row;
     row.kind.id = QStringLiteral("falcon");
     row.kind.name = QStringLiteral("Novint Falcon");
-    row.kind.rule =
-        QStringLiteral(R"(SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48", TAG+="uaccess")");
-    row.kind.ruleFile = QStringLiteral("/etc/udev/rules.d/70-cusp-falcon.rules");
+    row.kind.rule = QLatin1String(haptics::falcon::kUdevRule);
+    row.kind.ruleFile = QLatin1String(haptics::falcon::kUdevFile);
     row.kind.ruleCommand = QStringLiteral("cusp falcon rules");
     row.checkFirmware = checkFalconFirmware;
+    if (haptics::falcon::hasUsb())
+        row.make = [] {
+            return std::make_unique<haptics::falcon::FalconDevice>(
+                haptics::falcon::FalconDevice::Options{{}, stationsFalconCalibration()});
+        };
     row.kind.isInBuild = static_cast<bool>(row.make);
     return row;
 }

@@ -12,6 +12,7 @@
 #include <QSurfaceFormat>
 
 #include "app/Application.h"
+#include "app/StopForces.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "ui/shell/LanguageMenu.h"
@@ -149,6 +150,7 @@ int runWindow(int& argc, char** argv)
     ui::shell::applyTheme(application, theme == u"light"  ? ThemeChoice::Light
                                        : theme == u"dark" ? ThemeChoice::Dark
                                                           : ui::shell::rememberedTheme());
+    stopForcesOnSignals();
     const auto program = Application::make(options);
     if (!program)
         return cli::failed(program.error());

@@ -95,7 +95,7 @@ core::Status FalconSession::waitFor(DeviceStage stage)
             return {};
         if (const QString words = toDo(report); !words.isEmpty() && words != std::exchange(said, words))
             warn({words.toStdString()});
-        const bool isFinal = report.stage == DeviceStage::NeedsFirmware || !haptics::falcon::hasUsb();
+        const bool isFinal = report.stage == DeviceStage::NeedsFirmware || report.stage == DeviceStage::Unavailable;
         if (isFinal || Clock::now() >= until || StopSignal::hasCome())
             return core::unexpected(core::ErrorCode::ConnectionLost,
                                     said.isEmpty() ? "the Falcon does not answer" : said.toStdString());

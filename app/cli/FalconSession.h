@@ -30,7 +30,7 @@ public:
     [[nodiscard]] static core::Result<std::unique_ptr<FalconSession>> open(const QCommandLineParser& parser);
 
     /// Waits until the device has come to a stage, or a later one. Errors: what the device reports when the time of
-    /// --wait is over, or at once if there is no USB.
+    /// --wait is over, or at once if it cannot be used as it is.
     [[nodiscard]] core::Status waitFor(core::session::DeviceStage stage);
 
     /// Plays the servo for a time. Stops early if the function returns false, the device is lost or the user presses

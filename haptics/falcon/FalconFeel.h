@@ -10,10 +10,11 @@ namespace haptics::falcon {
 inline constexpr double kWorkAreaMm = kReachMm - 5.0;
 
 /// Gives a force law what only a device in a hand has: the Falcon's work area, and a bur that is felt running
-/// (haptics.md section 7: 0.03 to 0.08 N). A mouse has neither.
-inline void addFalconFeel(core::contact::ForceSettings& force)
+/// (0.03 to 0.08 N). A mouse has neither.
+/// @param scale  how far the hand moves for one millimetre of the bur (DeviceSetup)
+inline void addFalconFeel(core::contact::ForceSettings& force, double scale = 1.0)
 {
-    force.workAreaMm = kWorkAreaMm;
+    force.workAreaMm = kWorkAreaMm / scale;
     force.vibrationN = 0.05;
 }
 
