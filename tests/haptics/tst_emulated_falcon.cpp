@@ -3,12 +3,14 @@
 // the emulator is checked without the driver that it is made for.
 #include <QTest>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <functional>
 #include <numeric>
 #include <span>
+#include <thread>
 #include <vector>
 
 #include <sys/time.h>
@@ -552,7 +554,7 @@ private slots:
         host.prepareRunning();
         QVERIFY(host.exchange({}));
         falcon.addFault(static_cast<Fault>(fault));
-        QCOMPARE(host.exchange({}, 60ms).has_value(), answered);
+        QCOMPARE(host.exchange({}, 200ms).has_value(), answered);
         QCOMPARE(falcon.state().faults[static_cast<std::size_t>(fault)], std::uint64_t{1});
         QVERIFY(host.exchange({}));
     }
@@ -579,7 +581,7 @@ private slots:
         QVERIFY(support::between(faults, 0.7 * kShare * kExchanges, 1.3 * kShare * kExchanges));
         for (const std::uint64_t count : state.faults)
             QVERIFY(count > 0);
-        QVERIFY(answers > kExchanges * 98 / 100);
+        QVERIFY(answers > kExchanges * 95 / 100);
         QVERIFY(answers < kExchanges);
         QVERIFY(host.exchange({}));
     }
@@ -676,11 +678,11 @@ private slots:
         int size = 0;
         libusb_bulk_transfer(host.handle(), 0x81, packet.data(), 64, &size, 1000);  // the timer begins anew
         {
-            Transfer transfer(host.handle(), 0x81, 64, 20);
+            Transfer transfer(host.handle(), 0x81, 64, 100);
             QCOMPARE(libusb_submit_transfer(transfer.usb), 0);
             handleEvents(host.context(), 0ms);
             QCOMPARE(transfer.calls, 0);
-            handleEvents(host.context(), 200ms);
+            handleEvents(host.context(), 900ms);
             QCOMPARE(transfer.calls, 1);
             QCOMPARE(transfer.usb->status, LIBUSB_TRANSFER_TIMED_OUT);
             QCOMPARE(libusb_cancel_transfer(transfer.usb), static_cast<int>(LIBUSB_ERROR_NOT_FOUND));
@@ -754,6 +756,28 @@ private slots:
         interrupter.join();
     }
 
+    void aTestControlsTheDeviceFromAnotherThread()
+    {
+        EmulatedFalcon& falcon = emulatedBus().plug("F", Pace::Fast);
+        falcon.startFirmware();
+        Host host;
+        QVERIFY(host.openAndClaim());
+        host.prepareRunning();
+        std::atomic<int> exchanges = 0;
+        std::thread program([&] {
+            while (host.exchange({.motors = {1, 2, 3}}))
+                ++exchanges;
+        });
+        for (int n = 0; n < 200; ++n) {
+            falcon.moveTo({0.0, 0.0, 100.0 + 0.2 * n});
+            static_cast<void>(falcon.history());
+        }
+        QTRY_VERIFY(exchanges > 1000);
+        falcon.unplug();
+        program.join();
+        QCOMPARE(host.control(9, 1), static_cast<int>(LIBUSB_ERROR_NO_DEVICE));
+    }
+
     void theExchangeAllocatesNothing()
     {
         EmulatedFalcon& falcon = emulatedBus().plug("F", Pace::Fast);
@@ -780,9 +804,6 @@ private slots:
 
     void misuseEndsTheProgram()
     {
-#ifdef __SANITIZE_THREAD__
-        QSKIP("ThreadSanitizer does not follow a fork.");
-#endif
         emulatedBus().plug("F");
         Host host;
         QVERIFY(host.open() == LIBUSB_SUCCESS);

@@ -14,9 +14,8 @@
 /// Novint Falcons without hardware. A program that links the object library `emulated_falcon` has its libusb functions
 /// from here, so that the driver runs as it is: open, control requests, transfers, hot-plug.
 ///
-/// A test plugs devices into emulatedBus(), which is empty at first, and then controls and asks them. All functions may
-/// be called from any thread, but not from a callback of libusb. Mistakes in the use of libusb end the program with a
-/// sentence.
+/// A test plugs devices into emulatedBus(), which is empty at first, and then controls and asks them, from any thread.
+/// Mistakes in the use of libusb end the program with a sentence.
 ///
 /// For a program that is not linked with it there is the shared library libemulated_falcon.so, see Preload.cpp.
 namespace support {
@@ -142,7 +141,7 @@ public:
     /// False: libusb_init fails, as on a machine without USB.
     void setUsbPresent(bool present);
     [[nodiscard]] UsbObjects objects();
-    /// Called with the bus locked whenever time has passed for a device.
+    /// Called whenever time has passed for a device, with the bus locked: the observer must not use the bus.
     void setObserver(std::function<void(const EmulatedFalcon&, const FalconState&)> observer);
 
 private:

@@ -5,7 +5,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <numeric>
@@ -34,6 +35,12 @@ public:
     {
         const int size = std::snprintf(m_bytes + m_size, sizeof(m_bytes) - m_size, format, values...);
         m_size += std::min(static_cast<std::size_t>(std::max(size, 0)), sizeof(m_bytes) - m_size - 1);
+    }
+    void vector(const char* name, const glm::dvec3& v)
+    {
+        // Rounded here, so that no small negative number is written as -0.000.
+        const auto rounded = [](double x) { return std::round(x * 1000.0) / 1000.0 + 0.0; };
+        line("%s %.3f %.3f %.3f\n", name, rounded(v.x), rounded(v.y), rounded(v.z));
     }
     /// The rest of the file is empty lines.
     void fill() { std::memset(m_bytes + m_size, '\n', sizeof(m_bytes) - m_size); }
@@ -65,7 +72,6 @@ StateFile::~StateFile()
 
 void StateFile::write(const EmulatedFalcon& device, const FalconState& state)
 {
-    const glm::dvec3 tip = haptics::falcon::toothFromDevice(state.gripMm);
     const falcon::Time now = falcon::Clock::now();
     Text text;
     text.line("begin %lu\n", ++m_written);
@@ -83,15 +89,14 @@ void StateFile::write(const EmulatedFalcon& device, const FalconState& state)
     text.line("leds %d %d %d\n", state.leds.red, state.leds.green, state.leds.blue);
     text.line("homing %d\nhomed %d %d %d\n", state.homing, state.homed[0], state.homed[1], state.homed[2]);
     text.line("counts %d %d %d\n", state.counts[0], state.counts[1], state.counts[2]);
-    text.line("grip %.3f %.3f %.3f\n", state.gripMm.x, state.gripMm.y, state.gripMm.z);
-    text.line("tip %.3f %.3f %.3f\n", tip.x, tip.y, tip.z);
-    text.line("force %.3f %.3f %.3f\n", state.forceN.x, state.forceN.y, state.forceN.z);
+    text.vector("grip", state.gripMm);
+    text.vector("tip", haptics::falcon::toothFromDevice(state.gripMm));
+    text.vector("force", state.forceN);
     text.line("faults %llu\n", static_cast<unsigned long long>(
                                    std::accumulate(state.faults.begin(), state.faults.end(), std::uint64_t{0})));
     text.line("end %lu\n", m_written);
     text.fill();
     std::memcpy(m_text, text.bytes(), kBytes);
-    std::atomic_thread_fence(std::memory_order_release);
 }
 
 }  // namespace support
