@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands about a Falcon, run as a user runs them, with an emulated Falcon in place of the USB.
+#include <cmath>
 #include <csignal>
 
 #include <QDir>
@@ -68,17 +69,28 @@ private:
         const QByteArrayList motors = state("motors");
         return motors.size() == 3 && motors != QByteArrayList{"0", "0", "0"};
     }
-    /// Moves the grip past the index marks, again and again, until a condition holds.
-    template <class Condition>
-    [[nodiscard]] bool homeUntil(Condition condition)
+    /// Whether the grip is at this distance from the base.
+    [[nodiscard]] bool isAt(double zMm) const
     {
+        const QByteArrayList grip = state("grip");
+        return grip.size() == 3 && std::abs(grip[2].toDouble() - zMm) < 0.1;
+    }
+    /// Pulls the grip out and pushes it in past the index marks, as soon as the program waits for that, until it
+    /// presses.
+    [[nodiscard]] bool homeUntilItPresses()
+    {
+        command("hand none");
+        int turns = 0;
         return QTest::qWaitFor(
             [&] {
-                command("hand none\ngrip 0 0 165\ngrip 0 0 90 0.3");
-                QTest::qWait(400);
-                command("grip 0 0 165 0.3");
-                QTest::qWait(400);
-                return condition();
+                if (state("homing") == QByteArrayList{"1"} && state("homed") != QByteArrayList{"1", "1", "1"}) {
+                    const double wanted = turns % 2 == 0 ? 165.0 : 90.0;
+                    if (turns == 0 || isAt(turns % 2 == 0 ? 90.0 : 165.0)) {
+                        command("grip 0 0 " + QByteArray::number(wanted) + " 0.3");
+                        ++turns;
+                    }
+                }
+                return hasForce();
             },
             kPatienceMs);
     }
@@ -196,7 +208,7 @@ void TestFalconProgram::testPushesInSixDirections()
         all.insert(variable.section('=', 0, 0), variable.section('=', 1));
     program.setProcessEnvironment(all);
     program.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), {"falcon", "test", "--force", "800", "--json"});
-    QVERIFY(homeUntil([&] { return hasForce(); }));
+    QVERIFY(homeUntilItPresses());
     QVERIFY(program.waitForFinished(kPatienceMs));
     QCOMPARE(program.exitCode(), 0);
     QCOMPARE(program.readAllStandardError().count("Pushing "), 6);
@@ -230,7 +242,7 @@ void TestFalconProgram::theForceIsZeroAfterASignal()
         all.insert(variable.section('=', 0, 0), variable.section('=', 1));
     program.setProcessEnvironment(all);
     program.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), {"falcon", "test", "--force", "1000"});
-    QVERIFY(homeUntil([&] { return hasForce(); }));
+    QVERIFY(homeUntilItPresses());
     QCOMPARE(::kill(static_cast<pid_t>(program.processId()), signal), 0);
     QVERIFY(program.waitForFinished(kPatienceMs));
     QVERIFY(!hasForce());

@@ -66,7 +66,7 @@ public:
         : m_thread([this, &device] {
               while (!m_isStopping) {
                   if (m_isFrozen) {
-                      std::this_thread::sleep_for(1ms);
+                      std::this_thread::yield();
                       continue;
                   }
                   const haptics::DeviceSample sample = device.exchange(glm::dvec3(0.0));
@@ -625,8 +625,9 @@ void TestFalconDevice::believesNoWrongPosition()
     isChecking = true;
     const auto begun = device.report().exchange.requests;
     for (int n = 0; device.report().exchange.requests < begun + exchanges; ++n) {
-        falcon.moveTip({n % 3 * 10.0 - 10.0, n % 2 * 10.0 - 5.0, n % 5 * 4.0 - 8.0}, 150ms);
-        QTest::qWait(200);
+        const glm::dvec3 wanted(n % 3 * 10.0 - 10.0, n % 2 * 10.0 - 5.0, n % 5 * 4.0 - 8.0);
+        falcon.moveTip(wanted, 150ms);
+        QTRY_VERIFY_WITH_TIMEOUT(glm::distance(glm::dvec3(servo.tipMm()), wanted) < 0.1, kPatienceMs);
     }
     isChecking = false;
     falcon.setFaults(0.0);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An emulated Falcon in the whole program, through libusb's own functions: chosen on the page, homed, in a lesson, out
+// of its plug and back.
+#include <QLabel>
+#include <QSlider>
+
+#include <glm/geometric.hpp>
+
+#include "haptics/falcon/Kinematics.h"
+#include "tests/app/ProgramWindow.h"
+#include "tests/support/OpenGlMain.h"
+#include "tests/support/falcon/EmulatedFalcon.h"
+#include "ui/devices/DevicesPage.h"
+#include "ui/devices/HandList.h"
+#include "ui/shell/Memory.h"
+
+using namespace std::chrono_literals;
+using haptics::falcon::Button;
+using support::emulatedBus;
+using support::EmulatedFalcon;
+
+class TestFalconWindow : public support::ProgramWindow
+{
+    Q_OBJECT
+private slots:
+    void init()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        ui::shell::memory().clear();
+        m_folder = std::make_unique<QTemporaryDir>();
+    }
+    void cleanup()
+    {
+        m_application.reset();
+        emulatedBus().clear();
+    }
+
+    void aLessonIsDrilledWithTheFalcon()
+    {
+        EmulatedFalcon& falcon = emulatedBus().plug("FT1");
+        falcon.startFirmware();
+        app::WindowOptions options;
+        options.source = {36};
+        begin(options);
+        waitForTooth();
+
+        // Chosen, and homed by the hand.
+        actions().devices->trigger();
+        waitForPage<ui::devices::DevicesPage>();
+        child<ui::devices::HandList>()->selectHand("falcon");
+        click("deviceNext");
+        WAIT_FOR(homed(falcon));
+        actions().back->trigger();
+        openLesson(std::string("decay-36-small"));
+        falcon.moveTip({0.0, 0.0, 6.0}, 100ms);
+        WAIT_FOR(isAt(falcon));
+        QVERIFY(child<QLabel>("forceDevice")->isVisible());
+
+        // It cuts while its button is held, and the hand feels the tooth.
+        const QString before = removed();
+        falcon.setButton(Button::Centre, true);
+        for (double z = 2.0; z > -5.0 && removed() == before; z -= 0.1) {
+            falcon.moveTip({0.0, 0.0, z}, 5ms);
+            waitForTicks(30);
+        }
+        WAIT_FOR(removed() != before);
+        WAIT_FOR(falcon.state().forceN.y > 0.05 || servo().touching);
+        const std::uint64_t attempt = servo().toothGeneration;
+
+        // Out of its plug in the middle of a cut: the bur is lifted, and the mouse goes on.
+        falcon.unplug();
+        waitForMessage("Falcon");
+        WAIT_FOR(child<QSlider>("feed")->isVisible());
+        WAIT_FOR(!servo().touching);
+        QCOMPARE(servo().toothGeneration, attempt);
+        const QString lost = message();
+        falcon.setButton(Button::Centre, false);
+
+        // Back again.
+        falcon.plug();
+        falcon.moveTip({0.0, 0.0, 8.0}, 5ms);
+        WAIT_FOR(homed(falcon) && message() != lost);
+        falcon.moveTip({1.0, 0.0, 8.0}, 100ms);
+        WAIT_FOR(isAt(falcon));
+        QCOMPARE(servo().toothGeneration, attempt);
+
+        // Its buttons.
+        WAIT_FOR(actions().undo->isEnabled());
+        falcon.setButton(Button::Minus, true);
+        WAIT_FOR_VALUE(removed(), before);
+        falcon.setButton(Button::Minus, false);
+    }
+
+    void theForceIsZeroWhenTheWindowCloses()
+    {
+        EmulatedFalcon& falcon = emulatedBus().plug("FT1");
+        falcon.startFirmware();
+        ui::shell::memory().setValue("devices/hand", "falcon");
+        app::WindowOptions options;
+        options.source = {36};
+        begin(options);
+        waitForTooth();
+        WAIT_FOR(homed(falcon));
+        for (double z = 2.0; z > -5.0 && falcon.state().motorsAreZero(); z -= 0.1) {
+            falcon.moveTip({0.0, 0.0, z}, 5ms);
+            waitForTicks(30);
+        }
+        WAIT_FOR(!falcon.state().motorsAreZero());
+        m_application.reset();
+        QVERIFY(falcon.state().motorsAreZero());
+        QVERIFY(!falcon.state().claimed);
+    }
+
+private:
+    /// Moves the grip past its index marks until the device is homed.
+    static bool homed(EmulatedFalcon& falcon)
+    {
+        if (!falcon.state().allHomed())
+            falcon.pullOutAndPushIn();
+        return falcon.state().allHomed();
+    }
+    [[nodiscard]] bool isAt(EmulatedFalcon& falcon) const
+    {
+        const glm::dvec3 tip = haptics::falcon::toothFromDevice(falcon.state().gripMm);
+        return glm::distance(servo().deviceMm, tip) < 0.2;
+    }
+};
+
+int main(int argc, char** argv)
+{
+    return support::openGlMain<TestFalconWindow>(argc, argv);
+}
+
+#include "tst_falcon_window.moc"
