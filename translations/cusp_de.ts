@@ -2767,10 +2767,6 @@
         <translation>Ihr Versuch geht dort weiter, wo Sie aufgehört haben.</translation>
     </message>
     <message>
-        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
-        <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
-    </message>
-    <message>
         <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
         <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder Sie wählen sie im Editor einer Lektion an diesem Zahn.</translation>
     </message>
@@ -2920,6 +2916,32 @@
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>An diesem Computer gibt es keinen Drucker. Speichern Sie es stattdessen als PDF.</translation>
+    </message>
+</context>
+<context>
+    <name>app::DeviceController</name>
+    <message>
+        <source>This cannot be changed during an exam.</source>
+        <translation>Während einer Prüfung kann das nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>The %1 is ready again and moves the bur.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>Der %1 ist wieder bereit und führt den Bohrer.</translation>
+    </message>
+    <message>
+        <source>The %1 no longer responds, and the bur was lifted. Continue with the mouse, or plug it in again.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>Der %1 antwortet nicht mehr; der Bohrer wurde abgehoben. Arbeiten Sie mit der Maus weiter, oder stecken Sie ihn wieder ein.</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>Gerät anzeigen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: a force device; %2: a sentence about its state</extracomment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3961,6 +3983,419 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>How fast the bur goes down at most while you press.</source>
         <translation>Wie schnell der Bohrer höchstens nach unten geht, während Sie drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ButtonLights</name>
+    <message>
+        <source>No grip button is pressed</source>
+        <translation>Keine Taste am Griff ist gedrückt</translation>
+    </message>
+    <message>
+        <source>Pressed: %1</source>
+        <translation>Gedrückt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::DevicesPage</name>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Loading the firmware</source>
+        <translation>Die Firmware wird geladen</translation>
+    </message>
+    <message>
+        <source>Pull the grip towards you as far as it goes, then push it straight in.</source>
+        <extracomment>Of the grip of a force device</extracomment>
+        <translation>Ziehen Sie den Griff bis zum Anschlag zu sich und schieben Sie ihn dann gerade hinein.</translation>
+    </message>
+    <message>
+        <source>Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged in.</source>
+        <translation>Jeder Arm muss an seiner Indexmarke vorbei. Füllt sich kein Ring, prüfen Sie, ob das Netzteil eingesteckt ist.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>Maus oder Stift</translation>
+    </message>
+    <message>
+        <source>Simulated hand</source>
+        <translation>Simulierte Hand</translation>
+    </message>
+    <message>
+        <source>Always ready.</source>
+        <translation>Immer bereit.</translation>
+    </message>
+    <message>
+        <source>Drills by itself while you watch.</source>
+        <translation>Bohrt selbst, während Sie zusehen.</translation>
+    </message>
+    <message>
+        <source>The bur follows the pointer over the tooth and goes down while you press the button. You feel no force. Feed, depth stop and force are set beside the tooth.</source>
+        <translation>Der Bohrer folgt dem Zeiger über den Zahn und geht hinunter, solange Sie die Taste drücken. Sie fühlen keine Kraft. Vorschub, Tiefenanschlag und Kraft stellen Sie neben dem Zahn ein.</translation>
+    </message>
+    <message>
+        <source>A simulated hand with a simulated force device cuts the ideal preparation. When you start or leave it, the attempt begins anew. Its attempts are not saved.</source>
+        <translation>Eine simulierte Hand mit einem simulierten Kraftgerät schneidet die ideale Präparation. Wenn Sie sie starten oder verlassen, beginnt der Versuch neu. Ihre Versuche werden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Serial number %1.</source>
+        <extracomment>%1: the number of a device</extracomment>
+        <translation>Seriennummer %1.</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <extracomment>The button that leads back to the tooth</extracomment>
+        <translation>Üben</translation>
+    </message>
+    <message>
+        <source>Use: %1</source>
+        <translation>Verwenden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::FirmwareCard</name>
+    <message>
+        <source>Firmware file</source>
+        <translation>Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the firmware file</source>
+        <translation>Firmware-Datei wählen</translation>
+    </message>
+    <message>
+        <source>None is chosen.</source>
+        <translation>Es ist keine gewählt.</translation>
+    </message>
+    <message>
+        <source>Unknown firmware, SHA-256 %1</source>
+        <translation>Unbekannte Firmware, SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin *.BIN);;All files (*)</source>
+        <translation>Firmware (*.bin *.BIN);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ForceTest</name>
+    <message>
+        <source>Away</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hinauf</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Zu Ihnen</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Hinunter</translation>
+    </message>
+    <message>
+        <source>Push the hand: %1</source>
+        <extracomment>%1: a direction, such as &quot;Left&quot;</extracomment>
+        <translation>Hand schieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandList</name>
+    <message>
+        <source>Chosen</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1, gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HomingMarks</name>
+    <message numerus="yes">
+        <source>%n of 3 arms homed</source>
+        <translation>
+            <numerusform>%n von 3 Armen referenziert</numerusform>
+            <numerusform>%n von 3 Armen referenziert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Top arm</source>
+        <translation>Oberer Arm</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::IntervalChart</name>
+    <message>
+        <source>Intervals between answers</source>
+        <translation>Abstände zwischen Antworten</translation>
+    </message>
+    <message>
+        <source>How many answers of the last second came after which interval. The last bar has all longer ones. The height grows with the logarithm, so that a single late answer is seen.</source>
+        <translation>Wie viele Antworten der letzten Sekunde nach welchem Abstand kamen. Der letzte Balken hat alle längeren. Die Höhe wächst mit dem Logarithmus, damit man auch eine einzelne späte Antwort sieht.</translation>
+    </message>
+    <message>
+        <source>%1 answers in a second</source>
+        <translation>%1 Antworten in einer Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::LiveTest</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Grip buttons</source>
+        <translation>Tasten am Griff</translation>
+    </message>
+    <message>
+        <source>Force: hold a button, and the device pushes your hand gently</source>
+        <translation>Kraft: Halten Sie eine Taste gedrückt, und das Gerät schiebt Ihre Hand sanft</translation>
+    </message>
+    <message>
+        <source>Intervals between answers</source>
+        <translation>Abstände zwischen Antworten</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Hin und zurück</translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <extracomment>Of the time from a request to its answer: 99 of 100 are shorter</extracomment>
+        <translation>99 % unter</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <extracomment>Requests without an answer</extracomment>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <extracomment>Answers that were not plausible</extracomment>
+        <translation>Verworfen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PlacementPicture</name>
+    <message>
+        <source>It stands on its base, and the arms point away from its front.</source>
+        <translation>Es steht auf seinem Fuß, und die Arme zeigen von seiner Vorderseite weg.</translation>
+    </message>
+    <message>
+        <source>It lies on its back, and the arms point up.</source>
+        <translation>Es liegt auf dem Rücken, und die Arme zeigen nach oben.</translation>
+    </message>
+    <message>
+        <source>It stands at your right hand and faces left.</source>
+        <translation>Es steht rechts von Ihnen und schaut nach links.</translation>
+    </message>
+    <message>
+        <source>It stands at your left hand and faces right.</source>
+        <translation>Es steht links von Ihnen und schaut nach rechts.</translation>
+    </message>
+    <message>
+        <source>It stands in front of you and faces you.</source>
+        <translation>Es steht vor Ihnen und schaut Sie an.</translation>
+    </message>
+    <message>
+        <source>How to place the device</source>
+        <translation>So stellen Sie das Gerät auf</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PositionView</name>
+    <message>
+        <source>Position: %1 mm right, %2 mm away, %3 mm up</source>
+        <extracomment>%1, %2, %3: millimetres to the right, away from the user and up</extracomment>
+        <translation>Position: %1 mm rechts, %2 mm entfernt, %3 mm oben</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::RuleCard</name>
+    <message>
+        <source>Copy the rule</source>
+        <translation>Regel kopieren</translation>
+    </message>
+    <message>
+        <source>Rule for this device</source>
+        <translation>Regel für dieses Gerät</translation>
+    </message>
+    <message>
+        <source>As an administrator, write this rule to the file %1. Then unplug the device and plug it in again. The command &quot;%2&quot; prints the same rule.</source>
+        <extracomment>%1: a file; %2: a command</extracomment>
+        <translation>Schreiben Sie diese Regel als Administrator in die Datei %1. Ziehen Sie dann das Gerät ab und stecken Sie es wieder ein. Der Befehl „%2“ gibt dieselbe Regel aus.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SetupCard</name>
+    <message>
+        <source>It stands</source>
+        <extracomment>How the device is placed on the table</extracomment>
+        <translation>Aufstellung</translation>
+    </message>
+    <message>
+        <source>as sold</source>
+        <extracomment>Of a device: on its base, as it was sold</extracomment>
+        <translation>wie verkauft</translation>
+    </message>
+    <message>
+        <source>on its back, arms up</source>
+        <translation>auf dem Rücken, Arme oben</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <extracomment>Where the device stands, seen by the user</extracomment>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>in front of you</source>
+        <translation>vor Ihnen</translation>
+    </message>
+    <message>
+        <source>on your right</source>
+        <translation>rechts von Ihnen</translation>
+    </message>
+    <message>
+        <source>on your left</source>
+        <translation>links von Ihnen</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <extracomment>How far the hand moves for one millimetre of the bur</extracomment>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Movement of the hand for 1 mm of the bur, in millimetres</source>
+        <translation>Bewegung der Hand für 1 mm des Bohrers, in Millimetern</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::Words</name>
+    <message>
+        <source>Not available: this program was built without force devices.</source>
+        <translation>Nicht verfügbar: Dieses Programm wurde ohne Kraftgeräte gebaut.</translation>
+    </message>
+    <message>
+        <source>Not plugged in.</source>
+        <translation>Nicht eingesteckt.</translation>
+    </message>
+    <message>
+        <source>Plugged in, but you are not allowed to open it.</source>
+        <translation>Eingesteckt, aber Sie dürfen es nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>Plugged in, but it cannot be opened.</source>
+        <translation>Eingesteckt, lässt sich aber nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>Plugged in. It needs its firmware file.</source>
+        <translation>Eingesteckt. Es braucht seine Firmware-Datei.</translation>
+    </message>
+    <message>
+        <source>Loading the firmware: %1 %</source>
+        <extracomment>%1: a number from 0 to 100</extracomment>
+        <translation>Die Firmware wird geladen: %1 %</translation>
+    </message>
+    <message>
+        <source>Plugged in. Move the grip to home it.</source>
+        <translation>Eingesteckt. Bewegen Sie den Griff, um es zu referenzieren.</translation>
+    </message>
+    <message>
+        <source>Ready.</source>
+        <translation>Bereit.</translation>
+    </message>
+    <message>
+        <source>It does not respond. The force is off.</source>
+        <translation>Es antwortet nicht. Die Kraft ist aus.</translation>
+    </message>
+    <message>
+        <source>Install the library libusb and build Cusp again, or use a package that has it.</source>
+        <translation>Installieren Sie die Bibliothek libusb und bauen Sie Cusp neu, oder verwenden Sie ein Paket, das sie enthält.</translation>
+    </message>
+    <message>
+        <source>Plug in the USB cable and the mains adapter. The device is found by itself.</source>
+        <translation>Stecken Sie das USB-Kabel und das Netzteil ein. Das Gerät wird von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>The firmware came with the software of the device and may not be shipped with Cusp.</source>
+        <translation>Die Firmware kam mit der Software des Geräts und darf mit Cusp nicht ausgeliefert werden.</translation>
+    </message>
+    <message>
+        <source>Check both plugs. The device continues by itself when it responds again.</source>
+        <translation>Prüfen Sie beide Stecker. Das Gerät macht von selbst weiter, wenn es wieder antwortet.</translation>
+    </message>
+    <message>
+        <source>The last problem, which is over: %1</source>
+        <extracomment>%1: what went wrong, a sentence</extracomment>
+        <translation>Das letzte Problem, inzwischen behoben: %1</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <extracomment>A button on the grip of a force device; pressed, the bur turns</extracomment>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <extracomment>A button on the grip of a force device</extracomment>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <extracomment>A button on the grip of a force device: the dental mirror</extracomment>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <extracomment>A button on the grip of a force device: back over the tooth</extracomment>
+        <translation>Mitte</translation>
     </message>
 </context>
 <context>
@@ -6448,6 +6883,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>dark</source>
         <translation>dunkel</translation>
     </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Mouse or pen, a simulated hand, or a force device: choose, home and try it.</source>
+        <translation>Maus oder Stift, eine simulierte Hand oder ein Kraftgerät: wählen, referenzieren und ausprobieren.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::AccountMenu</name>
@@ -7046,6 +7489,14 @@ ungesichert</translation>
         <source>Show or hide the outline of the ideal preparation on the tooth</source>
         <translation>Umriss der idealen Präparation auf dem Zahn zeigen oder verbergen</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Choose and try what moves the bur</source>
+        <translation>Wählen und ausprobieren, was den Bohrer führt</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7170,6 +7621,11 @@ ungesichert</translation>
     <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>The %1 moves the bur. Feed, depth stop and force are for the mouse.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>Der %1 führt den Bohrer. Vorschub, Tiefenanschlag und Kraft gelten für die Maus.</translation>
     </message>
 </context>
 <context>
@@ -8232,6 +8688,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>The bur went down at %1 mm/s when it opened the pulp. Go down slowly, and stop when the floor is firm dentin.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>Der Bohrer ging mit %1 mm/s nach unten, als er die Pulpa eröffnete. Gehen Sie langsam tiefer und halten Sie an, wenn der Boden festes Dentin ist.</translation>
     </message>
     <message>
@@ -8244,14 +8701,17 @@ ungesichert</translation>
     </message>
     <message>
         <source>%1 % of the decay is still in the tooth. Clean the walls first and then the floor, until no brown is left.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
         <translation>%1 % der Karies sind noch im Zahn. Säubern Sie zuerst die Wände und dann den Boden, bis kein Braun mehr zu sehen ist.</translation>
     </message>
     <message>
         <source>The bur went down at %1 mm/s into sound tissue. Lift it as soon as the figure turns yellow.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>Der Bohrer ging mit %1 mm/s in gesundes Gewebe. Heben Sie ihn ab, sobald die Zahl gelb wird.</translation>
     </message>
     <message>
         <source>You removed %1 mm³ of sound tissue. Follow the brown edge, and take a smaller bur near it.</source>
+        <extracomment>%1 is a volume in mm³</extracomment>
         <translation>Sie haben %1 mm³ gesundes Gewebe entfernt. Folgen Sie dem braunen Rand und nehmen Sie in seiner Nähe einen kleineren Bohrer.</translation>
     </message>
     <message>
@@ -8260,6 +8720,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>The bur went down at %1 mm/s and past the floor. Go down slowly, or set the depth stop.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>Der Bohrer ging mit %1 mm/s über den Boden hinaus. Gehen Sie langsam tiefer oder stellen Sie den Tiefenanschlag ein.</translation>
     </message>
     <message>
@@ -8276,6 +8737,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>%1 % of the preparation is still standing. Compare with the outline and cut what is left inside it.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
         <translation>%1 % der Präparation stehen noch. Vergleichen Sie mit dem Umriss und entfernen Sie, was darin übrig ist.</translation>
     </message>
     <message>
@@ -8292,6 +8754,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
         <translation>Die Randleiste ist nur %1 mm breit; %2 mm sollen stehen bleiben. Halten Sie auf dem Weg zur Randleiste früher an.</translation>
     </message>
     <message>
@@ -9545,6 +10008,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>Show it at %1</source>
+        <extracomment>%1: minutes and seconds of the attempt</extracomment>
         <translation>Bei %1 zeigen</translation>
     </message>
     <message>

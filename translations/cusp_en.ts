@@ -196,6 +196,16 @@
     </message>
 </context>
 <context>
+    <name>ui::devices::HomingMarks</name>
+    <message numerus="yes">
+        <source>%n of 3 arms homed</source>
+        <translation>
+            <numerusform>%n of 3 arms homed</numerusform>
+            <numerusform>%n of 3 arms homed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::people::AssignPage</name>
     <message numerus="yes">
         <source>%n lesson(s) assigned.</source>

@@ -2767,10 +2767,6 @@
         <translation>Su intento continúa donde lo dejó.</translation>
     </message>
     <message>
-        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
-        <translation>Este intento se hizo con otro dispositivo, así que no se puede continuar. Se conserva.</translation>
-    </message>
-    <message>
         <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
         <translation>La referencia se guardó como %1. Una lección la nombra, o elíjala en el editor de una lección sobre este diente.</translation>
     </message>
@@ -2920,6 +2916,32 @@
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>En este equipo no hay impresora. Guárdelo como PDF.</translation>
+    </message>
+</context>
+<context>
+    <name>app::DeviceController</name>
+    <message>
+        <source>This cannot be changed during an exam.</source>
+        <translation>Esto no se puede cambiar durante un examen.</translation>
+    </message>
+    <message>
+        <source>The %1 is ready again and moves the bur.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>El %1 vuelve a estar listo y mueve la fresa.</translation>
+    </message>
+    <message>
+        <source>The %1 no longer responds, and the bur was lifted. Continue with the mouse, or plug it in again.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>El %1 ya no responde y la fresa se ha levantado. Continúe con el ratón o vuelva a conectarlo.</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>Mostrar el dispositivo</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: a force device; %2: a sentence about its state</extracomment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3961,6 +3983,419 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>How fast the bur goes down at most while you press.</source>
         <translation>A qué velocidad baja la fresa como máximo mientras pulsa.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ButtonLights</name>
+    <message>
+        <source>No grip button is pressed</source>
+        <translation>No se pulsa ningún botón de la empuñadura</translation>
+    </message>
+    <message>
+        <source>Pressed: %1</source>
+        <translation>Pulsados: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::DevicesPage</name>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>Loading the firmware</source>
+        <translation>Cargando el firmware</translation>
+    </message>
+    <message>
+        <source>Pull the grip towards you as far as it goes, then push it straight in.</source>
+        <extracomment>Of the grip of a force device</extracomment>
+        <translation>Tire de la empuñadura hacia usted hasta el tope y después empújela en línea recta hacia dentro.</translation>
+    </message>
+    <message>
+        <source>Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged in.</source>
+        <translation>Cada brazo tiene que pasar por su marca de referencia. Si no se llena ningún anillo, compruebe que el adaptador de corriente esté enchufado.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>Ratón o lápiz</translation>
+    </message>
+    <message>
+        <source>Simulated hand</source>
+        <translation>Mano simulada</translation>
+    </message>
+    <message>
+        <source>Always ready.</source>
+        <translation>Siempre listo.</translation>
+    </message>
+    <message>
+        <source>Drills by itself while you watch.</source>
+        <translation>Fresa por sí sola mientras usted mira.</translation>
+    </message>
+    <message>
+        <source>The bur follows the pointer over the tooth and goes down while you press the button. You feel no force. Feed, depth stop and force are set beside the tooth.</source>
+        <translation>La fresa sigue al puntero sobre el diente y baja mientras pulsa el botón. No se siente ninguna fuerza. El avance, el tope de profundidad y la fuerza se ajustan junto al diente.</translation>
+    </message>
+    <message>
+        <source>A simulated hand with a simulated force device cuts the ideal preparation. When you start or leave it, the attempt begins anew. Its attempts are not saved.</source>
+        <translation>Una mano simulada con un dispositivo de fuerza simulado talla la preparación ideal. Cuando la inicia o la deja, el intento empieza de nuevo. Sus intentos no se guardan.</translation>
+    </message>
+    <message>
+        <source>Serial number %1.</source>
+        <extracomment>%1: the number of a device</extracomment>
+        <translation>Número de serie %1.</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <extracomment>The button that leads back to the tooth</extracomment>
+        <translation>Practicar</translation>
+    </message>
+    <message>
+        <source>Use: %1</source>
+        <translation>Usar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::FirmwareCard</name>
+    <message>
+        <source>Firmware file</source>
+        <translation>Archivo de firmware</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Elegir un archivo …</translation>
+    </message>
+    <message>
+        <source>Choose the firmware file</source>
+        <translation>Elegir el archivo de firmware</translation>
+    </message>
+    <message>
+        <source>None is chosen.</source>
+        <translation>No se ha elegido ninguno.</translation>
+    </message>
+    <message>
+        <source>Unknown firmware, SHA-256 %1</source>
+        <translation>Firmware desconocido, SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin *.BIN);;All files (*)</source>
+        <translation>Firmware (*.bin *.BIN);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ForceTest</name>
+    <message>
+        <source>Away</source>
+        <translation>Alejar</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Hacia usted</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Push the hand: %1</source>
+        <extracomment>%1: a direction, such as &quot;Left&quot;</extracomment>
+        <translation>Empujar la mano: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandList</name>
+    <message>
+        <source>Chosen</source>
+        <translation>Elegido</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1, elegido</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HomingMarks</name>
+    <message numerus="yes">
+        <source>%n of 3 arms homed</source>
+        <translation>
+            <numerusform>%n de 3 brazos referenciado</numerusform>
+            <numerusform>%n de 3 brazos referenciados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Top arm</source>
+        <translation>Brazo superior</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Brazo derecho</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Brazo izquierdo</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::IntervalChart</name>
+    <message>
+        <source>Intervals between answers</source>
+        <translation>Intervalos entre respuestas</translation>
+    </message>
+    <message>
+        <source>How many answers of the last second came after which interval. The last bar has all longer ones. The height grows with the logarithm, so that a single late answer is seen.</source>
+        <translation>Cuántas respuestas del último segundo llegaron tras cada intervalo. La última barra reúne todos los más largos. La altura crece con el logaritmo, para que se vea también una sola respuesta tardía.</translation>
+    </message>
+    <message>
+        <source>%1 answers in a second</source>
+        <translation>%1 respuestas en un segundo</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::LiveTest</name>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Grip buttons</source>
+        <translation>Botones de la empuñadura</translation>
+    </message>
+    <message>
+        <source>Force: hold a button, and the device pushes your hand gently</source>
+        <translation>Fuerza: mantenga pulsado un botón y el dispositivo empuja suavemente su mano</translation>
+    </message>
+    <message>
+        <source>Intervals between answers</source>
+        <translation>Intervalos entre respuestas</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Respuestas</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Ida y vuelta</translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <extracomment>Of the time from a request to its answer: 99 of 100 are shorter</extracomment>
+        <translation>99 % por debajo de</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <extracomment>Requests without an answer</extracomment>
+        <translation>Perdidas</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <extracomment>Answers that were not plausible</extracomment>
+        <translation>Rechazadas</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PlacementPicture</name>
+    <message>
+        <source>It stands on its base, and the arms point away from its front.</source>
+        <translation>Está sobre su base y los brazos apuntan hacia fuera desde su frente.</translation>
+    </message>
+    <message>
+        <source>It lies on its back, and the arms point up.</source>
+        <translation>Está tumbado de espaldas y los brazos apuntan hacia arriba.</translation>
+    </message>
+    <message>
+        <source>It stands at your right hand and faces left.</source>
+        <translation>Está a su derecha y mira hacia la izquierda.</translation>
+    </message>
+    <message>
+        <source>It stands at your left hand and faces right.</source>
+        <translation>Está a su izquierda y mira hacia la derecha.</translation>
+    </message>
+    <message>
+        <source>It stands in front of you and faces you.</source>
+        <translation>Está delante de usted y le mira de frente.</translation>
+    </message>
+    <message>
+        <source>How to place the device</source>
+        <translation>Cómo colocar el dispositivo</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>De lado</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Desde arriba</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PositionView</name>
+    <message>
+        <source>Position: %1 mm right, %2 mm away, %3 mm up</source>
+        <extracomment>%1, %2, %3: millimetres to the right, away from the user and up</extracomment>
+        <translation>Posición: %1 mm a la derecha, %2 mm hacia el fondo, %3 mm hacia arriba</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Desde arriba</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>De frente</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::RuleCard</name>
+    <message>
+        <source>Copy the rule</source>
+        <translation>Copiar la regla</translation>
+    </message>
+    <message>
+        <source>Rule for this device</source>
+        <translation>Regla para este dispositivo</translation>
+    </message>
+    <message>
+        <source>As an administrator, write this rule to the file %1. Then unplug the device and plug it in again. The command &quot;%2&quot; prints the same rule.</source>
+        <extracomment>%1: a file; %2: a command</extracomment>
+        <translation>Como administrador, escriba esta regla en el archivo %1. Después desconecte el dispositivo y vuelva a conectarlo. La orden «%2» muestra la misma regla.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SetupCard</name>
+    <message>
+        <source>It stands</source>
+        <extracomment>How the device is placed on the table</extracomment>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>as sold</source>
+        <extracomment>Of a device: on its base, as it was sold</extracomment>
+        <translation>como se vende</translation>
+    </message>
+    <message>
+        <source>on its back, arms up</source>
+        <translation>de espaldas, brazos arriba</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <extracomment>Where the device stands, seen by the user</extracomment>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>in front of you</source>
+        <translation>delante de usted</translation>
+    </message>
+    <message>
+        <source>on your right</source>
+        <translation>a su derecha</translation>
+    </message>
+    <message>
+        <source>on your left</source>
+        <translation>a su izquierda</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <extracomment>How far the hand moves for one millimetre of the bur</extracomment>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Movement of the hand for 1 mm of the bur, in millimetres</source>
+        <translation>Movimiento de la mano por 1 mm de la fresa, en milímetros</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::Words</name>
+    <message>
+        <source>Not available: this program was built without force devices.</source>
+        <translation>No disponible: este programa se compiló sin dispositivos de fuerza.</translation>
+    </message>
+    <message>
+        <source>Not plugged in.</source>
+        <translation>No está conectado.</translation>
+    </message>
+    <message>
+        <source>Plugged in, but you are not allowed to open it.</source>
+        <translation>Conectado, pero usted no tiene permiso para abrirlo.</translation>
+    </message>
+    <message>
+        <source>Plugged in, but it cannot be opened.</source>
+        <translation>Conectado, pero no se puede abrir.</translation>
+    </message>
+    <message>
+        <source>Plugged in. It needs its firmware file.</source>
+        <translation>Conectado. Necesita su archivo de firmware.</translation>
+    </message>
+    <message>
+        <source>Loading the firmware: %1 %</source>
+        <extracomment>%1: a number from 0 to 100</extracomment>
+        <translation>Cargando el firmware: %1 %</translation>
+    </message>
+    <message>
+        <source>Plugged in. Move the grip to home it.</source>
+        <translation>Conectado. Mueva la empuñadura para referenciarlo.</translation>
+    </message>
+    <message>
+        <source>Ready.</source>
+        <translation>Listo.</translation>
+    </message>
+    <message>
+        <source>It does not respond. The force is off.</source>
+        <translation>No responde. La fuerza está desactivada.</translation>
+    </message>
+    <message>
+        <source>Install the library libusb and build Cusp again, or use a package that has it.</source>
+        <translation>Instale la biblioteca libusb y vuelva a compilar Cusp, o use un paquete que la incluya.</translation>
+    </message>
+    <message>
+        <source>Plug in the USB cable and the mains adapter. The device is found by itself.</source>
+        <translation>Conecte el cable USB y el adaptador de corriente. El dispositivo se detecta solo.</translation>
+    </message>
+    <message>
+        <source>The firmware came with the software of the device and may not be shipped with Cusp.</source>
+        <translation>El firmware venía con el software del dispositivo y no se puede distribuir con Cusp.</translation>
+    </message>
+    <message>
+        <source>Check both plugs. The device continues by itself when it responds again.</source>
+        <translation>Compruebe los dos enchufes. El dispositivo continúa por sí solo cuando vuelve a responder.</translation>
+    </message>
+    <message>
+        <source>The last problem, which is over: %1</source>
+        <extracomment>%1: what went wrong, a sentence</extracomment>
+        <translation>El último problema, ya resuelto: %1</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <extracomment>A button on the grip of a force device; pressed, the bur turns</extracomment>
+        <translation>Fresar</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <extracomment>A button on the grip of a force device</extracomment>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <extracomment>A button on the grip of a force device: the dental mirror</extracomment>
+        <translation>Espejo</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <extracomment>A button on the grip of a force device: back over the tooth</extracomment>
+        <translation>Centro</translation>
     </message>
 </context>
 <context>
@@ -6448,6 +6883,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>dark</source>
         <translation>oscuras</translation>
     </message>
+    <message>
+        <source>Hand</source>
+        <translation>Mano</translation>
+    </message>
+    <message>
+        <source>Mouse or pen, a simulated hand, or a force device: choose, home and try it.</source>
+        <translation>Ratón o lápiz, una mano simulada o un dispositivo de fuerza: elíjalo, refiéralo y pruébelo.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::AccountMenu</name>
@@ -7046,6 +7489,14 @@ sin guardar</translation>
         <source>Show or hide the outline of the ideal preparation on the tooth</source>
         <translation>Mostrar u ocultar el contorno de la preparación ideal sobre el diente</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>Choose and try what moves the bur</source>
+        <translation>Elegir y probar lo que mueve la fresa</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7170,6 +7621,11 @@ sin guardar</translation>
     <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>The %1 moves the bur. Feed, depth stop and force are for the mouse.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>El %1 mueve la fresa. El avance, el tope de profundidad y la fuerza son para el ratón.</translation>
     </message>
 </context>
 <context>
@@ -8232,6 +8688,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>The bur went down at %1 mm/s when it opened the pulp. Go down slowly, and stop when the floor is firm dentin.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>La fresa bajaba a %1 mm/s cuando abrió la pulpa. Baje despacio y pare cuando el piso sea dentina firme.</translation>
     </message>
     <message>
@@ -8244,14 +8701,17 @@ sin guardar</translation>
     </message>
     <message>
         <source>%1 % of the decay is still in the tooth. Clean the walls first and then the floor, until no brown is left.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
         <translation>Queda un %1 % de la caries en el diente. Limpie primero las paredes y luego el piso, hasta que no quede nada marrón.</translation>
     </message>
     <message>
         <source>The bur went down at %1 mm/s into sound tissue. Lift it as soon as the figure turns yellow.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>La fresa bajó a %1 mm/s en tejido sano. Levántela en cuanto la cifra se ponga amarilla.</translation>
     </message>
     <message>
         <source>You removed %1 mm³ of sound tissue. Follow the brown edge, and take a smaller bur near it.</source>
+        <extracomment>%1 is a volume in mm³</extracomment>
         <translation>Ha eliminado %1 mm³ de tejido sano. Siga el borde marrón y use una fresa más pequeña cerca de él.</translation>
     </message>
     <message>
@@ -8260,6 +8720,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>The bur went down at %1 mm/s and past the floor. Go down slowly, or set the depth stop.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>La fresa bajó a %1 mm/s y pasó del piso. Baje despacio o ajuste el tope de profundidad.</translation>
     </message>
     <message>
@@ -8276,6 +8737,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>%1 % of the preparation is still standing. Compare with the outline and cut what is left inside it.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
         <translation>Queda en pie el %1 % de la preparación. Compare con el contorno y talle lo que queda dentro.</translation>
     </message>
     <message>
@@ -8292,6 +8754,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
         <translation>La cresta marginal mide solo %1 mm; deben quedar %2 mm. Deténgase antes al acercarse a la cresta.</translation>
     </message>
     <message>
@@ -9545,6 +10008,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>Show it at %1</source>
+        <extracomment>%1: minutes and seconds of the attempt</extracomment>
         <translation>Mostrar en %1</translation>
     </message>
     <message>

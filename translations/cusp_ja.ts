@@ -2776,10 +2776,6 @@
         <translation>この課題の教員の記録がなく、模擬の手でもできません。</translation>
     </message>
     <message>
-        <source>This attempt was made with another device and cannot be continued. It is kept.</source>
-        <translation>この試行は別のデバイスで行われたため、続けられません。保管されています。</translation>
-    </message>
-    <message>
         <source>Resuming the attempt …</source>
         <translation>試行を再開しています …</translation>
     </message>
@@ -2907,6 +2903,32 @@
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>このコンピューターにはプリンターがありません。代わりにPDFとして保存してください。</translation>
+    </message>
+</context>
+<context>
+    <name>app::DeviceController</name>
+    <message>
+        <source>This cannot be changed during an exam.</source>
+        <translation>試験中は変更できません。</translation>
+    </message>
+    <message>
+        <source>The %1 is ready again and moves the bur.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>%1 は再び使えるようになり、バーを動かします。</translation>
+    </message>
+    <message>
+        <source>The %1 no longer responds, and the bur was lifted. Continue with the mouse, or plug it in again.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>%1 が応答しないため、バーを持ち上げました。マウスで続けるか、もう一度接続してください。</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>デバイスを表示</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: a force device; %2: a sentence about its state</extracomment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -3939,6 +3961,418 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>How fast the bur goes down at most while you press.</source>
         <translation>押している間にバーが下がる最大の速さ。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ButtonLights</name>
+    <message>
+        <source>No grip button is pressed</source>
+        <translation>グリップのボタンは押されていません</translation>
+    </message>
+    <message>
+        <source>Pressed: %1</source>
+        <translation>押されているボタン：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::DevicesPage</name>
+    <message>
+        <source>Devices</source>
+        <translation>デバイス</translation>
+    </message>
+    <message>
+        <source>Loading the firmware</source>
+        <translation>ファームウェアを読み込み中</translation>
+    </message>
+    <message>
+        <source>Pull the grip towards you as far as it goes, then push it straight in.</source>
+        <extracomment>Of the grip of a force device</extracomment>
+        <translation>グリップを手前にいっぱいまで引き、そのまままっすぐ押し込んでください。</translation>
+    </message>
+    <message>
+        <source>Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged in.</source>
+        <translation>どのアームも基準マークを通る必要があります。円が塗られないときは、電源アダプターが接続されているか確かめてください。</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>マウスまたはペン</translation>
+    </message>
+    <message>
+        <source>Simulated hand</source>
+        <translation>シミュレーションの手</translation>
+    </message>
+    <message>
+        <source>Always ready.</source>
+        <translation>いつでも使えます。</translation>
+    </message>
+    <message>
+        <source>Drills by itself while you watch.</source>
+        <translation>見ている間に自動で切削します。</translation>
+    </message>
+    <message>
+        <source>The bur follows the pointer over the tooth and goes down while you press the button. You feel no force. Feed, depth stop and force are set beside the tooth.</source>
+        <translation>バーは歯の上でポインターに従い、ボタンを押している間下がります。力は感じません。送り、深さストップ、力は歯の横で設定します。</translation>
+    </message>
+    <message>
+        <source>A simulated hand with a simulated force device cuts the ideal preparation. When you start or leave it, the attempt begins anew. Its attempts are not saved.</source>
+        <translation>シミュレーションの力覚デバイスを持つ手が理想の形成を切削します。始めるときと終えるときに、試みは最初からになります。その試みは保存されません。</translation>
+    </message>
+    <message>
+        <source>Serial number %1.</source>
+        <extracomment>%1: the number of a device</extracomment>
+        <translation>シリアル番号 %1。</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <extracomment>The button that leads back to the tooth</extracomment>
+        <translation>練習する</translation>
+    </message>
+    <message>
+        <source>Use: %1</source>
+        <translation>使う：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::FirmwareCard</name>
+    <message>
+        <source>Firmware file</source>
+        <translation>ファームウェアファイル</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>ファイルを選ぶ …</translation>
+    </message>
+    <message>
+        <source>Choose the firmware file</source>
+        <translation>ファームウェアファイルを選ぶ</translation>
+    </message>
+    <message>
+        <source>None is chosen.</source>
+        <translation>選ばれていません。</translation>
+    </message>
+    <message>
+        <source>Unknown firmware, SHA-256 %1</source>
+        <translation>不明なファームウェア、SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin *.BIN);;All files (*)</source>
+        <translation>ファームウェア (*.bin *.BIN);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ForceTest</name>
+    <message>
+        <source>Away</source>
+        <translation>奥へ</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左へ</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右へ</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>手前へ</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下へ</translation>
+    </message>
+    <message>
+        <source>Push the hand: %1</source>
+        <extracomment>%1: a direction, such as &quot;Left&quot;</extracomment>
+        <translation>手を押す：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandList</name>
+    <message>
+        <source>Chosen</source>
+        <translation>選択中</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>デバイス</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1、選択中</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HomingMarks</name>
+    <message numerus="yes">
+        <source>%n of 3 arms homed</source>
+        <translation>
+            <numerusform>3 本のうち %n 本のアームが原点を通過</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Top arm</source>
+        <translation>上のアーム</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>右のアーム</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>左のアーム</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::IntervalChart</name>
+    <message>
+        <source>Intervals between answers</source>
+        <translation>応答の間隔</translation>
+    </message>
+    <message>
+        <source>How many answers of the last second came after which interval. The last bar has all longer ones. The height grows with the logarithm, so that a single late answer is seen.</source>
+        <translation>直前の 1 秒の応答が、それぞれどの間隔で来たか。最後の棒はそれより長いものすべてです。遅れた応答が一つでも見えるように、高さは対数です。</translation>
+    </message>
+    <message>
+        <source>%1 answers in a second</source>
+        <translation>1 秒に %1 回の応答</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::LiveTest</name>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Grip buttons</source>
+        <translation>グリップのボタン</translation>
+    </message>
+    <message>
+        <source>Force: hold a button, and the device pushes your hand gently</source>
+        <translation>力：ボタンを押している間、デバイスが手を軽く押します</translation>
+    </message>
+    <message>
+        <source>Intervals between answers</source>
+        <translation>応答の間隔</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>応答</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>往復時間</translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <extracomment>Of the time from a request to its answer: 99 of 100 are shorter</extracomment>
+        <translation>99 % がこれ未満</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <extracomment>Requests without an answer</extracomment>
+        <translation>損失</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <extracomment>Answers that were not plausible</extracomment>
+        <translation>破棄</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PlacementPicture</name>
+    <message>
+        <source>It stands on its base, and the arms point away from its front.</source>
+        <translation>台の上に立ち、アームは前面から前へ向きます。</translation>
+    </message>
+    <message>
+        <source>It lies on its back, and the arms point up.</source>
+        <translation>背面を下にして寝かせ、アームは上を向きます。</translation>
+    </message>
+    <message>
+        <source>It stands at your right hand and faces left.</source>
+        <translation>右手側にあり、左を向きます。</translation>
+    </message>
+    <message>
+        <source>It stands at your left hand and faces right.</source>
+        <translation>左手側にあり、右を向きます。</translation>
+    </message>
+    <message>
+        <source>It stands in front of you and faces you.</source>
+        <translation>正面にあり、こちらを向きます。</translation>
+    </message>
+    <message>
+        <source>How to place the device</source>
+        <translation>デバイスの置き方</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>横から</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>上から</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PositionView</name>
+    <message>
+        <source>Position: %1 mm right, %2 mm away, %3 mm up</source>
+        <extracomment>%1, %2, %3: millimetres to the right, away from the user and up</extracomment>
+        <translation>位置：右へ %1 mm、奥へ %2 mm、上へ %3 mm</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>上から</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>正面から</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::RuleCard</name>
+    <message>
+        <source>Copy the rule</source>
+        <translation>ルールをコピー</translation>
+    </message>
+    <message>
+        <source>Rule for this device</source>
+        <translation>このデバイスのルール</translation>
+    </message>
+    <message>
+        <source>As an administrator, write this rule to the file %1. Then unplug the device and plug it in again. The command &quot;%2&quot; prints the same rule.</source>
+        <extracomment>%1: a file; %2: a command</extracomment>
+        <translation>管理者として、このルールをファイル %1 に書き込んでください。その後、デバイスを抜いて、もう一度差し込んでください。コマンド「%2」も同じルールを出力します。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SetupCard</name>
+    <message>
+        <source>It stands</source>
+        <extracomment>How the device is placed on the table</extracomment>
+        <translation>立て方</translation>
+    </message>
+    <message>
+        <source>as sold</source>
+        <extracomment>Of a device: on its base, as it was sold</extracomment>
+        <translation>販売時のまま</translation>
+    </message>
+    <message>
+        <source>on its back, arms up</source>
+        <translation>寝かせて、アームは上</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <extracomment>Where the device stands, seen by the user</extracomment>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>in front of you</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>on your right</source>
+        <translation>右側</translation>
+    </message>
+    <message>
+        <source>on your left</source>
+        <translation>左側</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <extracomment>How far the hand moves for one millimetre of the bur</extracomment>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Movement of the hand for 1 mm of the bur, in millimetres</source>
+        <translation>バーの 1 mm に対する手の動き（ミリメートル）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::Words</name>
+    <message>
+        <source>Not available: this program was built without force devices.</source>
+        <translation>使えません：このプログラムは力覚デバイスなしでビルドされています。</translation>
+    </message>
+    <message>
+        <source>Not plugged in.</source>
+        <translation>接続されていません。</translation>
+    </message>
+    <message>
+        <source>Plugged in, but you are not allowed to open it.</source>
+        <translation>接続されていますが、開く権限がありません。</translation>
+    </message>
+    <message>
+        <source>Plugged in, but it cannot be opened.</source>
+        <translation>接続されていますが、開けません。</translation>
+    </message>
+    <message>
+        <source>Plugged in. It needs its firmware file.</source>
+        <translation>接続されています。ファームウェアファイルが必要です。</translation>
+    </message>
+    <message>
+        <source>Loading the firmware: %1 %</source>
+        <extracomment>%1: a number from 0 to 100</extracomment>
+        <translation>ファームウェアを読み込み中：%1 %</translation>
+    </message>
+    <message>
+        <source>Plugged in. Move the grip to home it.</source>
+        <translation>接続されています。グリップを動かして原点を合わせてください。</translation>
+    </message>
+    <message>
+        <source>Ready.</source>
+        <translation>準備完了。</translation>
+    </message>
+    <message>
+        <source>It does not respond. The force is off.</source>
+        <translation>応答しません。力は切れています。</translation>
+    </message>
+    <message>
+        <source>Install the library libusb and build Cusp again, or use a package that has it.</source>
+        <translation>ライブラリ libusb をインストールして Cusp をビルドし直すか、それを含むパッケージを使ってください。</translation>
+    </message>
+    <message>
+        <source>Plug in the USB cable and the mains adapter. The device is found by itself.</source>
+        <translation>USB ケーブルと電源アダプターを接続してください。デバイスは自動で見つかります。</translation>
+    </message>
+    <message>
+        <source>The firmware came with the software of the device and may not be shipped with Cusp.</source>
+        <translation>ファームウェアはデバイスのソフトウェアに付属し、Cusp と一緒には配布できません。</translation>
+    </message>
+    <message>
+        <source>Check both plugs. The device continues by itself when it responds again.</source>
+        <translation>両方のプラグを確かめてください。応答が戻れば自動で続きます。</translation>
+    </message>
+    <message>
+        <source>The last problem, which is over: %1</source>
+        <extracomment>%1: what went wrong, a sentence</extracomment>
+        <translation>直前の問題（解決済み）：%1</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <extracomment>A button on the grip of a force device; pressed, the bur turns</extracomment>
+        <translation>切削</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <extracomment>A button on the grip of a force device</extracomment>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <extracomment>A button on the grip of a force device: the dental mirror</extracomment>
+        <translation>ミラー</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <extracomment>A button on the grip of a force device: back over the tooth</extracomment>
+        <translation>中央へ</translation>
     </message>
 </context>
 <context>
@@ -6398,6 +6832,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>dark</source>
         <translation>暗い</translation>
     </message>
+    <message>
+        <source>Hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Mouse or pen, a simulated hand, or a force device: choose, home and try it.</source>
+        <translation>マウスまたはペン、シミュレーションの手、力覚デバイス：選び、原点を合わせ、試します。</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::AccountMenu</name>
@@ -6996,6 +7438,14 @@ unsaved</source>
         <source>Show or hide the outline of the ideal preparation on the tooth</source>
         <translation>理想的な窩洞の外形線を歯の上に表示または非表示にします</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>デバイス</translation>
+    </message>
+    <message>
+        <source>Choose and try what moves the bur</source>
+        <translation>バーを動かすものを選び、試す</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -7120,6 +7570,11 @@ unsaved</source>
     <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>The %1 moves the bur. Feed, depth stop and force are for the mouse.</source>
+        <extracomment>%1: a force device</extracomment>
+        <translation>%1 がバーを動かします。送り、深さストップ、力はマウス用です。</translation>
     </message>
 </context>
 <context>
@@ -8180,6 +8635,7 @@ unsaved</source>
     </message>
     <message>
         <source>The bur went down at %1 mm/s when it opened the pulp. Go down slowly, and stop when the floor is firm dentin.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>バーは毎秒%1 mmで下がり、歯髄を露出させました。ゆっくり下げ、窩底が硬い象牙質になったら止めてください。</translation>
     </message>
     <message>
@@ -8192,14 +8648,17 @@ unsaved</source>
     </message>
     <message>
         <source>%1 % of the decay is still in the tooth. Clean the walls first and then the floor, until no brown is left.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
         <translation>う蝕の%1 %が残っています。まず側壁、次に窩底を、茶色がなくなるまで取り除いてください。</translation>
     </message>
     <message>
         <source>The bur went down at %1 mm/s into sound tissue. Lift it as soon as the figure turns yellow.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>バーは毎秒%1 mmで健全な歯質に入りました。数字が黄色になったらすぐに上げてください。</translation>
     </message>
     <message>
         <source>You removed %1 mm³ of sound tissue. Follow the brown edge, and take a smaller bur near it.</source>
+        <extracomment>%1 is a volume in mm³</extracomment>
         <translation>健全な歯質を%1 mm³削りました。茶色の縁に沿って進み、その近くでは小さいバーを使ってください。</translation>
     </message>
     <message>
@@ -8208,6 +8667,7 @@ unsaved</source>
     </message>
     <message>
         <source>The bur went down at %1 mm/s and past the floor. Go down slowly, or set the depth stop.</source>
+        <extracomment>%1 is a speed in mm/s</extracomment>
         <translation>バーは毎秒%1 mmで窩底を越えました。ゆっくり下げるか、深さストップを設定してください。</translation>
     </message>
     <message>
@@ -8224,6 +8684,7 @@ unsaved</source>
     </message>
     <message>
         <source>%1 % of the preparation is still standing. Compare with the outline and cut what is left inside it.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
         <translation>形成すべき部分の%1 %が残っています。外形と比べ、その内側に残った部分を削ってください。</translation>
     </message>
     <message>
@@ -8240,6 +8701,7 @@ unsaved</source>
     </message>
     <message>
         <source>The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
         <translation>辺縁隆線の幅が%1 mmしかありません。%2 mm残してください。隆線の手前で早めに止めてください。</translation>
     </message>
     <message>
@@ -9481,6 +9943,7 @@ unsaved</source>
     </message>
     <message>
         <source>Show it at %1</source>
+        <extracomment>%1: minutes and seconds of the attempt</extracomment>
         <translation>%1の場面を見る</translation>
     </message>
     <message>

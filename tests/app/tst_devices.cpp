@@ -204,7 +204,7 @@ private:
         actions().devices->trigger();
         waitForPage<ui::devices::DevicesPage>();
     }
-    [[nodiscard]] ui::devices::HandList& hands() const { return *child<ui::devices::HandList>(); }
+    [[nodiscard]] ui::devices::HandList& hands() const { return *child<ui::devices::HandList>("hands"); }
     void use(const QString& hand) const
     {
         hands().selectHand(hand);

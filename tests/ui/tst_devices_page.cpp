@@ -382,11 +382,14 @@ private slots:
         m_window->resize(size);
         m_page->resize(size);
         const auto draw = [&](const QString& name) {
+            for (int n = 0; n < 3; ++n)  // what is laid out may lay out more
+                QCoreApplication::processEvents();
             const QImage image = m_window->grab().toImage();
             pictures::keep(
                 image,
                 QStringLiteral("devices-%1-%2-%3").arg(name, isDark ? "dark" : "light", QString::number(size.width())));
             QCOMPARE(image.deviceIndependentSize().toSize(), size);
+            QVERIFY2(isWhollyShown(), qPrintable(name));
         };
         const QStringList names{"absent", "unavailable", "firmware", "loading", "homing", "ready", "silent"};
         for (int stage = 0; stage < names.size(); ++stage) {
@@ -412,6 +415,19 @@ private slots:
 
 private:
     [[nodiscard]] HandList& hands() const { return *child<HandList>(); }
+    /// No card is wider than the place where the cards are, which scrolls up and down only.
+    [[nodiscard]] bool isWhollyShown() const
+    {
+        for (const char* name : {"rule", "homing", "liveTest", "firmware", "setup"})
+            if (const auto* card = child<QWidget>(name); card->isVisible()) {
+                const QWidget* const port = card->parentWidget()->parentWidget();
+                if (card->mapTo(port, QPoint(card->width(), 0)).x() > port->width() ||
+                    card->width() < card->minimumSizeHint().width() ||
+                    card->height() < card->minimumSizeHint().height())
+                    return false;
+            }
+        return true;
+    }
     [[nodiscard]] bool isFilled(const char* button) const
     {
         return child<QPushButton>(button)->property("kind") == "filled";

@@ -35,6 +35,8 @@ using core::session::DeviceStage;
 using namespace ui::shell;
 
 constexpr int kHandsPx = 300;
+constexpr int kNarrowHandsPx = 230;
+constexpr int kNarrowPagePx = 1100;
 constexpr int kHeadSignPx = 26;
 constexpr int kWidestCardPx = 900;
 constexpr int kPercentFull = 100;
@@ -45,7 +47,6 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     : Page(actions, parent), m_back(actions.back), m_chosen(QLatin1String(kPointer)), m_hands(new HandList(this))
 {
     removeGuestSign();
-    m_hands->setFixedWidth(kHandsPx);
     auto* cards = new QWidget(this);
     cards->setMaximumWidth(kWidestCardPx);
     auto* column = new QVBoxLayout(cards);
@@ -335,6 +336,15 @@ void DevicesPage::showEvent(QShowEvent* event)
     m_hands->selectHand(m_chosen);
     m_hands->setFocus();
     emit opened(true);
+}
+
+void DevicesPage::resizeEvent(QResizeEvent* event)
+{
+    Page::resizeEvent(event);
+    const bool isNarrow = width() < kNarrowPagePx;
+    m_hands->setFixedWidth(isNarrow ? kNarrowHandsPx : kHandsPx);
+    m_live->setNarrow(isNarrow);
+    m_setup->setNarrow(isNarrow);
 }
 
 void DevicesPage::hideEvent(QHideEvent* event)

@@ -32,14 +32,13 @@ QLabel* captionLabel(QWidget* parent)
 }  // namespace
 
 LiveTest::LiveTest(QWidget* parent)
-    : QFrame(parent), m_position(new PositionView(this)), m_force(new ForceTest(this)),
-      m_buttons(new ButtonLights(this)), m_intervals(new IntervalChart(this))
+    : QFrame(parent), m_columns(new QBoxLayout(QBoxLayout::LeftToRight, this)), m_position(new PositionView(this)),
+      m_force(new ForceTest(this)), m_buttons(new ButtonLights(this)), m_intervals(new IntervalChart(this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("liveTest"));
-    auto* columns = new QHBoxLayout(this);
-    columns->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
-    columns->setSpacing(kSpace6);
+    m_columns->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    m_columns->setSpacing(kSpace6);
     auto* hand = new QVBoxLayout;
     hand->setSpacing(kSpace1);
     auto* where = captionLabel(this);
@@ -50,7 +49,7 @@ LiveTest::LiveTest(QWidget* parent)
     hand->addWidget(pressed);
     hand->addWidget(m_buttons);
     hand->addStretch(1);
-    columns->addLayout(hand, 1);
+    m_columns->addLayout(hand, 1);
 
     auto* link = new QVBoxLayout;
     link->setSpacing(kSpace1);
@@ -76,7 +75,7 @@ LiveTest::LiveTest(QWidget* parent)
     m_rejected = addFigure(*figures, 1, 1, "rejected", rejected);
     link->addLayout(figures);
     link->addStretch(1);
-    columns->addLayout(link, 1);
+    m_columns->addLayout(link, 1);
     text::inEveryLanguage(this, [=] {
         where->setText(tr("Position"));
         pressed->setText(tr("Grip buttons"));
@@ -91,6 +90,11 @@ LiveTest::LiveTest(QWidget* parent)
         //: Answers that were not plausible
         rejected->setText(tr("Rejected"));
     });
+}
+
+void LiveTest::setNarrow(bool isNarrow)
+{
+    m_columns->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 shell::TabularLabel* LiveTest::addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption)

@@ -5,6 +5,8 @@
 
 #include "core/session/DeviceReport.h"
 
+class QBoxLayout;
+class QGridLayout;
 class QLabel;
 
 namespace ui::shell {
@@ -28,11 +30,14 @@ public:
 
     /// @param scale  of the set-up: how far the hand moves for one millimetre of the bur
     void setReport(const core::session::DeviceReport& report, double scale);
+    /// One part is below the other, for a page where there is no room beside it.
+    void setNarrow(bool isNarrow);
     [[nodiscard]] const ForceTest& force() const { return *m_force; }
 
 private:
-    shell::TabularLabel* addFigure(class QGridLayout& grid, int row, int column, const char* name, QLabel*& caption);
+    shell::TabularLabel* addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption);
 
+    QBoxLayout* m_columns;
     PositionView* m_position;
     ForceTest* m_force;
     ButtonLights* m_buttons;

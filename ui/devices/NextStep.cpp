@@ -14,6 +14,7 @@ void setFilled(QPushButton& button, bool isFilled)
     button.setProperty("kind", kind);
     button.style()->unpolish(&button);
     button.style()->polish(&button);
+    button.updateGeometry();  // bold words are wider
 }
 
 }  // namespace ui::devices

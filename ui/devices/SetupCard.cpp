@@ -3,7 +3,6 @@
 
 #include <QButtonGroup>
 #include <QDoubleSpinBox>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QRadioButton>
@@ -31,15 +30,14 @@ QLabel* headingLabel(QWidget* parent)
 }  // namespace
 
 SetupCard::SetupCard(QWidget* parent)
-    : QFrame(parent), m_picture(new PlacementPicture(this)),
+    : QFrame(parent), m_columns(new QBoxLayout(QBoxLayout::LeftToRight, this)), m_picture(new PlacementPicture(this)),
       m_scale(study::numberInput(DeviceSetup::kLeastScale, DeviceSetup::kMostScale, 1, {}, {}, this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("setup"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
-    row->setSpacing(kSpace6);
-    row->addWidget(m_picture);
+    m_columns->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    m_columns->setSpacing(kSpace6);
+    m_columns->addWidget(m_picture);
     auto* form = new QVBoxLayout;
     form->setSpacing(kSpace1);
     auto* choices = new QHBoxLayout;
@@ -85,7 +83,7 @@ SetupCard::SetupCard(QWidget* parent)
     scaleRow->addWidget(scaleHelp, 1);
     form->addLayout(scaleRow);
     form->addStretch(1);
-    row->addLayout(form, 1);
+    m_columns->addLayout(form, 1);
     connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         DeviceSetup setup = m_setup;
         setup.scale = value;
@@ -110,6 +108,11 @@ SetupCard::SetupCard(QWidget* parent)
             button->setAccessibleName(button->text());
     });
     setSetup(m_setup);
+}
+
+void SetupCard::setNarrow(bool isNarrow)
+{
+    m_columns->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void SetupCard::setSetup(const DeviceSetup& setup)

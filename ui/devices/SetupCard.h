@@ -7,7 +7,7 @@
 
 #include "core/session/DeviceReport.h"
 
-class QButtonGroup;
+class QBoxLayout;
 class QDoubleSpinBox;
 class QRadioButton;
 
@@ -23,6 +23,8 @@ public:
     explicit SetupCard(QWidget* parent);
 
     void setSetup(const core::session::DeviceSetup& setup);
+    /// The picture is above the form, for a page where there is no room beside it.
+    void setNarrow(bool isNarrow);
     [[nodiscard]] const core::session::DeviceSetup& setup() const { return m_setup; }
 
 signals:
@@ -33,6 +35,7 @@ private:
     void change(const core::session::DeviceSetup& setup);
 
     core::session::DeviceSetup m_setup;
+    QBoxLayout* m_columns;
     PlacementPicture* m_picture;
     std::array<QRadioButton*, 2> m_stands{};
     std::array<QRadioButton*, 3> m_sides{};
