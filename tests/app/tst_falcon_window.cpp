@@ -47,7 +47,7 @@ private slots:
         // Chosen, and homed by the hand.
         actions().devices->trigger();
         waitForPage<ui::devices::DevicesPage>();
-        child<ui::devices::HandList>()->selectHand("falcon");
+        child<ui::devices::HandList>("hands")->selectHand("falcon");
         click("deviceNext");
         WAIT_FOR(homed(falcon));
         actions().back->trigger();
