@@ -616,7 +616,7 @@ void AdminDesk::tellStation()
                 return;
             }
             ui::admin::StationPart& part = m_window.adminPage().station();
-            part.setFacts({m_place.isSimulated, m_place.servoHz, 1.0e-3 * m_window.periodUs(0.5),
+            part.setFacts({m_place.hand(), m_place.servoHz, 1.0e-3 * m_window.periodUs(0.5),
                            1.0e-3 * m_window.periodUs(0.99), QString::fromStdString(found->key),
                            placeOf(m_place.address), QStringLiteral(CUSP_VERSION), found->waiting});
             part.setIdleMinutes(found->idleMinutes);

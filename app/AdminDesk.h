@@ -27,7 +27,7 @@ public:
     {
         database::Address address;
         QString stationFolder;
-        bool isSimulated = false;  ///< the device
+        std::function<QString()> hand;  ///< that moves the bur, in the user's language
         double servoHz = 0.0;
     };
     AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place place, std::function<database::Session()> who);

@@ -39,6 +39,7 @@
 #include "lessons/LessonReader.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/devices/DevicesPage.h"
 #include "ui/render/WholeSurface.h"
 #include "ui/shell/Memory.h"
 #include "ui/study/LessonWords.h"
@@ -370,10 +371,12 @@ void Application::openDatabase()
             m_window->sayAtDoor(
                 [] { return tr("Another school is now where yours was, and you were logged out. Log in again."); });
     });
-    m_admin = std::make_unique<AdminDesk>(*m_window, *m_desk,
-                                          AdminDesk::Place{*address, m_stationFolder, m_options.simulatedDevice,
-                                                           1.0 / std::chrono::duration<double>(kServoPeriod).count()},
-                                          [this] { return m_who; });
+    m_admin = std::make_unique<AdminDesk>(
+        *m_window, *m_desk,
+        AdminDesk::Place{*address, m_stationFolder,
+                         [this] { return m_window->devicesPage().handName(m_devices->inUse()); },
+                         1.0 / std::chrono::duration<double>(kServoPeriod).count()},
+        [this] { return m_who; });
     connect(m_admin.get(), &AdminDesk::restoreWanted, this, [this](const QString& backup) {
         const database::Session who = m_who;
         leave();
@@ -850,7 +853,7 @@ void Application::feel(const core::settings::FeelPreset& preset)
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
     m_numbers =
-        core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_devices->hasForce(), m_devices->scale()),
+        core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_devices->isForceChosen(), m_devices->scale()),
                                                         preset, m_tried ? m_triedKind : core::settings::ToothKind{}));
     tellNumbers();
 }
@@ -1154,7 +1157,7 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
     const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_presets.inUse());
     const core::session::ServoSettings settings =
         lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr,
-                               settingsFor(m_devices->hasForce(), m_devices->scale()), preset);
+                               settingsFor(m_devices->isForceChosen(), m_devices->scale()), preset);
     auto servo = core::session::makeServoTick(settings);
     if (!servo) {
         refuse(servo.error(), Failed::OpeningLesson,
@@ -1241,7 +1244,7 @@ void Application::followHand()
         m_demoBeat.stop();
     // An attempt that nobody has worked on begins anew, so that it feels as the device can make it felt.
     const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
-    const core::contact::ForceSettings felt = settingsFor(m_devices->hasForce(), m_devices->scale()).force;
+    const core::contact::ForceSettings felt = settingsFor(m_devices->isForceChosen(), m_devices->scale()).force;
     if (!m_devices->isSimulated() && m_settings.force.workAreaMm != felt.workAreaMm && !isExam &&
         !m_assignment.exercise && !m_window->isBusy() && isUntouched())
         beginAsItFeels();
@@ -2175,7 +2178,11 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         gradeTakenUp(0);
         return;
     }
-    m_window->showMessage(tr("Your attempt continues where you stopped."));
+    const bool hasLimit = m_settings.force.workAreaMm > 0.0;
+    m_window->showMessage(m_devices->isForceChosen() && !hasLimit
+                              ? tr("Your attempt continues where you stopped. It was begun with the mouse: the device "
+                                   "has no soft limit at the end of its reach in this attempt.")
+                              : tr("Your attempt continues where you stopped."));
 }
 
 /// An exam whose score was seen, and was kept nowhere: nothing is cut any more. Once the session has it.

@@ -82,10 +82,8 @@ DeviceController::DeviceController(ui::shell::MainWindow& window, const Hands& h
     m_window.devicesPage().setKinds(kinds);
     recall();
     connectPage();
-    if (isSimulated) {
+    if (isSimulated)
         m_chosen = kSimulated;
-        m_inUse = kSimulated;
-    }
     m_window.devicesPage().setChosen(m_chosen);
     m_poll.setInterval(kPollMs);
     connect(&m_poll, &QTimer::timeout, this, &DeviceController::poll);
@@ -169,8 +167,13 @@ bool DeviceController::hasForce() const
 
 double DeviceController::scale() const
 {
-    const Device* const device = find(m_inUse);
+    const Device* const device = find(m_chosen);
     return device != nullptr ? device->setup.scale : 1.0;
+}
+
+bool DeviceController::isForceChosen() const
+{
+    return m_chosen == kSimulated || m_wasReady;
 }
 
 /// All devices run while the page is open, so that it can say what is plugged in; otherwise the chosen one.
@@ -248,6 +251,8 @@ void DeviceController::choose(const QString& id)
     follow();
     if (concernsSimulated)
         emit simulatedChanged();
+    else
+        emit inUseChanged();
 }
 
 /// Looks at the chosen hand, and gives the bur to whom it belongs now.
@@ -261,6 +266,7 @@ void DeviceController::follow()
     const DeviceReport report = device->device->report();
     const bool isReady = report.stage == DeviceStage::Ready && device->device->isReady();
     const bool wasInUse = m_inUse == m_chosen;
+    const bool wasReady = std::exchange(m_wasReady, isReady);
     use(isReady && !m_isPageOpen ? m_chosen : kPointer);
     if (m_isPageOpen)
         m_isLost = false;
@@ -268,10 +274,9 @@ void DeviceController::follow()
         m_isLost = !isReady;
         say(*device, isReady);
     }
-    if (isReady && wasInUse && m_wasReady)
+    if (isReady && wasInUse && wasReady)
         pressButtons(report);
     m_presses = report.presses;
-    m_wasReady = isReady;
     showState(device, report);
 }
 

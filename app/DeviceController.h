@@ -45,11 +45,13 @@ public:
     [[nodiscard]] bool isSimulated() const;
     /// The hand in use feels a force.
     [[nodiscard]] bool hasForce() const;
-    /// How far the hand in use moves for one millimetre of the bur.
+    /// The chosen hand feels a force. While the page is open the pointer has the bur, but an attempt does not change.
+    [[nodiscard]] bool isForceChosen() const;
+    /// How far the chosen hand moves for one millimetre of the bur.
     [[nodiscard]] double scale() const;
 
 signals:
-    /// Emitted when another hand moves the bur.
+    /// Emitted when another hand moves the bur, and when another is chosen.
     void inUseChanged();
     /// Emitted when the user has chosen or left the simulated hand: what is on the table begins anew.
     void simulatedChanged();

@@ -2763,6 +2763,10 @@
         <translation>Der Versuch wird fortgesetzt …</translation>
     </message>
     <message>
+        <source>Your attempt continues where you stopped. It was begun with the mouse: the device has no soft limit at the end of its reach in this attempt.</source>
+        <translation>Ihr Versuch geht weiter, wo Sie aufgehört haben. Er wurde mit der Maus begonnen: In diesem Versuch hat das Gerät am Ende seiner Reichweite keine weiche Grenze.</translation>
+    </message>
+    <message>
         <source>Your attempt continues where you stopped.</source>
         <translation>Ihr Versuch geht dort weiter, wo Sie aufgehört haben.</translation>
     </message>
@@ -3660,14 +3664,6 @@
     <message>
         <source>Program</source>
         <translation>Programm</translation>
-    </message>
-    <message>
-        <source>a simulated handpiece</source>
-        <translation>einem simulierten Handstück</translation>
-    </message>
-    <message>
-        <source>mouse, pen or gamepad</source>
-        <translation>Maus, Stift oder Gamepad</translation>
     </message>
     <message>
         <source>%1 times a second</source>

@@ -2763,6 +2763,10 @@
         <translation>Reanudando el intento …</translation>
     </message>
     <message>
+        <source>Your attempt continues where you stopped. It was begun with the mouse: the device has no soft limit at the end of its reach in this attempt.</source>
+        <translation>Su intento continúa donde lo dejó. Se empezó con el ratón: en este intento el dispositivo no tiene un límite suave al final de su alcance.</translation>
+    </message>
+    <message>
         <source>Your attempt continues where you stopped.</source>
         <translation>Su intento continúa donde lo dejó.</translation>
     </message>
@@ -3660,14 +3664,6 @@
     <message>
         <source>Program</source>
         <translation>Programa</translation>
-    </message>
-    <message>
-        <source>a simulated handpiece</source>
-        <translation>una pieza de mano simulada</translation>
-    </message>
-    <message>
-        <source>mouse, pen or gamepad</source>
-        <translation>ratón, lápiz o mando</translation>
     </message>
     <message>
         <source>%1 times a second</source>

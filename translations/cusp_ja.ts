@@ -2780,6 +2780,10 @@
         <translation>試行を再開しています …</translation>
     </message>
     <message>
+        <source>Your attempt continues where you stopped. It was begun with the mouse: the device has no soft limit at the end of its reach in this attempt.</source>
+        <translation>中断したところから試みを続けます。マウスで始めた試みなので、この試みではデバイスの可動範囲の端に柔らかい限界はありません。</translation>
+    </message>
+    <message>
         <source>Your attempt continues where you stopped.</source>
         <translation>試行を中断したところから続けます。</translation>
     </message>
@@ -3639,14 +3643,6 @@
     <message>
         <source>Program</source>
         <translation>プログラム</translation>
-    </message>
-    <message>
-        <source>a simulated handpiece</source>
-        <translation>模擬ハンドピース</translation>
-    </message>
-    <message>
-        <source>mouse, pen or gamepad</source>
-        <translation>マウス、ペン、ゲームパッド</translation>
     </message>
     <message>
         <source>%1 times a second</source>

@@ -18,6 +18,7 @@
 #include "ui/shell/Memory.h"
 #include "ui/shell/QuestionCard.h"
 #include "ui/study/ScorePage.h"
+#include "ui/tooth/ToothView.h"
 
 using core::session::DeviceSetup;
 using core::session::DeviceStage;
@@ -94,7 +95,7 @@ private slots:
         WAIT_FOR(child<QSlider>("feed")->isVisible());
         QVERIFY(!actions().bringHome->isVisible());
         // The bur is above the tooth, and nothing pushes it.
-        WAIT_FOR(!servo().touching);
+        WAIT_FOR(!servo().touching && heightOverTheTooth() > 0.3);
         QVERIFY(glm::length(servo().forceN) < 0.01);
         const QString lost = message();
         drill(2.0);
@@ -238,6 +239,14 @@ private:
     {
         return glm::distance(servo().anchorMm, glm::dvec3(m_script->tip())) < 0.05;
     }
+    /// Of the tip of the bur, mm.
+    [[nodiscard]] double heightOverTheTooth() const
+    {
+        const core::terrain::Tooth& tooth = *window().view().tooth();
+        const glm::dvec2 node = tooth.anatomy->grid.latticeOf(glm::dvec2(servo().anchorMm));
+        const std::size_t k = tooth.anatomy->grid.index(qRound(node.x), qRound(node.y));
+        return servo().anchorMm.z - static_cast<double>(tooth.top.at(k));
+    }
     /// Brings the arm into the tooth with its pedal down, until something is removed, and out again.
     void cutWithArm() const
     {
@@ -245,7 +254,7 @@ private:
         m_script->moveTo({-2.0F, 1.0F, 4.0F});
         WAIT_FOR(isOverTheTooth());
         m_script->isPedalDown = true;
-        for (float z = 4.0F; z > -4.0F && removed() == before; z -= 0.05F) {
+        for (float z = 1.0F; z > -4.0F && removed() == before; z -= 0.1F) {
             m_script->moveTo({-2.0F, 1.0F, z});
             waitForTicks(20);
         }

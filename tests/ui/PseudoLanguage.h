@@ -103,8 +103,8 @@ inline QString untranslated(QString words)
     static const QRegularExpression kMarkup(QStringLiteral("<[^>]*>|&\\w+;"));
     static const QRegularExpression kExempt(
         QStringLiteral("\\b(?:"
-                       "mm|min|rpm|Cusp"   // units that are the same in all languages; the program
-                       "|OBJ|STL|PLY|PNG"  // kinds of files
+                       "mm|ms|Hz|min|rpm|Cusp"  // units that are the same in all languages; the program
+                       "|OBJ|STL|PLY|PNG"       // kinds of files
                        "|F\\d+|[A-Z]|Ctrl|Shift|Alt|Esc|Del|PgUp|PgDown"  // keys are named by Qt
                        "|English|Deutsch|Español"                         // languages are named in themselves
                        "|[0-9a-f]{12}"                                    // the beginning of a hash

@@ -23,6 +23,7 @@
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
+#include "ui/devices/DevicesPage.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -30,8 +31,10 @@
 #include "ui/people/LoginPage.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/shell/BusyCard.h"
+#include "ui/shell/HandControls.h"
 #include "ui/shell/LanguageMenu.h"
 #include "ui/shell/Mouth.h"
+#include "ui/shell/SidePanel.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
@@ -209,6 +212,28 @@ private slots:
                                            {"settings", &Actions::settings},
                                            {"console", &Actions::console}})
             page(name, [this, action = action] { (actions().*action)->trigger(); });
+        for (const auto& [name, stage] : {std::pair("device denied", DeviceStage::Unavailable),
+                                          {"device without firmware", DeviceStage::NeedsFirmware},
+                                          {"device homing", DeviceStage::Homing},
+                                          {"device ready", DeviceStage::Ready}})
+            page(name, [this, stage = stage] {
+                ui::devices::DeviceKind kind;
+                kind.id = kind.name = kind.rule = kind.ruleFile = kind.ruleCommand = "[···]";
+                DeviceReport report;
+                report.stage = stage;
+                report.error.code = core::ErrorCode::NotAllowed;
+                report.buttons = 1;
+                m_window->devicesPage().setKinds({kind});
+                m_window->devicesPage().setReport(kind.id, report);
+                m_window->devicesPage().setChosen(kind.id);
+                actions().devices->trigger();
+            });
+        page("hand", [this] {
+            m_window->devicesPage().setKinds({});
+            m_window->devicesPage().setChosen(ui::devices::kSimulated);
+            actions().devices->trigger();
+            m_window->room().panel().hand().setForceDevice("[···]");
+        });
         page("busy", [this] {
             m_window->showBusy("[···]");
             QTRY_VERIFY(child<BusyCard>()->isVisible());

@@ -96,7 +96,7 @@ void StationPart::speak()
                                  : tr("not yet");
     const QStringList names{tr("Drilled with"),        tr("Found here"), tr("Servo loop"),   tr("Measured"),
                             tr("Key of this station"), tr("Database"),   tr("On their way"), tr("Program")};
-    const QStringList values{m_facts.isSimulated ? tr("a simulated handpiece") : tr("mouse, pen or gamepad"),
+    const QStringList values{m_facts.hand,
                              foundDevices(),
                              tr("%1 times a second").arg(servo),
                              measured,

@@ -20,7 +20,7 @@ public:
 
     struct Facts
     {
-        bool isSimulated = false;  ///< the device; else mouse, pen or gamepad
+        QString hand;  ///< that moves the bur
         double servoHz = 0.0;
         double middleMs = 0.0;  ///< between two servo ticks, as measured; NaN: not yet
         double mostMs = 0.0;    ///< 99 of 100 take no longer

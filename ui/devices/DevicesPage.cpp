@@ -107,6 +107,7 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
 QWidget* DevicesPage::makeHead()
 {
     auto* head = new QWidget(this);
+    head->setMaximumWidth(kWidestCardPx);
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(0, 0, kSpace4, 0);
     row->setSpacing(kSpace2);

@@ -29,14 +29,20 @@ IntervalChart::IntervalChart(QWidget* parent) : QWidget(parent)
         setToolTip(brokenIntoLines(
             tr("How many answers of the last second came after which interval. The last bar has all longer ones. The "
                "height grows with the logarithm, so that a single late answer is seen.")));
+        describe();
         update();
     });
+}
+
+void IntervalChart::describe()
+{
+    setAccessibleDescription(tr("%1 answers in a second").arg(text::number(m_figures.rateHz, 0)));
 }
 
 void IntervalChart::setFigures(const ExchangeFigures& figures)
 {
     m_figures = figures;
-    setAccessibleDescription(tr("%1 answers in a second").arg(text::number(figures.rateHz, 0)));
+    describe();
     update();
 }
 

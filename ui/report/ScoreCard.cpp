@@ -257,6 +257,8 @@ QString deviceWords(const std::string& device)
         return CardWords::tr("mouse, pen or gamepad");
     if (device == "simulated")
         return CardWords::tr("simulated handpiece");
+    if (device == "falcon")
+        return QStringLiteral("Novint Falcon");
     return noted(device);
 }
 
