@@ -5,11 +5,12 @@
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QToolButton>
 
 #include <glm/geometric.hpp>
 
-#include "database/sql/Attempts.h"
 #include "tests/app/ProgramWindow.h"
 #include "tests/app/ScriptedDevice.h"
 #include "tests/support/OpenGlMain.h"
@@ -67,8 +68,8 @@ private slots:
     void aReadyDeviceMovesTheBurAndIsNotedInTheAttempt()
     {
         start();
+        logIn();
         chooseArm();
-        WAIT_FOR(isOverTheTooth());
         QVERIFY(actions().bringHome->isVisible());
         QVERIFY(!child<QSlider>("feed")->isVisible());
         QVERIFY(child<QLabel>("forceDevice")->isVisible());
@@ -76,6 +77,7 @@ private slots:
         cutWithArm();
         actions().grade->trigger();
         waitForPage<ui::study::ScorePage>();
+        WAIT_FOR_VALUE(deviceOfTheAttempt(), QString("arm"));
     }
 
     void theMouseGoesOnWhileADeviceIsLost()
@@ -204,6 +206,29 @@ private:
         begin(options);
         waitForTooth();
         WAIT_FOR(servo().tick > 0);
+    }
+    /// As the admin who creates the school.
+    void logIn() const
+    {
+        window().askLogin();
+        emit window().schoolWanted({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
+        WAIT_FOR_VALUE(actions().account->text(), QString("admin"));
+        actions().back->trigger();
+        waitForTooth();
+    }
+    /// Of the only attempt in the database; empty: there is none.
+    [[nodiscard]] QString deviceOfTheAttempt() const
+    {
+        QString device;
+        {
+            QSqlDatabase school = QSqlDatabase::addDatabase("QSQLITE", "look");
+            school.setDatabaseName(m_folder->filePath("school.sqlite"));
+            if (school.open())
+                if (QSqlQuery query("SELECT device FROM attempts", school); query.next())
+                    device = query.value(0).toString();
+        }
+        QSqlDatabase::removeDatabase("look");
+        return device;
     }
     void openPage() const
     {
