@@ -245,6 +245,7 @@ void DeviceController::choose(const QString& id)
         memory().setValue(kHandKey, id);
     m_isLost = false;
     m_wasReady = false;
+    m_stage = {};
     m_window.messages().withdraw(MessageBar::Topic::Device);
     m_window.devicesPage().setChosen(id);
     startWanted();
@@ -274,6 +275,8 @@ void DeviceController::follow()
         m_isLost = !isReady;
         say(*device, isReady);
     }
+    if (std::exchange(m_stage, report.stage) != report.stage && !m_isPageOpen)
+        askForUser(*device, report);
     if (isReady && wasInUse && wasReady)
         pressButtons(report);
     m_presses = report.presses;
@@ -321,6 +324,24 @@ void DeviceController::say(const Device& device, bool isReady)
                 [this] { m_window.actions().devices->trigger(); },
                 MessageBar::Topic::Device};
         });
+}
+
+/// Outside the page, a device that waits for the user says so once.
+void DeviceController::askForUser(const Device& device, const DeviceReport& report)
+{
+    if (report.stage != DeviceStage::Homing && report.stage != DeviceStage::NeedsFirmware &&
+        report.stage != DeviceStage::Unavailable)
+        return;
+    m_window.messages().withdraw(MessageBar::Topic::Device);
+    m_window.messages().say([this, kind = device.row.kind, report] {
+        //: %1: a force device; %2: a sentence about its state
+        return MessageBar::Message{MessageBar::Kind::News,
+                                   tr("%1: %2").arg(kind.name, ui::devices::stateWords(kind, report)),
+                                   {},
+                                   tr("Show the device"),
+                                   [this] { m_window.actions().devices->trigger(); },
+                                   MessageBar::Topic::Device};
+    });
 }
 
 /// The button for the drill is the device's pedal. A click that came while the device was not in use does nothing.

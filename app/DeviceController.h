@@ -76,6 +76,7 @@ private:
     void follow();
     void use(const QString& id);
     void say(const Device& device, bool isReady);
+    void askForUser(const Device& device, const core::session::DeviceReport& report);
     void pressButtons(const core::session::DeviceReport& report);
     void showState(const Device* device, const core::session::DeviceReport& report);
     [[nodiscard]] const Device* find(const QString& id) const;
@@ -89,6 +90,7 @@ private:
     bool m_isPageOpen = false;
     bool m_wasReady = false;                   ///< the chosen device, when it was looked at last
     bool m_isLost = false;                     ///< it was in use, and has stopped to be ready
+    core::session::DeviceStage m_stage{};      ///< of the chosen device, as it was looked at last
     std::array<std::uint32_t, 4> m_presses{};  ///< of its grip buttons that are done
     QTimer m_poll;
 };

@@ -113,6 +113,23 @@ private slots:
         QVERIFY(!child<QSlider>("feed")->isVisible());
     }
 
+    void aDeviceThatWaitsForTheUserSaysSo()
+    {
+        start();
+        chooseArm();
+        m_script->stage(DeviceStage::Absent);
+        waitForMessage("Test Arm");
+        const QString lost = message();
+        m_script->stage(DeviceStage::Homing);
+        WAIT_FOR(message() != lost);
+        QVERIFY(message().contains("Test Arm"));
+        child<ui::shell::MessageBar>()->findChild<QPushButton*>("")->click();
+        waitForPage<ui::devices::DevicesPage>();
+        QVERIFY(child<QWidget>("homing")->isVisible());
+        m_script->stage(DeviceStage::Ready);
+        WAIT_FOR(child<QWidget>("liveTest")->isVisible());
+    }
+
     void theGripButtonsAreTheWindowsActions()
     {
         start();
