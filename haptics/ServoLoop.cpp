@@ -191,7 +191,19 @@ void ServoLoop::watchDelay(float delayS, double seconds) noexcept
     m_delayS = std::max(now, m_delayS + (now - m_delayS) * forgotten);
     const float share = m_delayS > kHeldDelayS ? kHeldDelayS / m_delayS : 1.0F;
     const auto steps = static_cast<std::uint64_t>(share * 100.0F) / kSpringStepPercent;
-    const std::uint64_t percent = std::max<std::uint64_t>(1, steps) * kSpringStepPercent;
+    setSpring(std::max<std::uint64_t>(1, steps) * kSpringStepPercent);
+}
+
+/// A device that is lost has no delay. What comes after it may be another one.
+void ServoLoop::forgetDelay() noexcept
+{
+    m_lateS = {};
+    m_delayS = 0.0F;
+    setSpring(100);
+}
+
+void ServoLoop::setSpring(std::uint64_t percent) noexcept
+{
     if (percent == m_springPercent)
         return;
     m_springPercent = percent;
@@ -221,6 +233,8 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
                 static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});
+        if ((m_tick->state().health & kDeviceLost) != 0)
+            forgetDelay();
         const bool cut = !m_tick->changed().isEmpty();
         if (cut)
             markDirty(m_tick->changed());

@@ -47,6 +47,8 @@ private:
     void turnBur(bool on) noexcept;
     void guide(double seconds) noexcept;
     void watchDelay(float delayS, double seconds) noexcept;
+    void forgetDelay() noexcept;
+    void setSpring(std::uint64_t percent) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;
     void markDirty(const core::drilling::CutRect& rect) noexcept;
     void sendPatches() noexcept;

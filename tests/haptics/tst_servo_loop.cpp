@@ -466,6 +466,24 @@ private slots:
         QVERIFY(std::abs(restForce() / prompt - 1.0) < 0.01);
     }
 
+    /// A slow device is unplugged, and the mouse takes over, which has no delay to tell.
+    void theDeviceAfterALateOneHasTheFullSpring()
+    {
+        Bare bare(block());
+        bare.tick();
+        bare.device.delayS = 0.004F;
+        bare.lean(0.0, 0.0, 0.5, 20);
+        QVERIFY(bare.has(kLoopIsSlow));
+        bare.device.present = false;
+        bare.tick(40);
+        QVERIFY(bare.has(kDeviceLost));
+        bare.device.present = true;
+        bare.device.delayS = 0.0F;
+        bare.drainEvents();
+        bare.lean(0.0, 0.0, 0.5, 400);
+        QVERIFY(!bare.has(kLoopIsSlow));
+    }
+
     void oneLateAnswerSoftensNothing()
     {
         Bare bare(block());
