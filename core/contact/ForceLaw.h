@@ -16,9 +16,9 @@ struct ForceSettings
     /// Its damper, on the speed at which it is stretched: for slow motion, where the device's dry friction holds what
     /// sampling and delay feed, and where every count of the encoders would be felt through more.
     double dampingNSPerM = 3.0;
-    /// What the damper has more for motion much faster than ForceLaw::kFastMmPerS, which dry friction does not hold
-    /// (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large). For a spring stiffer than 3 N/mm
-    /// so much more, as often as it is stiffer, on a pace that is known sooner.
+    /// What the damper has more where the length of the spring changes much faster than ForceLaw::kFastMmPerS, which
+    /// dry friction does not hold (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large). For a
+    /// spring stiffer than 3 N/mm so much more, as often as it is stiffer, on a pace that is known sooner.
     double fastDampingNSPerM = 30.0;
     double brakeN = 0.5;    ///< most that passivity control takes out of fast motion; 0 is none
     double friction = 0.1;  ///< Coulomb coefficient of the bur sliding on the tooth
@@ -77,7 +77,8 @@ private:
     void follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept;
     [[nodiscard]] glm::dvec3 handsPace() const noexcept;
     [[nodiscard]] glm::dvec3 lastingPace() noexcept;
-    [[nodiscard]] glm::dvec3 damper(const glm::dvec3& pace) const noexcept;
+    [[nodiscard]] double lengthening(const glm::dvec3& normal) noexcept;
+    [[nodiscard]] glm::dvec3 damper(const glm::dvec3& pace, const glm::dvec3& normal, double seconds) noexcept;
     [[nodiscard]] glm::dvec3 promptDamper(const glm::dvec3& normal, double seconds) const noexcept;
     /// Of the spring as it is now, N/mm.
     [[nodiscard]] double stiffnessNPerMm() const noexcept { return m_share * m_settings.stiffnessNPerMm; }
@@ -94,9 +95,12 @@ private:
     glm::dvec3 m_stuck{0.0};
     glm::dvec3 m_device{0.0};
     PaceMeter m_stretching;
-    PaceMeter m_moving;      ///< of the device
-    glm::dvec3 m_pace{0.0};  ///< handsPace() of the last tick
-    double m_takenMj = 0.0;  ///< what the hand has put into the spring and not yet got back
+    PaceMeter m_moving;          ///< of the device
+    PaceMeter m_length;          ///< of the spring from the hand to the held end, as x
+    glm::dvec3 m_pace{0.0};      ///< handsPace() of the last tick
+    double m_lengthening = 0.0;  ///< of the spring by the hand in the last tick, mm/s
+    glm::dvec3 m_acrossN{0.0};   ///< what the damper gives across the spring
+    double m_takenMj = 0.0;      ///< what the hand has put into the spring and not yet got back
     double m_share = 1.0;
     double m_return = 1.0;  ///< 0 after drop(), rising to 1
     bool m_begins = true;   ///< nothing is known of the tick before

@@ -171,6 +171,33 @@ private slots:
         }
     }
 
+    void aSpringThatTurnsInAGrooveIsNoImpact()
+    {
+        // A hand 0.3 mm below the sides of a groove of 45 degrees, from one to the other with 50 mm/s: the anchor comes
+        // down one side, rests on the ground and goes up the other. How much the force changes beyond the spring's own.
+        contact::ForceLaw law({});
+        const glm::dvec3 sides[] = {glm::normalize(glm::dvec3(1.0, 0.0, 1.0)),
+                                    glm::normalize(glm::dvec3(-1.0, 0.0, 1.0))};
+        glm::dvec3 force(0.0);
+        glm::dvec3 spring(0.0);
+        double beyond = 0.0;
+        for (int n = -300; n <= 40; ++n) {
+            const double x = 0.05 * std::max(n, -40);
+            const glm::dvec3 hand(x, 0.0, std::abs(x) - 0.3);
+            const glm::dvec3& side = sides[x < 0.0 ? 0 : 1];
+            glm::dvec3 anchor = hand - side * glm::dot(hand, side);
+            if (anchor.x * x <= 0.0)
+                anchor = glm::dvec3(0.0);
+            const glm::dvec3 nowSpring = contact::ForceSettings{}.stiffnessNPerMm * (anchor - hand);
+            const glm::dvec3 now = law.update(hand, anchor, kTickS);
+            if (n > -40)
+                beyond = std::max(beyond, length(now - force) - length(nowSpring - spring));
+            force = now;
+            spring = nowSpring;
+        }
+        QVERIFY2(beyond < 0.25, qPrintable(QString::number(beyond)));
+    }
+
     void armsAreWeakerSideways()
     {
         contact::ForceSettings settings;
