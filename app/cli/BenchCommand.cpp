@@ -33,6 +33,8 @@ constexpr Suite kSuites[] = {
     {"rate", "error and lag of each contact method against the rate of the servo", bench::rateSuite, 20.0},
     {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 20.0},
     {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite, 155.0},
+    {"smoothness", "change of the force from tick to tick over a crown", bench::smoothnessSuite, 1.0},
+    {"servo", "1, 2 and 4 kHz: largest stable stiffness, ticks, missed periods", bench::servoSuite, 30.0},
     {"cutting", "swept volumes, pace over grids, rates and headings, ripple", bench::cuttingSuite, 16.0},
     {"model", "height stack and dense voxels: size, time, volume", bench::modelSuite, 10.0},
     {"history", "undo: memory of a thousand moments, jumps, servo meanwhile", bench::historySuite, 40.0},
@@ -43,9 +45,15 @@ constexpr Suite kSuites[] = {
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };
 
+/// Whether --minutes says how long it is.
+bool takesMinutes(const Suite& suite)
+{
+    return suite.run == bench::drillingSuite || suite.run == bench::servoSuite;
+}
+
 double secondsOf(const Suite& suite, const bench::Context& context)
 {
-    return suite.run == bench::drillingSuite ? 0.1 * context.minutes * suite.seconds : suite.seconds;
+    return takesMinutes(suite) ? 0.1 * context.minutes * suite.seconds : suite.seconds;
 }
 
 void print(const QString& suite, const Figures& figures)
@@ -74,7 +82,8 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("Writes bench-SUITE.csv, bench-SUITE.json and charts into this folder, as each "
                                      "suite ends."),
                       QStringLiteral("DIR")});
-    parser.addOption({QStringLiteral("minutes"), QStringLiteral("Length of the drilling suite (default 10)."),
+    parser.addOption({QStringLiteral("minutes"),
+                      QStringLiteral("Simulated time of the suites drilling and servo (default 10)."),
                       QStringLiteral("N"), QStringLiteral("10")});
     addJson(parser);
 }
@@ -109,8 +118,10 @@ int benchCommand(const QStringList& arguments)
             return failed({core::ErrorCode::FileMissing,
                            mesh.toStdString() + (QFileInfo::exists(mesh) ? " is not a file; name the mesh itself"
                                                                          : " does not exist; check the name")});
-    if (parser.isSet(QStringLiteral("minutes")) && !wanted.isEmpty() && wanted != QLatin1String("drilling"))
-        return wrongUsage(QStringLiteral("--minutes belongs to the suite \"drilling\""));
+    if (parser.isSet(QStringLiteral("minutes")) &&
+        std::none_of(std::begin(kSuites), std::end(kSuites),
+                     [&](const Suite& suite) { return isWanted(suite) && takesMinutes(suite); }))
+        return wrongUsage(QStringLiteral("--minutes belongs to the suites \"drilling\" and \"servo\""));
     const QString out = parser.value(QStringLiteral("out"));
     if (parser.isSet(QStringLiteral("out")) && out.isEmpty())
         return wrongUsage(QStringLiteral("--out wants a folder"));

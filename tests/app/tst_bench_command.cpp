@@ -56,6 +56,29 @@ private slots:
         }
     }
 
+    void smoothnessNeedsNoScan()
+    {
+        qputenv("CUSP_SHARED_DATA", m_folder.path().toUtf8());
+        const Ending ending = runCusp({"bench", "smoothness", "--json"});
+        qunsetenv("CUSP_SHARED_DATA");
+        expectDone(ending);
+        QCOMPARE(ending.json().keys(), (QStringList{"smoothness_felt_p99_n", "smoothness_spring_p99_n"}));
+        QVERIFY2(ending.error.contains("dundee_36"), ending.error);
+    }
+
+    void missedPeriodsAtFourKilohertzAreCounted()
+    {
+        const Ending ending = runCusp({"bench", "servo", "--minutes", "0.05", "--json"});
+        expectDone(ending);
+        const QJsonObject figures = ending.json();
+        QVERIFY(figures.contains("servo_live_4000hz_missed"));
+        QCOMPARE(figures["servo_4000hz_ticks"].toDouble(), 12000.0);
+        QVERIFY2(figures["servo_4000hz_cutting_percent"].toDouble() > 50.0, ending.out);
+        for (const char* hand : {"light", "medium", "firm"})
+            for (const int rate : {1000, 2000, 4000})
+                QVERIFY(figures[QString("servo_k_max_%1_%2hz_n_per_mm").arg(hand).arg(rate)].toDouble() > 2.0);
+    }
+
     void meshesAreLoadedToo()
     {
         QFile file(m_folder.filePath("A scan, No. 1.obj"));

@@ -34,7 +34,7 @@ struct NamedChart
 /// What a suite needs from the command line, and where it tells how far it is.
 struct Context
 {
-    double minutes = 10.0;  ///< of drilling
+    double minutes = 10.0;  ///< of drilling, and of the servo at 4 kHz
     QStringList meshes;     ///< files to load
     /// What is being measured now, and how many steps of how many are behind.
     std::function<void(const QString& what, int done, int of)> progress;
@@ -62,6 +62,11 @@ struct Context
 [[nodiscard]] core::Result<Figures> drillingSuite(const Context& context);
 /// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.
 [[nodiscard]] core::Result<Figures> stiffnessSuite(const Context& context);
+
+/// Change of the force from tick to tick while a hand is led over a crown.
+[[nodiscard]] core::Result<Figures> smoothnessSuite(const Context& context);
+/// The servo at 1, 2 and 4 kHz: largest stable stiffness, ticks while a simulated Falcon drills, missed periods.
+[[nodiscard]] core::Result<Figures> servoSuite(const Context& context);
 
 /// A simulated person at a mouse: how deep a plunge goes too far, how flat a slot becomes, whether a lesion comes out
 /// without the pulp, and how near the bur stays to the pointer.
