@@ -852,9 +852,9 @@ void Application::feel(const core::settings::FeelPreset& preset)
     const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
-    m_numbers =
-        core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_devices->isForceChosen(), m_devices->scale()),
-                                                        preset, m_tried ? m_triedKind : core::settings::ToothKind{}));
+    m_numbers = core::session::numbersOf(
+        lessons::servoSettings(lesson, settingsFor(m_devices->isForceChosen(), m_devices->scale()), preset,
+                               m_tried ? m_triedKind : core::settings::ToothKind{}));
     tellNumbers();
 }
 
