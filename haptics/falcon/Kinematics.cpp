@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -16,7 +17,7 @@ constexpr double kLegRad[3] = {105.0 * kDegree, -15.0 * kDegree, -135.0 * kDegre
 constexpr double kMmPerM = 1000.0;
 
 constexpr double kExactRad = 1.0e-9;
-constexpr int kMostSteps = 20;
+constexpr int kMostSteps = 60;  ///< of which two or three are needed from nearby
 
 }  // namespace
 
@@ -54,15 +55,25 @@ std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& n
                                  const Geometry& geometry) noexcept
 {
     glm::dvec3 grip = nearMm;
+    glm::dvec3 reached = nearMm;
+    double missed = std::numeric_limits<double>::max();
     for (int step = 0; step < kMostSteps; ++step) {
         const std::optional<Arms> arms = armsAt(grip, geometry);
-        if (!arms)
+        if (!arms && step == 0)
             return std::nullopt;
-        const glm::dvec3 missing = angleRad - arms->angleRad;
+        const glm::dvec3 missing = arms ? angleRad - arms->angleRad : glm::dvec3(0.0);
+        const double misses = glm::dot(missing, missing);
+        // From far away a step may lead out of reach, or farther off: half of it does not.
+        if (!arms || misses > missed) {
+            grip = 0.5 * (grip + reached);
+            continue;
+        }
+        reached = grip;
+        missed = misses;
         const auto& [g0, g1, g2] = arms->perMm;
         const glm::dvec3 g12 = glm::cross(g1, g2);
         grip += (missing.x * g12 + missing.y * glm::cross(g2, g0) + missing.z * glm::cross(g0, g1)) / glm::dot(g0, g12);
-        if (glm::dot(missing, missing) < kExactRad * kExactRad)
+        if (misses < kExactRad * kExactRad)
             return grip;
     }
     return std::nullopt;

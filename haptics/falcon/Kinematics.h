@@ -42,7 +42,8 @@ struct Arms
 /// Inverse kinematics, closed form. Nothing where a leg does not reach.
 [[nodiscard]] std::optional<Arms> armsAt(const glm::dvec3& gripMm, const Geometry& geometry = {}) noexcept;
 
-/// Forward kinematics by Newton's method in full steps to 1e-9 rad: two or three from a place a tick ago.
+/// Forward kinematics by Newton's method in full steps to 1e-9 rad: two or three from a place a tick ago. From far away
+/// a step that would lead out of reach is halved.
 /// (libnifalcon's half steps to 0.01 rad lag behind a moving grip by a whole tick.) Nothing if no grip position has
 /// these angles.
 /// @param nearMm  where to begin

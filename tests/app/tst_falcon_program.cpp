@@ -221,6 +221,10 @@ void TestFalconProgram::rulesPrintsTheUdevRule()
     expectDone(ending);
     QVERIFY(ending.out.contains("ATTR{idVendor}==\"0403\""));
     QVERIFY(ending.out.contains("ATTR{idProduct}==\"cb48\""));
+    // The file that an installation puts in its place has the same rule.
+    QFile shipped(QStringLiteral(CUSP_SOURCE_DIR "/packaging/70-cusp-falcon.rules"));
+    QVERIFY(shipped.open(QIODevice::ReadOnly));
+    QCOMPARE(shipped.readAll().trimmed().split('\n').last(), ending.out.trimmed().split('\n').last());
 }
 
 void TestFalconProgram::theForceIsZeroAfterASignal_data()

@@ -393,8 +393,11 @@ void TestFalconDevice::theForceIsZeroWhenAnswersAreLost()
     servo.push(glm::vec3(0.0F, 0.0F, 1.0F));
     QVERIFY(makeReady(device, falcon));
     QTRY_VERIFY_WITH_TIMEOUT(!falcon.state().motorsAreZero(), kPatienceMs);
+    const auto lost = Clock::now();
     falcon.setFault(Fault::LostAnswer, 1.0);
     QTRY_VERIFY_WITH_TIMEOUT(falcon.state().motorsAreZero(), kPatienceMs);
+    qInfo("the last force was sent %.1f ms after the first answer was lost",
+          std::chrono::duration<double, std::milli>(*falcon.state().lastNonZero - lost).count());
     QTRY_STAGE(device, Silent);
     QVERIFY(!servo.isPresent());
     falcon.setFault(Fault::LostAnswer, 0.0);

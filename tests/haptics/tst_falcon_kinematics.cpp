@@ -106,6 +106,26 @@ private slots:
         QVERIFY2(std::abs(quantumUm(2) - 28.0) < 1.0, qPrintable(QString::number(quantumUm(2))));
     }
 
+    /// From anywhere in the work area to anywhere else in it.
+    void aPositionIsFoundFromFarAway()
+    {
+        core::Rng rng(3);
+        const auto anywhere = [&] {
+            glm::dvec3 away(1.0);
+            while (glm::length(away) > 1.0)
+                away = {rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+            return kCentreMm + kReachMm * away;
+        };
+        double worst = 0.0;
+        for (int n = 0; n < 100'000; ++n) {
+            const glm::dvec3 wanted = anywhere();
+            const auto found = gripAt(armsAt(wanted).value().angleRad, anywhere());
+            QVERIFY(found.has_value());
+            worst = std::max(worst, glm::distance(*found, wanted));
+        }
+        QVERIFY2(worst < 1.0e-6, qPrintable(QString::number(worst)));  // mm
+    }
+
     void outOfReachIsNothing()
     {
         QVERIFY(!armsAt(kCentreMm + glm::dvec3(150.0, 0.0, 0.0)).has_value());
