@@ -374,7 +374,7 @@ void Application::openDatabase()
     m_admin = std::make_unique<AdminDesk>(
         *m_window, *m_desk,
         AdminDesk::Place{*address, m_stationFolder,
-                         [this] { return m_window->devicesPage().handName(m_devices->inUse()); },
+                         [this] { return m_window->devicesPage().handName(m_devices->hand()); },
                          1.0 / std::chrono::duration<double>(kServoPeriod).count()},
         [this] { return m_who; });
     connect(m_admin.get(), &AdminDesk::restoreWanted, this, [this](const QString& backup) {
@@ -1538,7 +1538,7 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
         QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();
     const auto mostlyWith = std::max_element(m_cutWith.begin(), m_cutWith.end(),
                                              [](const auto& a, const auto& b) { return a.second < b.second; });
-    record.device = (mostlyWith != m_cutWith.end() ? mostlyWith->first : m_devices->inUse()).toStdString();
+    record.device = (mostlyWith != m_cutWith.end() ? mostlyWith->first : m_devices->hand()).toStdString();
     record.method = m_settings.method;
     record.grid = m_assignment.anatomy->grid.side;
     const auto mostly = std::max_element(m_cutIn.begin(), m_cutIn.end(),
@@ -2217,8 +2217,8 @@ void Application::discardUnfinished()
 /// The student's own attempt stays in the two loops, which rest meanwhile.
 bool Application::play(const core::recording::Recording& recording, std::optional<double> momentS, const QString& whose)
 {
-    auto replay =
-        ReplayDesk::make(recording, m_links, *m_window, m_generation + 1, m_devices->hasForce() ? &m_bur : nullptr);
+    // The button for the guidance is there while the hand in use has a force.
+    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1, &m_bur);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
         return false;

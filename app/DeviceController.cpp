@@ -155,6 +155,11 @@ DeviceController::Device* DeviceController::find(const QString& id)
     return const_cast<Device*>(std::as_const(*this).find(id));
 }
 
+QString DeviceController::hand() const
+{
+    return isForceChosen() ? m_chosen : kPointer;
+}
+
 bool DeviceController::isSimulated() const
 {
     return m_inUse == kSimulated;
@@ -268,14 +273,15 @@ void DeviceController::follow()
     const bool isReady = report.stage == DeviceStage::Ready && device->device->isReady();
     const bool wasInUse = m_inUse == m_chosen;
     const bool wasReady = std::exchange(m_wasReady, isReady);
-    use(isReady && !m_isPageOpen ? m_chosen : kPointer);
-    if (m_isPageOpen)
+    // Where the tooth is not seen, no force comes from it.
+    use(isReady && m_window.isInRoom() ? m_chosen : kPointer);
+    if (!m_window.isInRoom() || m_window.isReplaying())
         m_isLost = false;
     else if ((wasInUse && !isReady) || (m_isLost && isReady)) {
         m_isLost = !isReady;
         say(*device, isReady);
     }
-    if (std::exchange(m_stage, report.stage) != report.stage && !m_isPageOpen)
+    if (m_stage != report.stage)
         askForUser(*device, report);
     if (isReady && wasInUse && wasReady)
         pressButtons(report);
@@ -294,6 +300,7 @@ void DeviceController::use(const QString& id)
         return;
     m_window.offerHome(hasForce());
     m_window.setSelfDrilling(isSimulated());
+    m_window.room().setHandHasForce(hasForce());
     m_window.room().panel().hand().setForceDevice(device != nullptr ? device->row.kind.name : QString());
     if (device == nullptr)
         showState(nullptr, {});
@@ -326,13 +333,19 @@ void DeviceController::say(const Device& device, bool isReady)
         });
 }
 
-/// Outside the page, a device that waits for the user says so once.
+/// Outside the page, a device that waits for the user says so once. Another message may be an offer: it is not covered.
 void DeviceController::askForUser(const Device& device, const DeviceReport& report)
 {
-    if (report.stage != DeviceStage::Homing && report.stage != DeviceStage::NeedsFirmware &&
-        report.stage != DeviceStage::Unavailable)
+    const bool waits = report.stage == DeviceStage::Homing || report.stage == DeviceStage::NeedsFirmware ||
+                       report.stage == DeviceStage::Unavailable;
+    if (waits && !m_isPageOpen) {
+        m_window.messages().withdraw(MessageBar::Topic::Device);
+        if (!m_window.messages().isHidden())
+            return;  // asked again when it is
+    }
+    m_stage = report.stage;
+    if (!waits || m_isPageOpen)
         return;
-    m_window.messages().withdraw(MessageBar::Topic::Device);
     m_window.messages().say([this, kind = device.row.kind, report] {
         //: %1: a force device; %2: a sentence about its state
         return MessageBar::Message{MessageBar::Kind::News,

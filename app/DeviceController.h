@@ -42,6 +42,9 @@ public:
 
     /// Id of the hand that moves the bur now: "pointer", "simulated" or that of a kind of force device.
     [[nodiscard]] const QString& inUse() const { return m_inUse; }
+    /// Id of the hand that attempts are made with: the same, also while a page covers the tooth and the pointer has the
+    /// bur.
+    [[nodiscard]] QString hand() const;
     [[nodiscard]] bool isSimulated() const;
     /// The hand in use feels a force.
     [[nodiscard]] bool hasForce() const;

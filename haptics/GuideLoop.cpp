@@ -55,6 +55,7 @@ void GuideLoop::tick(std::chrono::microseconds dt) noexcept
             m_guide.letGo();
         m_forceN = m_guide.update(m_lastMm, aim, seconds);
     }
+    m_device.give(m_forceN);
     m_wasWanted = wanted && m_aim.number != 0;
     m_links.state.publish({++m_ticks, isRead, m_guide.isLeading(), m_guide.wasPushed(), m_lastMm, m_forceN});
 }
@@ -62,6 +63,7 @@ void GuideLoop::tick(std::chrono::microseconds dt) noexcept
 void GuideLoop::end()
 {
     static_cast<void>(m_device.exchange(glm::dvec3(0.0)));
+    m_device.give(glm::dvec3(0.0));
 }
 
 }  // namespace haptics

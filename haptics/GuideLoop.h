@@ -49,6 +49,7 @@ public:
 
     void tick(std::chrono::microseconds dt) noexcept override;
     /// The device is left without a force.
+    bool waitForBeat(std::chrono::steady_clock::time_point due) override { return m_device.waitForReading(due); }
     void end() override;
 
 private:

@@ -1651,8 +1651,8 @@
         <translation>Der USB dieses Computers lässt sich nicht verwenden (%1). Die Maus arbeitet ohne ihn.</translation>
     </message>
     <message>
-        <source>You have no permission to use the Falcon. Install the rule that &quot;cusp falcon rules&quot; prints, then unplug the Falcon and plug it in again.</source>
-        <translation>Ihnen fehlt die Berechtigung für den Falcon. Installieren Sie die Regel, die „cusp falcon rules“ ausgibt, und stecken Sie den Falcon aus und wieder ein.</translation>
+        <source>You have no permission to use the Falcon. Install the rule that %1 prints, then unplug the Falcon and plug it in again.</source>
+        <translation>Ihnen fehlt die Berechtigung für den Falcon. Installieren Sie die Regel, die %1 ausgibt, und stecken Sie den Falcon aus und wieder ein.</translation>
     </message>
     <message>
         <source>Another program uses the Falcon. Close that program.</source>
@@ -1701,6 +1701,10 @@
     <message>
         <source>This program was built without libusb: force devices are left out.</source>
         <translation>Dieses Programm wurde ohne libusb gebaut: Kraftgeräte sind nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>No Falcon with the serial number %1 is plugged in.</source>
+        <translation>Es ist kein Falcon mit der Seriennummer %1 angeschlossen.</translation>
     </message>
 </context>
 <context>
@@ -4003,9 +4007,9 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Die Firmware wird geladen</translation>
     </message>
     <message>
-        <source>Pull the grip towards you as far as it goes, then push it straight in.</source>
+        <source>Pull the grip out of the device as far as it goes, then push it straight in.</source>
         <extracomment>Of the grip of a force device</extracomment>
-        <translation>Ziehen Sie den Griff bis zum Anschlag zu sich und schieben Sie ihn dann gerade hinein.</translation>
+        <translation>Ziehen Sie den Griff so weit wie möglich aus dem Gerät heraus und schieben Sie ihn dann gerade hinein.</translation>
     </message>
     <message>
         <source>Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged in.</source>

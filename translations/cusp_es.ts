@@ -1651,8 +1651,8 @@
         <translation>No se puede usar el USB de este ordenador (%1). El ratón funciona sin él.</translation>
     </message>
     <message>
-        <source>You have no permission to use the Falcon. Install the rule that &quot;cusp falcon rules&quot; prints, then unplug the Falcon and plug it in again.</source>
-        <translation>No tiene permiso para usar el Falcon. Instale la regla que imprime «cusp falcon rules» y desconecte y vuelva a conectar el Falcon.</translation>
+        <source>You have no permission to use the Falcon. Install the rule that %1 prints, then unplug the Falcon and plug it in again.</source>
+        <translation>No tiene permiso para usar el Falcon. Instale la regla que imprime %1 y desconecte y vuelva a conectar el Falcon.</translation>
     </message>
     <message>
         <source>Another program uses the Falcon. Close that program.</source>
@@ -1701,6 +1701,10 @@
     <message>
         <source>This program was built without libusb: force devices are left out.</source>
         <translation>Este programa se compiló sin libusb: los dispositivos de fuerza no están incluidos.</translation>
+    </message>
+    <message>
+        <source>No Falcon with the serial number %1 is plugged in.</source>
+        <translation>No hay ningún Falcon con el número de serie %1 conectado.</translation>
     </message>
 </context>
 <context>
@@ -4003,9 +4007,9 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Cargando el firmware</translation>
     </message>
     <message>
-        <source>Pull the grip towards you as far as it goes, then push it straight in.</source>
+        <source>Pull the grip out of the device as far as it goes, then push it straight in.</source>
         <extracomment>Of the grip of a force device</extracomment>
-        <translation>Tire de la empuñadura hacia usted hasta el tope y después empújela en línea recta hacia dentro.</translation>
+        <translation>Tire de la empuñadura hacia fuera del dispositivo hasta el tope y luego empújela recta hacia dentro.</translation>
     </message>
     <message>
         <source>Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged in.</source>

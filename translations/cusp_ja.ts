@@ -1649,8 +1649,8 @@
         <translation>このコンピューターの USB を使用できません (%1)。マウスはそのまま使えます。</translation>
     </message>
     <message>
-        <source>You have no permission to use the Falcon. Install the rule that &quot;cusp falcon rules&quot; prints, then unplug the Falcon and plug it in again.</source>
-        <translation>Falcon を使用する権限がありません。「cusp falcon rules」が出力するルールをインストールし、Falcon を抜いて差し直してください。</translation>
+        <source>You have no permission to use the Falcon. Install the rule that %1 prints, then unplug the Falcon and plug it in again.</source>
+        <translation>Falcon を使用する権限がありません。%1が出力するルールをインストールし、Falcon を抜いて差し直してください。</translation>
     </message>
     <message>
         <source>Another program uses the Falcon. Close that program.</source>
@@ -1699,6 +1699,10 @@
     <message>
         <source>This program was built without libusb: force devices are left out.</source>
         <translation>このプログラムは libusb なしでビルドされています。力覚デバイスは利用できません。</translation>
+    </message>
+    <message>
+        <source>No Falcon with the serial number %1 is plugged in.</source>
+        <translation>シリアル番号 %1 の Falcon は接続されていません。</translation>
     </message>
 </context>
 <context>
@@ -3981,9 +3985,9 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ファームウェアを読み込み中</translation>
     </message>
     <message>
-        <source>Pull the grip towards you as far as it goes, then push it straight in.</source>
+        <source>Pull the grip out of the device as far as it goes, then push it straight in.</source>
         <extracomment>Of the grip of a force device</extracomment>
-        <translation>グリップを手前にいっぱいまで引き、そのまままっすぐ押し込んでください。</translation>
+        <translation>グリップを装置から止まるまで引き出し、その後まっすぐ押し込んでください。</translation>
     </message>
     <message>
         <source>Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged in.</source>

@@ -120,6 +120,8 @@ int kinematicsPart(const QStringList& arguments)
     const QStringList names = parser.positionalArguments();
     if (names.size() != 2)
         return wrongUsage(QStringLiteral("name two files; usage: cusp falcon kinematics IN.csv OUT.csv"));
+    if (core::isSameFile(names.front().toStdString(), names.back().toStdString()))
+        return wrongUsage(QStringLiteral("IN and OUT are the same file; name another for OUT"));
     const auto rows = readRows(names.front());
     if (!rows)
         return failed(rows.error());

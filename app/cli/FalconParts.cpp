@@ -71,6 +71,8 @@ int falconListPart(const QStringList& arguments)
     addJson(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp falcon list [--json]")))
         return *code;
+    if (!parser.positionalArguments().isEmpty())
+        return wrongUsage(QStringLiteral("cusp falcon list takes no names"));
     const auto usb = haptics::falcon::Usb::open();
     if (!usb)
         return failed(usb.error());
@@ -106,6 +108,8 @@ int falconProbePart(const QStringList& arguments)
     if (!session)
         return failed(session.error());
     (*session)->play(2200ms, noForce);
+    if (const auto there = (*session)->stillAt(DeviceStage::Homing); !there)
+        return failed(there.error());
     printReport(**session, parser.isSet(QStringLiteral("json")));
     return kDone;
 }
@@ -162,6 +166,8 @@ int falconTestPart(const QStringList& arguments)
         (*session)->play(1000ms, [&](const DeviceSample& sample, double) -> std::optional<glm::dvec3> {
             return sample.present ? push.towards * newtons : glm::dvec3(0.0);
         });
+        if (const auto there = (*session)->stillAt(DeviceStage::Ready); !there)
+            return failed(there.error());
     }
     printReport(**session, parser.isSet(QStringLiteral("json")));
     return kDone;
@@ -176,6 +182,8 @@ int falconRulesPart(const QStringList& arguments)
             .arg(QLatin1String(haptics::falcon::kUdevFile)));
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp falcon rules")))
         return *code;
+    if (!parser.positionalArguments().isEmpty())
+        return wrongUsage(QStringLiteral("cusp falcon rules takes no names"));
     printText(QStringLiteral("# Novint Falcon for Cusp: belongs into %1\n%2\n")
                   .arg(QLatin1String(haptics::falcon::kUdevFile), QLatin1String(haptics::falcon::kUdevRule)));
     return kDone;

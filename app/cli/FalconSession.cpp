@@ -27,7 +27,7 @@ QString toDo(const core::session::DeviceReport& report)
     case DeviceStage::LoadingFirmware:
         return QStringLiteral("Loading the firmware …");
     case DeviceStage::Homing:
-        return QStringLiteral("Pull the grip towards you as far as it goes, then push it straight in.");
+        return QStringLiteral("Pull the grip out of the device as far as it goes, then push it straight in.");
     case DeviceStage::Silent:
         return QStringLiteral("The Falcon does not answer.");
     case DeviceStage::Absent:
@@ -36,7 +36,18 @@ QString toDo(const core::session::DeviceReport& report)
     case DeviceStage::Ready:
         break;
     }
-    return QString::fromStdString(report.error.detail);
+    return QString::fromStdString(report.error.detail);  // of a device that is absent: it is waited for
+}
+
+std::string notReached(const core::session::DeviceReport& report, qint64 seconds)
+{
+    const QString what = report.stage == DeviceStage::Absent   ? QString::fromStdString(report.error.detail)
+                         : report.stage == DeviceStage::Homing ? QStringLiteral("The Falcon was not homed.")
+                                                               : QStringLiteral("The Falcon is not ready.");
+    return QStringLiteral("%1 Waited %2 s; --wait waits longer.")
+        .arg(what.isEmpty() ? QStringLiteral("The Falcon does not answer.") : what)
+        .arg(seconds)
+        .toStdString();
 }
 
 }  // namespace
@@ -70,8 +81,8 @@ core::Result<std::unique_ptr<FalconSession>> FalconSession::open(const QCommandL
     const auto calibration = file.isEmpty() ? stationsFalconCalibration(&why) : readFalconCalibration(file);
     if (!calibration)
         return tl::unexpected(calibration.error());
-    if (!why)
-        return tl::unexpected(why.error());
+    if (!why)  // it is measured anew by `calibrate`
+        warn({why.error().detail + ". The usual values are used."});
     options.calibration = *calibration;
     std::unique_ptr<FalconSession> session(
         new FalconSession(std::move(options), std::chrono::seconds(parser.value(QStringLiteral("wait")).toLongLong())));
@@ -93,14 +104,26 @@ core::Status FalconSession::waitFor(DeviceStage stage)
         const auto report = m_device.report();
         if (report.stage >= stage && report.stage != DeviceStage::Silent)
             return {};
-        if (const QString words = toDo(report); !words.isEmpty() && words != std::exchange(said, words))
+        const QString words = toDo(report);
+        if (report.stage == DeviceStage::NeedsFirmware)
+            return core::unexpected(core::ErrorCode::FileMissing, words.toStdString() + " (--firmware FILE)");
+        if (report.stage == DeviceStage::Unavailable)
+            return tl::unexpected(report.error);
+        if (Clock::now() >= until || StopSignal::hasCome())
+            return core::unexpected(core::ErrorCode::ConnectionLost, notReached(report, m_patience.count()));
+        if (!words.isEmpty() && words != std::exchange(said, words))
             warn({words.toStdString()});
-        const bool isFinal = report.stage == DeviceStage::NeedsFirmware || report.stage == DeviceStage::Unavailable;
-        if (isFinal || Clock::now() >= until || StopSignal::hasCome())
-            return core::unexpected(core::ErrorCode::ConnectionLost,
-                                    said.isEmpty() ? "the Falcon does not answer" : said.toStdString());
         std::this_thread::sleep_for(kLook);
     }
+}
+
+core::Status FalconSession::stillAt(DeviceStage stage) const
+{
+    const auto report = m_device.report();
+    if (report.stage >= stage && report.stage != DeviceStage::Silent)
+        return {};
+    return core::unexpected(core::ErrorCode::ConnectionLost,
+                            "The Falcon was lost meanwhile. Check its USB cable and its mains adapter.");
 }
 
 void FalconSession::play(std::chrono::milliseconds time,

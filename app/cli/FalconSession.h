@@ -33,6 +33,9 @@ public:
     /// --wait is over, or at once if it cannot be used as it is.
     [[nodiscard]] core::Status waitFor(core::session::DeviceStage stage);
 
+    /// Returns an error if the device is not at a stage, or a later one, any more.
+    [[nodiscard]] core::Status stillAt(core::session::DeviceStage stage) const;
+
     /// Plays the servo for a time. Stops early if the function returns false, the device is lost or the user presses
     /// Ctrl+C.
     /// @param beat  gets the position, tooth frame, and the seconds since the last call; returns the force

@@ -460,9 +460,11 @@ void FalconDevice::setReady(bool ready) noexcept
 Request FalconDevice::nextRequest() noexcept
 {
     Request request;
-    const bool drills = (m_now.buttons & kDrillBit) != 0;
+    const auto now = Clock::now();
+    const glm::dvec3 wanted = wantedN(now);
+    const bool isInUse = now - m_given.latest().given < kServoPatience;
+    const bool drills = isInUse && (m_now.buttons & kDrillBit) != 0;
     request.leds = {.red = !isReady(), .green = isReady() && drills, .blue = isReady() && !drills};
-    const glm::dvec3 wanted = wantedN(Clock::now());
     m_now.forceN = glm::vec3(wanted);
     if (const auto arms = armsAt(m_gripMm, m_calibration.geometry); arms && isReady())
         request.motors = motorCommands(*arms, m_placement.deviceFromToothN(wanted), m_calibration);

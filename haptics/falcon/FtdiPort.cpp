@@ -47,8 +47,12 @@ core::Result<std::unique_ptr<FtdiPort>> FtdiPort::open(const Usb& usb, const std
             continue;
         }
         const std::string itsSerial = serialOf(opened->get());
-        if (!serial.empty() && itsSerial != serial)
+        if (!serial.empty() && itsSerial != serial) {
+            why = core::unexpected(ErrorCode::FileMissing,
+                                   Words{"No Falcon with the serial number %1 is plugged in.", {core::noted(serial)}})
+                      .value();
             continue;
+        }
         std::unique_ptr<FtdiPort> port(new FtdiPort(usb.context(), opened->release(), itsSerial));
         if (auto ready = port->prepare(); !ready) {
             why = ready.error();

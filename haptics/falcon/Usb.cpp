@@ -77,9 +77,11 @@ core::Error usbError(int code)
 {
     switch (code) {
     case LIBUSB_ERROR_ACCESS:
-        return unexpected(ErrorCode::NotAllowed,
-                          Words{"You have no permission to use the Falcon. Install the rule that \"cusp falcon rules\" "
-                                "prints, then unplug the Falcon and plug it in again."})
+        return unexpected(
+                   ErrorCode::NotAllowed,
+                   Words{"You have no permission to use the Falcon. Install the rule that %1 prints, then unplug the "
+                         "Falcon and plug it in again.",
+                         {noted("\"cusp falcon rules\"")}})
             .value();
     case LIBUSB_ERROR_BUSY:
         return unexpected(ErrorCode::Busy, Words{"Another program uses the Falcon. Close that program."}).value();

@@ -151,6 +151,7 @@ private slots:
         openPage();
         m_script->press(1);
         actions().back->trigger();
+        WAIT_FOR(actions().bringHome->isVisible());  // the arm moves the bur again
         m_script->press(2);
         WAIT_FOR_VALUE(mirror.count(), 2);
         QCOMPARE(undo.count(), 1);

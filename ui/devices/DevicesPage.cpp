@@ -146,7 +146,7 @@ QWidget* DevicesPage::makeHoming(QWidget* parent)
     column->addWidget(hint);
     text::inEveryLanguage(card, [what, hint] {
         //: Of the grip of a force device
-        what->setText(tr("Pull the grip towards you as far as it goes, then push it straight in."));
+        what->setText(tr("Pull the grip out of the device as far as it goes, then push it straight in."));
         hint->setText(
             tr("Each arm has to pass its index mark. If no ring fills, check that the mains adapter is plugged "
                "in."));

@@ -1193,7 +1193,7 @@ void MainWindow::showLeadEnd(bool pushed)
 
 bool MainWindow::isInRoom() const
 {
-    return m_pages->currentWidget() == m_room;
+    return m_pages->currentWidget() == m_room && !m_help->isVisible();
 }
 
 void MainWindow::offerHome(bool canLead)

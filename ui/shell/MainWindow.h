@@ -207,6 +207,7 @@ public slots:
     void resumeClock(double recordedS, double workedS);
     /// The student's lesson is an exam, and has not been graded yet.
     [[nodiscard]] bool isExamRunning() const;
+    [[nodiscard]] bool isReplaying() const { return m_replaying; }
     /// Nothing is cut any more in the exam on the table; in practice nothing.
     void endExam();
     [[nodiscard]] bool isExamOver() const { return m_examIsOver; }

@@ -274,7 +274,7 @@ void PracticeRoom::setTooth(const QString& title, const QString& name)
 void PracticeRoom::setHintVisible(bool visible)
 {
     m_hintWanted = visible;
-    m_hint->setVisible(m_hintWanted && !m_replay->isVisibleTo(this));
+    m_hint->setVisible(m_hintWanted && !m_handHasForce && !m_replay->isVisibleTo(this));
     placeOverlays();
 }
 

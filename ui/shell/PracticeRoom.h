@@ -68,6 +68,12 @@ public:
     void setTooth(const QString& title, const QString& name);
     /// The line at the foot of the view that says how to begin.
     void setHintVisible(bool visible);
+    /// The hint is about the mouse: with a force device it is hidden.
+    void setHandHasForce(bool hasForce)
+    {
+        m_handHasForce = hasForce;
+        setHintVisible(m_hintWanted);
+    }
     /// Tells of harm where it happens, over the tooth, for as long as it takes to read it.
     void showNotice(const QString& what, const QString& whatToDo);
     /// Returns whether there was a notice to hide.
@@ -131,6 +137,7 @@ private:
     QLabel* m_noticeToDo = nullptr;
     QTimer m_noticeTimer;
     bool m_hintWanted = true;
+    bool m_handHasForce = false;
     std::optional<QPointF> m_bur;
     bool m_areaIsNew = false;  ///< the view was resized after m_bur was set
 };

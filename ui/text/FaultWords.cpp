@@ -78,12 +78,13 @@ namespace {
     QT_TRANSLATE_NOOP("Fault", "The firmware file ends before its block %1 is complete. Use a complete copy."),
     QT_TRANSLATE_NOOP("Fault", "The firmware ends after %1 bytes, but the file has %2. Use an unchanged copy."),
     QT_TRANSLATE_NOOP("Fault", "The USB of this computer cannot be used (%1). The mouse works without it."),
-    QT_TRANSLATE_NOOP("Fault", "You have no permission to use the Falcon. Install the rule that \"cusp falcon rules\" "
+    QT_TRANSLATE_NOOP("Fault", "You have no permission to use the Falcon. Install the rule that %1 "
                                "prints, then unplug the Falcon and plug it in again."),
     QT_TRANSLATE_NOOP("Fault", "Another program uses the Falcon. Close that program."),
     QT_TRANSLATE_NOOP("Fault", "Another driver of the system holds the Falcon. Give it the driver WinUSB."),
     QT_TRANSLATE_NOOP("Fault", "The USB connection to the Falcon failed (%1). Unplug the Falcon and plug it in again."),
     QT_TRANSLATE_NOOP("Fault", "No Falcon is plugged in."),
+    QT_TRANSLATE_NOOP("Fault", "No Falcon with the serial number %1 is plugged in."),
     QT_TRANSLATE_NOOP("Fault", "The Falcon does not answer. Check that its mains adapter is plugged in, then unplug "
                                "its USB cable and plug it in again."),
     QT_TRANSLATE_NOOP("Fault", "The Falcon was unplugged while its firmware was loaded."),
