@@ -221,6 +221,32 @@ private slots:
         QVERIFY(glm::length(led.falcon.tipMm() - path(kTickS * led.beat)) < 1.5);
     }
 
+    /// A device that exchanges with the hardware on its own thread takes its force at the end of the tick.
+    void theForceIsGivenInTheSameTick()
+    {
+        class Asynchronous final : public haptics::HapticDevice
+        {
+        public:
+            haptics::DeviceSample exchange(const glm::dvec3& /*forceOnHandN*/) noexcept override
+            {
+                return {glm::vec3(2.0F, 0.0F, 0.0F)};
+            }
+            void give(const glm::dvec3& forceOnHandN) noexcept override { givenN = forceOnHandN; }
+            glm::dvec3 givenN{0.0};
+        };
+        Asynchronous device;
+        GuideLinks links;
+        GuideLoop loop(device, links);
+        links.aim.publish({1, glm::dvec3(0.0)});
+        links.wanted = true;
+        for (int n = 0; n < 2000; ++n)
+            loop.tick(1ms);
+        QVERIFY(glm::length(device.givenN) > 0.1);
+        QCOMPARE(device.givenN, links.state.latest().forceN);
+        loop.end();
+        QCOMPARE(device.givenN, glm::dvec3(0.0));
+    }
+
     /// A hand that goes in circles about a held place gets nothing out of it, fast or slow.
     void makesNoEnergy()
     {
