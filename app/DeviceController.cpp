@@ -273,6 +273,8 @@ void DeviceController::follow()
     const bool isReady = report.stage == DeviceStage::Ready && device->device->isReady();
     const bool wasInUse = m_inUse == m_chosen;
     const bool wasReady = std::exchange(m_wasReady, isReady);
+    if (m_stage != report.stage)
+        askForUser(*device, report);
     // Where the tooth is not seen, no force comes from it.
     use(isReady && m_window.isInRoom() ? m_chosen : kPointer);
     if (!m_window.isInRoom() || m_window.isReplaying())
@@ -281,8 +283,6 @@ void DeviceController::follow()
         m_isLost = !isReady;
         say(*device, isReady);
     }
-    if (m_stage != report.stage)
-        askForUser(*device, report);
     if (isReady && wasInUse && wasReady)
         pressButtons(report);
     m_presses = report.presses;
@@ -338,17 +338,16 @@ void DeviceController::askForUser(const Device& device, const DeviceReport& repo
 {
     const bool waits = report.stage == DeviceStage::Homing || report.stage == DeviceStage::NeedsFirmware ||
                        report.stage == DeviceStage::Unavailable;
-    if (waits && !m_isPageOpen) {
+    if ((waits && !m_isPageOpen) || report.stage == DeviceStage::Ready)
         m_window.messages().withdraw(MessageBar::Topic::Device);
-        if (!m_window.messages().isHidden())
-            return;  // asked again when it is
-    }
+    if (waits && !m_isPageOpen && !m_window.messages().isHidden())
+        return;  // asked again when it is
     m_stage = report.stage;
     if (!waits || m_isPageOpen)
         return;
     m_window.messages().say([this, kind = device.row.kind, report] {
         //: %1: a force device; %2: a sentence about its state
-        return MessageBar::Message{MessageBar::Kind::News,
+        return MessageBar::Message{MessageBar::Kind::Warning,
                                    tr("%1: %2").arg(kind.name, ui::devices::stateWords(kind, report)),
                                    {},
                                    tr("Show the device"),
