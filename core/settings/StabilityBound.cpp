@@ -7,7 +7,7 @@ namespace core::settings {
 namespace {
 
 constexpr double kImpactMPerS = 0.05;
-constexpr double kDampingShare = 0.6;
+constexpr double kDampingShare = 0.598;
 constexpr double kLatenessShare = 0.27;
 constexpr double kMPerMm = 0.001;
 

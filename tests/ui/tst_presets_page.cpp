@@ -209,7 +209,7 @@ private slots:
         click("presetExpert");
         spin("force.stiffness_n_per_mm")->setValue(8.0);
         const QString said = textOf("presetBound");
-        QVERIFY2(said.contains("5.37 N/mm") && said.contains("8.00"), qPrintable(said));
+        QVERIFY2(said.contains("5.35 N/mm") && said.contains("8.00"), qPrintable(said));
         QVERIFY(!isEnabled("presetTry"));
         QVERIFY(!isEnabled("presetSave"));
         spin("force.stiffness_n_per_mm")->setValue(3.0);
