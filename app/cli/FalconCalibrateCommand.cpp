@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include <QFile>
 #include <QTextStream>
@@ -29,7 +31,10 @@ constexpr double kHoldNSPerMm = 0.004;
 constexpr double kHoldNPerMmS = 0.6;
 constexpr double kHoldMostN = 6.0;
 constexpr auto kSettles = 3000ms;
-constexpr auto kMeasures = 1000ms;
+constexpr auto kMeasures = 4000ms;
+// Meanwhile the grip goes up and down, so that dry friction, which always acts against it, averages out.
+constexpr double kSwingMm = 2.0;
+constexpr double kSwingHz = 0.5;
 
 /// Asks for Enter. False at the end of the input or after Ctrl+C.
 bool confirmed(QTextStream& input, const QString& words)
@@ -70,7 +75,8 @@ core::Result<double> holdingN(FalconSession& session)
         const double z = static_cast<double>(sample.tipInToothMm.z);
         if (!heldMm)
             heldMm = lastMm = z;
-        const double missingMm = *heldMm - z;
+        const double wantedMm = *heldMm + kSwingMm * std::sin(2.0 * std::numbers::pi * kSwingHz * time);
+        const double missingMm = wantedMm - z;
         const double mmPerS = seconds > 0.0 ? (z - std::exchange(lastMm, z)) / seconds : 0.0;
         sumN = std::clamp(sumN + kHoldNPerMmS * missingMm * seconds, -kHoldMostN, kHoldMostN);
         const double force =
@@ -93,7 +99,7 @@ core::Result<Calibration> measured(FalconSession& session, double travelMm, doub
     const auto stopped = core::unexpected(core::ErrorCode::Busy, "stopped: the calibration is as it was");
     if (!confirmed(input,
                    QStringLiteral("Stand the Falcon upright, as sold. Lay a ruler beside the grip, along the line "
-                                  "towards you. Hold the grip in the middle, about 3 cm inside.")))
+                                  "towards you. Push the grip straight in as far as it goes, and hold it there.")))
         return stopped;
     const auto inside = gripMm(session);
     if (!inside)
@@ -108,13 +114,13 @@ core::Result<Calibration> measured(FalconSession& session, double travelMm, doub
         return found;
     if (!confirmed(input,
                    QStringLiteral("Hold the grip in the middle of its reach. The motors take it over: let go of it "
-                                  "slowly after you press Enter, and wait four seconds.")))
+                                  "slowly after you press Enter, and wait seven seconds.")))
         return stopped;
     const auto emptyN = holdingN(session);
     if (!emptyN)
         return tl::unexpected(emptyN.error());
     if (!confirmed(input, QStringLiteral("Hang the weight of %1 g on the grip and hold the grip in the middle of its "
-                                         "reach. Let go of it slowly after you press Enter, and wait four seconds.")
+                                         "reach. Let go of it slowly after you press Enter, and wait seven seconds.")
                               .arg(weightN / kGravity * kMmPerM)))
         return stopped;
     const auto loadedN = holdingN(session);

@@ -35,10 +35,10 @@ struct StabilityBound
 
 /// Up to which stiffness a preset's dampers hold the bur on the tooth.
 ///
-/// Damping: `K < 0.598 (b + B(v) + fc / v) / t`, `t = T/2 + delay + lag`, at v = 50 mm/s, with `B(v) = B + Bf v² / (v² +
-/// v0²)` (Gil 2009 and haptics.md 2.1; 0.598 is what a unilateral wall is short of it by). Lateness: `K < 0.27 m / t²`.
-/// Buzz: `K < 2 fc / D` (Abbott & Okamura 2005). The factors are the least of what lab::stiffnessLimit measures of this
-/// force law over the whole range of both dampers (tests/lab/tst_stability_bound).
+/// Damping: `K < 0.598 (b + B(v) + fc / v) / t`, `t = T/2 + delay + lag`, at v = 50 mm/s, with `B(v) = B + Bf v² / (v²
+/// + v0²)` (Gil 2009 and haptics.md 2.1; 0.598 is what a unilateral wall is short of it by). Lateness: `K < 0.27 m /
+/// t²`. Buzz: `K < 2 fc / D` (Abbott & Okamura 2005). The factors are the least of what lab::stiffnessLimit measures of
+/// this force law over the whole range of both dampers (tests/lab/tst_stability_bound).
 /// @param periodS  of the servo
 [[nodiscard]] StabilityBound stabilityBound(const FeelPreset& preset, const LoopFigures& loop = {},
                                             double periodS = 0.001);

@@ -7,7 +7,8 @@
 namespace haptics::falcon {
 
 /// Finds the angle at the index marks, the same for the three arms, from two places of the grip whose distance was
-/// measured. Two places along the axis, 40 to 70 mm apart, tell most: half a millimetre on the ruler is about a degree.
+/// measured along the axis: pushed in as far as it goes, and 60 mm farther out. There half a millimetre on the ruler is
+/// a degree. (From 95 to 155 mm the distance hardly depends on the angle.)
 /// @param nearMm, farMm  where the grip was, device frame, as computed with this calibration
 /// @returns the calibration with other angles at the index marks. Errors: OutOfRange if no angle from 15 to 55 degrees
 /// explains the distance.

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -38,7 +39,8 @@ private slots:
     void theForceIsZeroAfterASignal_data();
     void theForceIsZeroAfterASignal();
     void aWrongCalibrationFileIsRefused();
-    void calibrateNeedsItsSteps();
+    void calibrateRefusesWrongMeasures();
+    void calibrateFindsAngleScaleAndWeight();
 
 private:
     [[nodiscard]] QStringList environment() const
@@ -75,9 +77,10 @@ private:
         const QByteArrayList grip = state("grip");
         return grip.size() == 3 && std::abs(grip[2].toDouble() - zMm) < 0.1;
     }
-    /// Pulls the grip out and pushes it in past the index marks, as soon as the program waits for that, until it
-    /// presses.
-    [[nodiscard]] bool homeUntilItPresses()
+    /// Pulls the grip out and pushes it in past the index marks, as soon as the program waits for that, until a
+    /// condition holds.
+    template <class Condition>
+    [[nodiscard]] bool homeUntil(Condition condition)
     {
         command("hand none");
         int turns = 0;
@@ -90,7 +93,7 @@ private:
                         ++turns;
                     }
                 }
-                return hasForce();
+                return condition();
             },
             kPatienceMs);
     }
@@ -208,7 +211,7 @@ void TestFalconProgram::testPushesInSixDirections()
         all.insert(variable.section('=', 0, 0), variable.section('=', 1));
     program.setProcessEnvironment(all);
     program.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), {"falcon", "test", "--force", "800", "--json"});
-    QVERIFY(homeUntilItPresses());
+    QVERIFY(homeUntil([&] { return hasForce(); }));
     QVERIFY(program.waitForFinished(kPatienceMs));
     QCOMPARE(program.exitCode(), 0);
     QCOMPARE(program.readAllStandardError().count("Pushing "), 6);
@@ -246,7 +249,7 @@ void TestFalconProgram::theForceIsZeroAfterASignal()
         all.insert(variable.section('=', 0, 0), variable.section('=', 1));
     program.setProcessEnvironment(all);
     program.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), {"falcon", "test", "--force", "1000"});
-    QVERIFY(homeUntilItPresses());
+    QVERIFY(homeUntil([&] { return hasForce(); }));
     QCOMPARE(::kill(static_cast<pid_t>(program.processId()), signal), 0);
     QVERIFY(program.waitForFinished(kPatienceMs));
     QVERIFY(!hasForce());
@@ -267,9 +270,53 @@ void TestFalconProgram::aWrongCalibrationFileIsRefused()
                        environment()));
 }
 
-void TestFalconProgram::calibrateNeedsItsSteps()
+void TestFalconProgram::calibrateRefusesWrongMeasures()
 {
     expectRefusal(runCusp({"falcon", "calibrate", "--weight", "5"}, environment()), "--weight", 2);
+}
+
+void TestFalconProgram::calibrateFindsAngleScaleAndWeight()
+{
+    command("plug FT1\nfirmware\nscale 6616");
+    const QString file = m_folder->filePath(QStringLiteral("found.json"));
+    QProcess program;
+    QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    for (const QString& variable : environment())
+        all.insert(variable.section('=', 0, 0), variable.section('=', 1));
+    program.setProcessEnvironment(all);
+    program.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"),
+                  {"falcon", "calibrate", "--travel", "60", "--weight", "200", "--out", file});
+    QByteArray said;
+    const auto hasAsked = [&](int times) {
+        said += program.readAllStandardError();
+        return said.count("Then press Enter") == times;
+    };
+    QVERIFY(homeUntil([&] { return hasAsked(1); }));
+    command("grip 0 0 78 0.2");
+    QTRY_VERIFY_WITH_TIMEOUT(isAt(78.0), kPatienceMs);
+    program.write("\n");
+    QTRY_VERIFY_WITH_TIMEOUT(hasAsked(2), kPatienceMs);
+    command("grip 0 0 138 0.2");
+    QTRY_VERIFY_WITH_TIMEOUT(isAt(138.0), kPatienceMs);
+    program.write("\n");
+    QTRY_VERIFY_WITH_TIMEOUT(hasAsked(3), kPatienceMs);
+    command("grip 0 0 125 0.2");
+    QTRY_VERIFY_WITH_TIMEOUT(isAt(125.0), kPatienceMs);
+    command("hand light");
+    program.write("\n");
+    QTRY_VERIFY_WITH_TIMEOUT(hasAsked(4), kPatienceMs);
+    // The light hand is a spring of 60 N/m: it hangs on the grip like 200 g.
+    program.write("\n");
+    command("grip 0 -32.7 125 0.5");
+    QVERIFY(program.waitForFinished(kPatienceMs));
+    QCOMPARE(program.exitCode(), 0);
+    QFile found(file);
+    QVERIFY(found.open(QIODevice::ReadOnly));
+    const QJsonObject values = QJsonDocument::fromJson(found.readAll()).object();
+    QVERIFY(std::abs(values["home_deg"].toArray()[0].toDouble() - 35.0) < 0.5);
+    QVERIFY2(std::abs(values["command_per_nm"].toDouble() / 6616.0 - 1.0) < 0.1,
+             qPrintable(QString::number(values["command_per_nm"].toDouble())));
+    QVERIFY(values["grip_weight_n"].toDouble() < 0.2);
 }
 
 QTEST_GUILESS_MAIN(TestFalconProgram)

@@ -118,8 +118,8 @@ void TestFalconCalibration::aRulerFindsTheAngleAtTheIndexMarks()
     const auto readAt = [&](const glm::dvec3& grip) {
         return gripAt(armsAt(grip)->angleRad - glm::dvec3(5.0 * kDegree), grip).value();
     };
-    const glm::dvec3 inside(0.0, 0.0, 95.0);
-    const glm::dvec3 outside(0.0, 0.0, 155.0);
+    const glm::dvec3 inside(0.0, 0.0, 78.0);
+    const glm::dvec3 outside(0.0, 0.0, 138.0);
     const auto found = withDistance({}, readAt(inside), readAt(outside), 60.0);
     QVERIFY(found);
     for (int leg = 0; leg < 3; ++leg)
