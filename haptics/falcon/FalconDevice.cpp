@@ -425,7 +425,10 @@ void FalconDevice::take(const Answer& answer, Clock::time_point sent) noexcept
     m_reading.publish({++m_nextSerial, m_now.tipMm, sent, m_delayS, (m_now.buttons & kDrillBit) != 0});
     m_hasReading.raise();
     // A servo that does not answer in time answers with the next request.
-    static_cast<void>(m_hasForce.waitUntil(Clock::now() + kForcePatience));
+    // (A signal may still be there from the force before: then this force would always be one exchange late.)
+    const auto until = Clock::now() + kForcePatience;
+    while (m_given.latest().answers < sent && m_hasForce.waitUntil(until)) {
+    }
 }
 
 /// Takes what several answers in a row agree on.
