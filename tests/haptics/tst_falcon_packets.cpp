@@ -28,7 +28,7 @@ std::string letters(int number)
     return four;
 }
 
-/// What the controller sends for an answer.
+/// Returns the bytes of an answer as the controller sends them.
 Bytes answerBytes(const Answer& answer, int unknown = 0)
 {
     std::string text = "<";
