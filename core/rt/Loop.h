@@ -17,9 +17,9 @@ public:
     virtual ~Loop() = default;
 
     virtual void begin() {}
-    /// @param dt  since the last tick: a whole number of periods, more than one when beats were missed; or, after a
-    /// beat
-    ///            that waitForBeat() found, as measured
+    /// @param dt  time since the last tick. If waitForBeat() returned true it is measured, otherwise it is a whole
+    /// number
+    ///            of periods: more than one if beats were missed.
     virtual void tick(std::chrono::microseconds dt) = 0;
     /// Waits between two ticks until the next one is due. A loop whose input has a beat of its own waits for that.
     /// @returns whether it was the input; it may come somewhat later than `due`

@@ -24,7 +24,7 @@ using core::ErrorCode;
 using core::Words;
 using core::session::DeviceStage;
 
-constexpr auto kLookAgain = 500ms;     ///< interval at which a device that is missing is looked for
+constexpr auto kLookAgain = 500ms;     ///< interval between two searches for a missing device
 constexpr auto kTryAgain = 5s;         ///< after an error that may pass
 constexpr int kMostLoads = 10;         ///< attempts to load firmware: real devices fail at times
 constexpr auto kReopens = 200ms;       ///< between two of them
