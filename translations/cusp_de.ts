@@ -4157,7 +4157,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Abstände zwischen Antworten</translation>
     </message>
     <message>
-        <source>How many answers of the last second came after which interval. The last bar has all longer ones. The height grows with the logarithm, so that a single late answer is seen.</source>
+        <source>Number of answers in the last second for each interval. The last bar contains all longer intervals. The height is logarithmic, so that a single late answer is visible.</source>
         <translation>Wie viele Antworten der letzten Sekunde nach welchem Abstand kamen. Der letzte Balken hat alle längeren. Die Höhe wächst mit dem Logarithmus, damit man auch eine einzelne späte Antwort sieht.</translation>
     </message>
     <message>

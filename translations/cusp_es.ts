@@ -4157,7 +4157,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Intervalos entre respuestas</translation>
     </message>
     <message>
-        <source>How many answers of the last second came after which interval. The last bar has all longer ones. The height grows with the logarithm, so that a single late answer is seen.</source>
+        <source>Number of answers in the last second for each interval. The last bar contains all longer intervals. The height is logarithmic, so that a single late answer is visible.</source>
         <translation>Cuántas respuestas del último segundo llegaron tras cada intervalo. La última barra reúne todos los más largos. La altura crece con el logaritmo, para que se vea también una sola respuesta tardía.</translation>
     </message>
     <message>

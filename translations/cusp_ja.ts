@@ -4134,7 +4134,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>応答の間隔</translation>
     </message>
     <message>
-        <source>How many answers of the last second came after which interval. The last bar has all longer ones. The height grows with the logarithm, so that a single late answer is seen.</source>
+        <source>Number of answers in the last second for each interval. The last bar contains all longer intervals. The height is logarithmic, so that a single late answer is visible.</source>
         <translation>直前の 1 秒の応答が、それぞれどの間隔で来たか。最後の棒はそれより長いものすべてです。遅れた応答が一つでも見えるように、高さは対数です。</translation>
     </message>
     <message>

@@ -17,9 +17,8 @@ public:
     virtual ~Loop() = default;
 
     virtual void begin() {}
-    /// @param dt  time since the last tick. If waitForBeat() returned true it is measured, otherwise it is a whole
-    /// number
-    ///            of periods: more than one if beats were missed.
+    /// @param dt  time since the last tick: measured if waitForBeat() returned true, otherwise a whole number of
+    ///            periods, more than one if beats were missed
     virtual void tick(std::chrono::microseconds dt) = 0;
     /// Waits between two ticks until the next one is due. A loop whose input has a beat of its own waits for that.
     /// @returns whether it was the input; it may come somewhat later than `due`

@@ -26,9 +26,9 @@ IntervalChart::IntervalChart(QWidget* parent) : QWidget(parent)
     setObjectName(QStringLiteral("intervals"));
     text::inEveryLanguage(this, [this] {
         setAccessibleName(tr("Intervals between answers"));
-        setToolTip(brokenIntoLines(
-            tr("How many answers of the last second came after which interval. The last bar has all longer ones. The "
-               "height grows with the logarithm, so that a single late answer is seen.")));
+        setToolTip(brokenIntoLines(tr(
+            "Number of answers in the last second for each interval. The last bar contains all longer intervals. The "
+            "height is logarithmic, so that a single late answer is visible.")));
         describe();
         update();
     });
