@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include "tests/support/Program.h"
+#include "tests/support/falcon/BootStream.h"
 
 using support::Ending;
 using support::runCusp;
@@ -109,29 +110,6 @@ private:
     std::optional<QTemporaryDir> m_folder;
 };
 
-namespace {
-
-/// A boot stream that holds no program of anybody.
-QByteArray bootStream()
-{
-    QByteArray bytes;
-    const auto add = [&](int word) {
-        bytes += static_cast<char>(word & 0xFF);
-        bytes += static_cast<char>(word >> 8);
-    };
-    add(0x08AA);
-    for (int n = 0; n < 8; ++n)
-        add(0);
-    for (const int word : {0x003F, 0x8002, 300, 0x003F, 0x8000})
-        add(word);
-    for (int n = 0; n < 300; ++n)
-        add(n * 31 & 0xFFFF);
-    add(0);
-    return bytes;
-}
-
-}  // namespace
-
 void TestFalconProgram::init()
 {
     m_folder.emplace();
@@ -177,7 +155,10 @@ void TestFalconProgram::withoutUsbEveryPartSaysSo()
 void TestFalconProgram::probeLoadsTheFirmwareAndMeasures()
 {
     command("plug FT1");
-    const Ending ending = runCusp({"falcon", "probe", "--firmware", file(bootStream()), "--json"}, environment());
+    const auto image = support::falcon::bootStream();
+    const QString firmware =
+        file(QByteArray(reinterpret_cast<const char*>(image.data()), static_cast<qsizetype>(image.size())));
+    const Ending ending = runCusp({"falcon", "probe", "--firmware", firmware, "--json"}, environment());
     expectDone(ending);
     QCOMPARE(ending.json()["serial"].toString(), QStringLiteral("FT1"));
     QVERIFY(ending.json()["rate_hz"].toDouble() > 0.0);

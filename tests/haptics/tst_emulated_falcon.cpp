@@ -25,6 +25,7 @@
 #include "tests/support/Allocations.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Tables.h"
+#include "tests/support/falcon/BootStream.h"
 #include "tests/support/falcon/EmulatedFalcon.h"
 
 using namespace std::chrono_literals;
@@ -36,6 +37,7 @@ using support::emulatedBus;
 using support::EmulatedFalcon;
 using support::Fault;
 using support::Moment;
+using support::falcon::bootStream;
 using support::falcon::Pace;
 using Clock = std::chrono::steady_clock;
 using Bytes = std::vector<std::uint8_t>;
@@ -47,30 +49,6 @@ constexpr std::uint16_t kBaudLoading = 0x0015;
 constexpr std::uint16_t kBaudRunning = 0x0002;
 const Bytes kQuery{0x0A, 0x43, 0x0D};
 const Bytes kQueryAnswer{0x0A, 0x44, 0x2C, 0x0D};
-
-/// A boot stream that holds no program of anybody.
-Bytes bootStream(int words = 600)
-{
-    Bytes bytes;
-    const auto add = [&](unsigned word) {
-        bytes.push_back(static_cast<std::uint8_t>(word & 0xFFU));
-        bytes.push_back(static_cast<std::uint8_t>(word >> 8U));
-    };
-    add(0x08AA);
-    for (int n = 0; n < 8; ++n)
-        add(0);
-    add(0x003F);
-    add(0x8002);
-    for (const int size : {words, 3}) {
-        add(static_cast<unsigned>(size));
-        add(0x003F);
-        add(0x8000);
-        for (int n = 0; n < size; ++n)
-            add(static_cast<unsigned>(n * 7919) & 0xFFFFU);
-    }
-    add(0);
-    return bytes;
-}
 
 /// A program that uses a Falcon: libusb calls, and nothing of the driver but the codec.
 class Host
