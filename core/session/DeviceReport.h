@@ -44,6 +44,7 @@ struct DeviceReport
 {
     DeviceStage stage = DeviceStage::Absent;
     std::string serial;  ///< of the device; empty while absent
+    int others = 0;      ///< devices of the same kind that were plugged in when this one was opened
     core::Error
         error{};  ///< why it is Unavailable or NeedsFirmware; else the last one that it recovered from, or empty
     double progress = 0.0;                   ///< of LoadingFirmware

@@ -178,8 +178,7 @@ DeviceSample FalconDevice::exchange(const glm::dvec3& /*forceOnHandN*/) noexcept
 
 void FalconDevice::give(const glm::dvec3& forceOnHandN) noexcept
 {
-    m_given.publish({forceOnHandN, Clock::now(), m_readTaken});
-    m_hasForce.raise();
+    m_given.give({forceOnHandN, Clock::now(), m_readTaken});
 }
 
 bool FalconDevice::waitForReading(Clock::time_point due) noexcept
@@ -223,7 +222,7 @@ std::unique_ptr<FtdiPort> FalconDevice::bringUp(const Usb& usb)
         tell(port.error().code == ErrorCode::FileMissing ? Stage::Absent : Stage::Unavailable, port.error());
         return nullptr;
     }
-    tellSerial((*port)->serial());
+    tellWhich(**port);
     const auto runs = firmwareRuns(**port);
     if (!runs) {
         tell(Stage::Unavailable, runs.error());
@@ -282,14 +281,17 @@ void FalconDevice::tell(Stage stage, core::Error error, double progress)
     m_told.stage = stage;
     m_told.error = std::move(error);
     m_told.progress = progress;
-    if (stage == Stage::Absent)
+    if (stage == Stage::Absent) {
         m_told.serial.clear();
+        m_told.others = 0;
+    }
 }
 
-void FalconDevice::tellSerial(const std::string& serial)
+void FalconDevice::tellWhich(const FtdiPort& port)
 {
     const std::lock_guard lock(m_mutex);
-    m_told.serial = serial;
+    m_told.serial = port.serial();
+    m_told.others = port.others();
 }
 
 /// Waits, but not for a device that is to stop or has new wishes.
@@ -336,8 +338,10 @@ void FalconDevice::exchangeFrames(FtdiPort& port)
     setReady(false);
     letGo(port);
     --g_pressing;
-    while (g_letGo && !m_isStopping)
+    while (g_letGo && !m_isStopping) {
+        takeWishes();
         rest(kLookAgain);
+    }
 }
 
 /// False if the device is gone.
@@ -425,10 +429,7 @@ void FalconDevice::take(const Answer& answer, Clock::time_point sent) noexcept
     m_reading.publish({++m_nextSerial, m_now.tipMm, sent, m_delayS, (m_now.buttons & kDrillBit) != 0});
     m_hasReading.raise();
     // A servo that does not answer in time answers with the next request.
-    // (A signal may still be there from the force before: then this force would always be one exchange late.)
-    const auto until = Clock::now() + kForcePatience;
-    while (m_given.latest().answers < sent && m_hasForce.waitUntil(until)) {
-    }
+    static_cast<void>(m_given.waitFor(sent, Clock::now() + kForcePatience));
 }
 
 /// Takes what several answers in a row agree on.
@@ -477,7 +478,7 @@ Request FalconDevice::nextRequest() noexcept
 /// The force to send, tooth frame.
 glm::dvec3 FalconDevice::wantedN(Clock::time_point now) noexcept
 {
-    const Given& given = m_given.latest();
+    const GivenForce::Value& given = m_given.latest();
     if (!isReady() || m_silent >= kSilentRequests)
         return glm::dvec3(0.0);
     m_ramp = std::min(1.0, m_ramp + std::chrono::duration<double>(now - m_rampedAt).count() / kRampS);

@@ -19,6 +19,7 @@
 #include "haptics/falcon/Calibration.h"
 #include "haptics/falcon/ExchangeWatch.h"
 #include "haptics/falcon/FtdiPort.h"
+#include "haptics/falcon/GivenForce.h"
 #include "haptics/falcon/Placement.h"
 
 namespace haptics::falcon {
@@ -74,13 +75,6 @@ private:
         float delayS = 0.0F;      ///< of the force sent last, from the reading that it answers
         bool drill = false;       ///< the button is held
     };
-    /// Servo to device thread.
-    struct Given
-    {
-        glm::dvec3 forceN{0.0};
-        Clock::time_point given{};
-        Clock::time_point answers{};  ///< when the reading was taken
-    };
     /// Ui to device thread.
     struct TestForce
     {
@@ -107,7 +101,7 @@ private:
     [[nodiscard]] std::unique_ptr<FtdiPort> bringUp(const Usb& usb);
     [[nodiscard]] std::unique_ptr<FtdiPort> load(const Usb& usb, std::unique_ptr<FtdiPort> port);
     void tell(Stage stage, core::Error error = {}, double progress = 0.0);
-    void tellSerial(const std::string& serial);
+    void tellWhich(const FtdiPort& port);
     void rest(std::chrono::milliseconds time);
     void waitWith(FtdiPort& port, std::chrono::milliseconds time);
 
@@ -135,11 +129,10 @@ private:
     core::session::DeviceReport m_told;  ///< stage, serial, error, progress
     Wishes m_wishes;
     core::rt::TripleBuffer<Reading> m_reading;
-    core::rt::TripleBuffer<Given> m_given;
+    GivenForce m_given;
     core::rt::TripleBuffer<TestForce> m_test;
     mutable core::rt::TripleBuffer<Live> m_live;
     core::rt::Signal m_hasReading;
-    core::rt::Signal m_hasForce;
 
     // Servo thread.
     std::uint64_t m_readSerial = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <libusb-1.0/libusb.h>
 
@@ -40,7 +41,8 @@ core::Result<std::unique_ptr<FtdiPort>> FtdiPort::open(const Usb& usb, const std
 {
     const DeviceList devices(usb.context());
     core::Error why = core::unexpected(ErrorCode::FileMissing, Words{"No Falcon is plugged in."}).value();
-    for (libusb_device* const device : devices.falcons()) {
+    const std::vector<libusb_device*> falcons = devices.falcons();
+    for (libusb_device* const device : falcons) {
         auto opened = openDevice(device);
         if (!opened) {
             why = opened.error();
@@ -58,6 +60,7 @@ core::Result<std::unique_ptr<FtdiPort>> FtdiPort::open(const Usb& usb, const std
             why = ready.error();
             continue;
         }
+        port->m_others = static_cast<int>(falcons.size()) - 1;
         return port;
     }
     return tl::unexpected(why);

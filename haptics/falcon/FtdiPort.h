@@ -64,6 +64,8 @@ public:
     /// The device was unplugged, or the USB fails again and again.
     [[nodiscard]] bool isGone() const noexcept { return m_isGone; }
     [[nodiscard]] const std::string& serial() const noexcept { return m_serial; }
+    /// Falcons that were plugged in beside this one when it was opened.
+    [[nodiscard]] int others() const noexcept { return m_others; }
 
 private:
     static constexpr std::size_t kReads = 4;
@@ -87,6 +89,7 @@ private:
     libusb_context* m_context;
     libusb_device_handle* m_handle;
     std::string m_serial;
+    int m_others = 0;
     std::array<Read, kReads> m_reads;
     std::array<std::size_t, kReads> m_done{};  ///< ring of finished reads, in the order in which they came
     std::size_t m_firstDone = 0;

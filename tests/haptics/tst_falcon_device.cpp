@@ -17,6 +17,7 @@
 #include "haptics/falcon/FalconDevice.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Trials.h"
+#include "tests/support/falcon/BootStream.h"
 #include "tests/support/falcon/EmulatedFalcon.h"
 
 using namespace std::chrono_literals;
@@ -29,34 +30,13 @@ using support::emulatedBus;
 using support::EmulatedFalcon;
 using support::Fault;
 using support::Moment;
+using support::falcon::bootStream;
 using support::falcon::Pace;
 using Clock = std::chrono::steady_clock;
 
 namespace {
 
 constexpr int kPatienceMs = 20'000;
-
-/// A boot stream that holds no program of anybody.
-std::vector<std::uint8_t> bootStream()
-{
-    std::vector<std::uint8_t> bytes;
-    const auto add = [&](unsigned word) {
-        bytes.push_back(static_cast<std::uint8_t>(word & 0xFFU));
-        bytes.push_back(static_cast<std::uint8_t>(word >> 8U));
-    };
-    add(0x08AA);
-    for (int n = 0; n < 8; ++n)
-        add(0);
-    add(0x003F);
-    add(0x8002);
-    add(700);
-    add(0x003F);
-    add(0x8000);
-    for (unsigned n = 0; n < 700; ++n)
-        add(n * 7919U & 0xFFFFU);
-    add(0);
-    return bytes;
-}
 
 /// Takes the place of the servo loop: a thread that takes each position and gives a force.
 class Servo
@@ -557,6 +537,7 @@ void TestFalconDevice::oneOfTwoIsChosenByItsSerialNumber()
     Servo servo(device);
     QVERIFY(makeReady(device, two));
     QCOMPARE(device.report().serial, std::string("TWO"));
+    QCOMPARE(device.report().others, 1);
 }
 
 void TestFalconDevice::theForceAnswersWithinTwoRoundTrips()
