@@ -41,6 +41,10 @@ DeviceRow falconRow()
     row.kind.ruleFile = QLatin1String(haptics::falcon::kUdevFile);
     row.kind.ruleCommand = QStringLiteral("cusp falcon rules");
     row.checkFirmware = checkFalconFirmware;
+    core::Status calibrated;
+    static_cast<void>(stationsFalconCalibration(&calibrated));
+    if (!calibrated)
+        row.kind.badCalibration = falconCalibrationFile();
     if (haptics::falcon::hasUsb())
         row.make = [] {
             return std::make_unique<haptics::falcon::FalconDevice>(

@@ -4053,6 +4053,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Use: %1</source>
         <translation>Verwenden: %1</translation>
     </message>
+    <message>
+        <source>Another one is plugged in too. To use that one, unplug this one.</source>
+        <translation>Ein weiteres ist ebenfalls angeschlossen. Um jenes zu verwenden, ziehen Sie dieses ab.</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -4340,9 +4344,9 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Eingesteckt. Es braucht seine Firmware-Datei.</translation>
     </message>
     <message>
-        <source>Loading the firmware: %1 %</source>
+        <source>Loading the firmware: %1 %.</source>
         <extracomment>%1: a number from 0 to 100</extracomment>
-        <translation>Die Firmware wird geladen: %1 %</translation>
+        <translation>Die Firmware wird geladen: %1 %.</translation>
     </message>
     <message>
         <source>Plugged in. Move the grip to home it.</source>
@@ -4396,6 +4400,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Centre</source>
         <extracomment>A button on the grip of a force device: back over the tooth</extracomment>
         <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>The calibration in %1 cannot be used, so the usual values are. Calibrate the device again.</source>
+        <extracomment>%1: a path</extracomment>
+        <translation>Die Kalibrierung in %1 ist unbrauchbar; es gelten die üblichen Werte. Kalibrieren Sie das Gerät neu.</translation>
     </message>
 </context>
 <context>

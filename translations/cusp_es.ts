@@ -4053,6 +4053,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Use: %1</source>
         <translation>Usar: %1</translation>
     </message>
+    <message>
+        <source>Another one is plugged in too. To use that one, unplug this one.</source>
+        <translation>También hay otro conectado. Para usar ese, desconecte este.</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -4340,9 +4344,9 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Conectado. Necesita su archivo de firmware.</translation>
     </message>
     <message>
-        <source>Loading the firmware: %1 %</source>
+        <source>Loading the firmware: %1 %.</source>
         <extracomment>%1: a number from 0 to 100</extracomment>
-        <translation>Cargando el firmware: %1 %</translation>
+        <translation>Cargando el firmware: %1 %.</translation>
     </message>
     <message>
         <source>Plugged in. Move the grip to home it.</source>
@@ -4396,6 +4400,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Centre</source>
         <extracomment>A button on the grip of a force device: back over the tooth</extracomment>
         <translation>Centro</translation>
+    </message>
+    <message>
+        <source>The calibration in %1 cannot be used, so the usual values are. Calibrate the device again.</source>
+        <extracomment>%1: a path</extracomment>
+        <translation>La calibración de %1 no se puede usar; se aplican los valores habituales. Calibre el dispositivo de nuevo.</translation>
     </message>
 </context>
 <context>

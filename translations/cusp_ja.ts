@@ -4031,6 +4031,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Use: %1</source>
         <translation>使う：%1</translation>
     </message>
+    <message>
+        <source>Another one is plugged in too. To use that one, unplug this one.</source>
+        <translation>もう 1 台接続されています。そちらを使うには、このデバイスを取り外してください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -4317,9 +4321,9 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>接続されています。ファームウェアファイルが必要です。</translation>
     </message>
     <message>
-        <source>Loading the firmware: %1 %</source>
+        <source>Loading the firmware: %1 %.</source>
         <extracomment>%1: a number from 0 to 100</extracomment>
-        <translation>ファームウェアを読み込み中：%1 %</translation>
+        <translation>ファームウェアを読み込み中：%1 %。</translation>
     </message>
     <message>
         <source>Plugged in. Move the grip to home it.</source>
@@ -4373,6 +4377,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Centre</source>
         <extracomment>A button on the grip of a force device: back over the tooth</extracomment>
         <translation>中央へ</translation>
+    </message>
+    <message>
+        <source>The calibration in %1 cannot be used, so the usual values are. Calibrate the device again.</source>
+        <extracomment>%1: a path</extracomment>
+        <translation>%1 の校正は使用できないため、標準値を使用します。デバイスをもう一度校正してください。</translation>
     </message>
 </context>
 <context>

@@ -170,6 +170,30 @@ private slots:
         QCOMPARE(sentences.removeDuplicates(), 0);
     }
 
+    void aSecondDeviceIsMentioned()
+    {
+        m_page->setReport(kArm, ready());
+        const QString alone = textOf("deviceState");
+        DeviceReport report = ready();
+        report.others = 1;
+        m_page->setReport(kArm, report);
+        QVERIFY(textOf("deviceState").startsWith(alone));
+        QVERIFY(textOf("deviceState") != alone);
+    }
+
+    void aCalibrationThatCannotBeUsedIsNamed()
+    {
+        m_page->setReport(kArm, ready());
+        QVERIFY(!child<QLabel>("deviceHelp")->isVisible());
+        ui::devices::DeviceKind kind = arm();
+        kind.badCalibration = QStringLiteral("/home/arm.json");
+        m_page->setKinds({kind});
+        m_page->setChosen(kArm);
+        m_page->setReport(kArm, ready());
+        QVERIFY(child<QLabel>("deviceHelp")->isVisible());
+        QVERIFY(textOf("deviceHelp").contains(kind.badCalibration));
+    }
+
     void homingFillsAMarkForEachArm()
     {
         DeviceReport report = at(DeviceStage::Homing);

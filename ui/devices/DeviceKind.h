@@ -21,6 +21,7 @@ struct DeviceKind
     QString rule;               ///< line that lets every user of the station open it; empty: none is needed
     QString ruleFile;           ///< file for the rule
     QString ruleCommand;        ///< prints the rule
+    QString badCalibration;     ///< file with its calibration that cannot be used; empty: there is none
 };
 
 /// A firmware file that the user has chosen.

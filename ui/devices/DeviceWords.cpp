@@ -81,7 +81,7 @@ QString stateWords(const DeviceKind& kind, const DeviceReport& report)
         return Words::tr("Plugged in. It needs its firmware file.");
     case DeviceStage::LoadingFirmware:
         //: %1: a number from 0 to 100
-        return Words::tr("Loading the firmware: %1 %").arg(std::lround(kPercent * report.progress));
+        return Words::tr("Loading the firmware: %1 %.").arg(std::lround(kPercent * report.progress));
     case DeviceStage::Homing:
         return Words::tr("Plugged in. Move the grip to home it.");
     case DeviceStage::Ready:
@@ -108,6 +108,11 @@ QString helpWords(const DeviceKind& kind, const DeviceReport& report)
         return Words::tr("Check both plugs. The device continues by itself when it responds again.");
     case DeviceStage::Homing:
     case DeviceStage::Ready:
+        if (!kind.badCalibration.isEmpty())
+            //: %1: a path
+            return Words::tr(
+                       "The calibration in %1 cannot be used, so the usual values are. Calibrate the device again.")
+                .arg(kind.badCalibration);
         if (!report.error.detail.empty())
             //: %1: what went wrong, a sentence
             return Words::tr("The last problem, which is over: %1").arg(text::faultWords(core::wordsOf(report.error)));

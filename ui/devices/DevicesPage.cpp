@@ -291,6 +291,8 @@ void DevicesPage::showStage(const Device& device)
     if (!report.serial.empty())
         //: %1: the number of a device
         state += u' ' + tr("Serial number %1.").arg(QString::fromStdString(report.serial));
+    if (report.others > 0)
+        state += u' ' + tr("Another one is plugged in too. To use that one, unplug this one.");
     m_state->setText(state);
     const QString help = helpWords(device.kind, report);
     m_help->setText(help);
