@@ -338,14 +338,15 @@ void DeviceController::askForUser(const Device& device, const DeviceReport& repo
 {
     const bool waits = report.stage == DeviceStage::Homing || report.stage == DeviceStage::NeedsFirmware ||
                        report.stage == DeviceStage::Unavailable;
+    MessageBar& messages = m_window.messages();
+    if (waits && !m_isPageOpen && messages.isVisibleTo(&m_window) && messages.topic() != MessageBar::Topic::Device)
+        return;  // asked again when it is closed
     if ((waits && !m_isPageOpen) || report.stage == DeviceStage::Ready)
-        m_window.messages().withdraw(MessageBar::Topic::Device);
-    if (waits && !m_isPageOpen && !m_window.messages().isHidden())
-        return;  // asked again when it is
+        messages.withdraw(MessageBar::Topic::Device);
     m_stage = report.stage;
     if (!waits || m_isPageOpen)
         return;
-    m_window.messages().say([this, kind = device.row.kind, report] {
+    messages.say([this, kind = device.row.kind, report] {
         //: %1: a force device; %2: a sentence about its state
         return MessageBar::Message{MessageBar::Kind::Warning,
                                    tr("%1: %2").arg(kind.name, ui::devices::stateWords(kind, report)),

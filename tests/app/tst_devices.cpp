@@ -130,6 +130,27 @@ private slots:
         WAIT_FOR(child<QWidget>("liveTest")->isVisible());
     }
 
+    void anOfferDoesNotHideThatADeviceIsLost()
+    {
+        start();
+        chooseArm();
+        using ui::shell::MessageBar;
+        child<MessageBar>()->say(
+            MessageBar::Message{MessageBar::Kind::Warning, QStringLiteral("An offer"), {}, {}, {}});
+        m_script->stage(DeviceStage::Absent);
+        waitForMessage("Test Arm");
+        const QString lost = message();
+        m_script->stage(DeviceStage::Homing);
+        WAIT_FOR(message() != lost);
+        QVERIFY(message().contains("Test Arm"));
+        const QString homing = message();
+        m_script->stage(DeviceStage::NeedsFirmware);
+        WAIT_FOR(message() != homing);
+        QVERIFY(message().contains("Test Arm"));
+        child<MessageBar>()->dismiss();
+        QCOMPARE(message(), QStringLiteral("An offer"));
+    }
+
     void theGripButtonsAreTheWindowsActions()
     {
         start();

@@ -65,6 +65,8 @@ public:
     void withdraw(Topic topic);
 
     [[nodiscard]] QString sentence() const;
+    /// Of the message that is shown.
+    [[nodiscard]] Topic topic() const { return m_now.topic; }
     /// It stands until somebody closes it.
     [[nodiscard]] bool stays() const { return isVisibleTo(parentWidget()) && m_now.kind != Kind::News; }
     /// Over the middle of the tooth's view; on a page in the line of its title, or above the page where it stays.
