@@ -186,7 +186,7 @@ private slots:
         m_page->setReport(kArm, ready());
         QVERIFY(!child<QLabel>("deviceHelp")->isVisible());
         ui::devices::DeviceKind kind = arm();
-        kind.badCalibration = QStringLiteral("/home/arm.json");
+        kind.badCalibration = QStringLiteral("arm.json");
         m_page->setKinds({kind});
         m_page->setChosen(kArm);
         m_page->setReport(kArm, ready());
