@@ -27,6 +27,7 @@ constexpr Command kCommands[] = {
     {"import", "enter a class list", importCommand},
     {"export", "write the attempts as CSV", exportCommand},
     {"falcon", "find, test and calibrate a Novint Falcon", falconCommand},
+    {"track", "find the tag of head tracking in pictures of a camera, a video or a folder", trackCommand},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
     {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},

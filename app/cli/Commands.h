@@ -48,5 +48,6 @@ int importCommand(const QStringList& arguments);
 int exportCommand(const QStringList& arguments);
 int presetCommand(const QStringList& arguments);
 int falconCommand(const QStringList& arguments);
+int trackCommand(const QStringList& arguments);
 
 }  // namespace app::cli

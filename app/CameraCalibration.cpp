@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/CameraCalibration.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "core/base/WholeFile.h"
+
+namespace app {
+namespace {
+
+using core::ErrorCode;
+using core::tracking::CameraModel;
+
+constexpr int kCameraFormat = 1;
+constexpr qint64 kMostBytes = 64 * 1024;
+
+tl::unexpected<core::Error> calibrationFault(ErrorCode code, const QString& path, const std::string& what)
+{
+    return core::unexpected(code, path.toStdString() + ": " + what);
+}
+
+}  // namespace
+
+core::Result<CameraModel> readCameraCalibration(const QString& path)
+{
+    QFile file(path);
+    if (!file.exists())
+        return calibrationFault(ErrorCode::FileMissing, path, "there is no such file");
+    if (!file.open(QIODevice::ReadOnly))
+        return calibrationFault(ErrorCode::FileUnreadable, path, "the file cannot be read");
+    const QByteArray bytes = file.read(kMostBytes + 1);
+    if (bytes.size() > kMostBytes)
+        return calibrationFault(ErrorCode::FileTooLarge, path, "the file is too large for a calibration");
+    const QJsonObject root = QJsonDocument::fromJson(bytes).object();
+    if (root[QStringLiteral("format")].toInt() != kCameraFormat || !root.contains(QStringLiteral("fx")))
+        return calibrationFault(ErrorCode::BadStructure, path, "this is no calibration of a camera");
+    bool isSound = true;
+    const auto number = [&](const char* key) {
+        const QJsonValue value = root[QLatin1String(key)];
+        isSound = isSound && value.isDouble();
+        return value.toDouble();
+    };
+    CameraModel camera;
+    camera.width = static_cast<int>(number("width"));
+    camera.height = static_cast<int>(number("height"));
+    camera.focalPx = {number("fx"), number("fy")};
+    camera.centrePx = {number("cx"), number("cy")};
+    if (const QJsonValue lens = root[QStringLiteral("distortion")]; !lens.isUndefined()) {
+        const QJsonArray values = lens.toArray();
+        isSound = isSound && static_cast<std::size_t>(values.size()) == camera.distortion.size();
+        for (std::size_t n = 0; isSound && n < camera.distortion.size(); ++n) {
+            isSound = values[static_cast<qsizetype>(n)].isDouble();
+            camera.distortion.at(n) = values[static_cast<qsizetype>(n)].toDouble();
+        }
+    }
+    if (!isSound)
+        return calibrationFault(ErrorCode::BadStructure, path, "a value is missing or is not a number");
+    if (const auto checked = camera.check(); !checked)
+        return calibrationFault(checked.error().code, path, checked.error().detail);
+    return camera;
+}
+
+core::Status writeCameraCalibration(const QString& path, const CameraModel& camera)
+{
+    QJsonArray lens;
+    for (const double k : camera.distortion)
+        lens.append(k);
+    const QJsonObject root{{QStringLiteral("format"), kCameraFormat}, {QStringLiteral("width"), camera.width},
+                           {QStringLiteral("height"), camera.height}, {QStringLiteral("fx"), camera.focalPx.x},
+                           {QStringLiteral("fy"), camera.focalPx.y},  {QStringLiteral("cx"), camera.centrePx.x},
+                           {QStringLiteral("cy"), camera.centrePx.y}, {QStringLiteral("distortion"), lens}};
+    const QByteArray text = QJsonDocument(root).toJson();
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    return core::writeWhole(path.toStdString(), {text.constData(), static_cast<std::size_t>(text.size())},
+                            "The calibration");
+}
+
+}  // namespace app

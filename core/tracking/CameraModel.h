@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/base/Result.h"
+
+namespace core::tracking {
+
+/// How a camera maps directions to pixels: a pinhole with the distortion of a lens (Brown 1966: radial k1, k2, k3 and
+/// tangential p1, p2, in the order of OpenCV). The centre of the first pixel is at (0.5, 0.5).
+struct CameraModel
+{
+    static constexpr double kUsualFovDeg = 60.0;
+
+    int width = 0;  ///< of the pictures it holds for
+    int height = 0;
+    glm::dvec2 focalPx{0.0};
+    glm::dvec2 centrePx{0.0};
+    std::array<double, 5> distortion{};  ///< k1, k2, p1, p2, k3
+
+    /// @param fovDeg  horizontal field of view
+    [[nodiscard]] static CameraModel withFieldOfView(int width, int height, double fovDeg);
+    /// Errors: OutOfRange with one sentence.
+    [[nodiscard]] Status check() const;
+
+    [[nodiscard]] double fieldOfViewDeg() const;
+    /// Pixel at which a point is seen; camera frame, z > 0.
+    [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& pointMm) const;
+    /// Direction of a pixel: x / z and y / z of every point that is seen there.
+    [[nodiscard]] glm::dvec2 directionOf(const glm::dvec2& pixel) const;
+};
+
+}  // namespace core::tracking

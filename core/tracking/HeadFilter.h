@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "core/tracking/OneEuro.h"
+#include "core/tracking/Tag.h"
+
+namespace core::tracking {
+
+/// Where the head is, after the filter.
+struct Head
+{
+    bool isSeen = false;  ///< by the last picture
+    double seenS = 0.0;   ///< time of the last picture that it was accepted from; 0: never
+    Pose pose;            ///< of the tag, camera frame, smooth
+    Pose raw;             ///< the same as measured
+    glm::dvec3 mmPerS{0.0};
+
+    /// Position at a later time, by its speed; at most 30 ms ahead.
+    [[nodiscard]] glm::dvec3 positionAtMm(double timeS) const;
+};
+
+/// Decides which measured poses are the head, chooses between the two poses of each, and filters them.
+///
+/// A tag that comes into sight counts from its second picture on. A jump is accepted when it is confirmed twice.
+class HeadFilter
+{
+public:
+    struct Settings
+    {
+        OneEuro::Settings position{};             ///< mm
+        OneEuro::Settings angle{1.0, 0.02, 1.0};  ///< degrees
+    };
+
+    HeadFilter();
+    explicit HeadFilter(const Settings& settings);
+
+    /// @param tag    what a picture shows; empty: no tag
+    /// @param timeS  of the picture, later than that of the last one
+    const Head& take(const std::optional<PosedTag>& tag, double timeS);
+    [[nodiscard]] const Head& head() const { return m_head; }
+
+private:
+    [[nodiscard]] Pose choose(const PosedTag& tag);
+    [[nodiscard]] bool isJump(const Pose& pose, double seconds) const;
+    void restart(const Pose& pose, double timeS);
+    void follow(const Pose& pose, double timeS);
+
+    Settings m_settings;
+    std::array<OneEuro, 3> m_position;
+    double m_turnDegPerS = 0.0;
+    Head m_head;
+    bool m_isFollowing = false;       ///< the filter holds a head that was seen not long ago
+    std::optional<Pose> m_candidate;  ///< where a tag was seen that is not accepted yet
+    double m_candidateS = 0.0;
+    int m_confirmed = 0;
+    int m_otherIsBetter = 0;  ///< pictures in a row in which the pose that was not chosen has half the error
+};
+
+}  // namespace core::tracking

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/HeadView.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace core::tracking {
+namespace {
+
+constexpr double kHoldS = 1.0;    ///< without a tag, until the view glides back
+constexpr double kSeenS = 0.25;   ///< age of a tag that is followed still
+constexpr double kGlideS = 0.15;  ///< time constant of gliding
+constexpr double kDeadDeg = 0.3;  ///< around the middle, where the view hardly moves
+constexpr double kMostFarther = 1.6;
+constexpr double kLeastMm = 1.0;
+
+/// Soft dead zone: half-heartedly near zero, parallel to the identity from there on.
+double calmed(double deg)
+{
+    return deg - kDeadDeg * std::tanh(deg / kDeadDeg);
+}
+
+double towards(double from, double to, double share, double most)
+{
+    return from + std::clamp((to - from) * share, -most, most);
+}
+
+}  // namespace
+
+const Lean& HeadView::update(const Head& head, double nowS, double seconds, bool holds)
+{
+    const bool wasSeen = head.seenS > 0.0;
+    const double ageS = wasSeen ? nowS - head.seenS : 2.0 * kHoldS;
+    Lean target;
+    if (wasSeen && ageS < kSeenS) {
+        const glm::dvec3 position = head.positionAtMm(nowS);
+        if (!m_hasNeutral) {
+            m_neutralMm = position;
+            m_hasNeutral = true;
+        }
+        target = wanted(position);
+        m_follow = std::min(1.0, m_follow + seconds / (2.0 * kGlideS));
+    } else {
+        m_follow = 0.0;
+        if (holds || ageS < kHoldS)
+            return m_lean;
+    }
+    const double glide = 1.0 - std::exp(-seconds / kGlideS);
+    const double share = glm::mix(glide, 1.0, m_follow * m_follow);
+    m_lean.yawDeg = towards(m_lean.yawDeg, target.yawDeg, share, kMostDegPerFrame);
+    m_lean.pitchDeg = towards(m_lean.pitchDeg, target.pitchDeg, share, kMostDegPerFrame);
+    m_lean.farther = towards(m_lean.farther, target.farther, share, 0.02);
+    constexpr double kNothing = 1e-3;
+    if (target == Lean{} && std::abs(m_lean.yawDeg) < kNothing && std::abs(m_lean.pitchDeg) < kNothing &&
+        std::abs(m_lean.farther - 1.0) < kNothing)
+        m_lean = {};
+    return m_lean;
+}
+
+/// The camera faces the user: its right is their left, and its y axis goes down.
+Lean HeadView::wanted(const glm::dvec3& positionMm) const
+{
+    const double depth = std::max(kLeastMm, positionMm.z);
+    const auto angle = [&](double moved) { return glm::degrees(std::atan2(moved, depth)); };
+    Lean lean;
+    lean.yawDeg = std::clamp(m_settings.gain * calmed(angle(m_neutralMm.x - positionMm.x)), -m_settings.mostYawDeg,
+                             m_settings.mostYawDeg);
+    lean.pitchDeg = std::clamp(m_settings.gain * calmed(angle(m_neutralMm.y - positionMm.y)), -m_settings.mostPitchDeg,
+                               m_settings.mostPitchDeg);
+    lean.farther = std::clamp(std::pow(depth / std::max(kLeastMm, m_neutralMm.z), m_settings.depthPower),
+                              1.0 / kMostFarther, kMostFarther);
+    return lean;
+}
+
+}  // namespace core::tracking

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace core::tracking {
+
+/// How the view leaves the place that the mouse gave it.
+struct Lean
+{
+    double yawDeg = 0.0;    ///< the eye goes to the right
+    double pitchDeg = 0.0;  ///< the eye goes up
+    double farther = 1.0;   ///< factor of the distance
+    bool operator==(const Lean&) const = default;
+};
+
+}  // namespace core::tracking

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/Result.h"
+#include "core/tracking/Picture.h"
+
+namespace core::tracking {
+
+/// A camera of this computer.
+struct CameraInfo
+{
+    int number = 0;    ///< N of /dev/videoN
+    std::string name;  ///< as its driver has it
+};
+
+/// Cameras that can take pictures now, by number.
+[[nodiscard]] std::vector<CameraInfo> cameras();
+
+/// What is asked of a camera; it may choose other values. 0 leaves a value to the camera.
+struct CameraWish
+{
+    int width = 1280;
+    int height = 720;
+    double hz = 30.0;
+};
+
+/// Where pictures come from: a camera, a video file or a folder of images. One thread at a time.
+class PictureSource
+{
+public:
+    PictureSource() = default;
+    virtual ~PictureSource() = default;
+    PictureSource(const PictureSource&) = delete;
+    PictureSource& operator=(const PictureSource&) = delete;
+
+    /// Waits for the next picture. False at the end of a file or folder. Errors: ConnectionLost (a camera gives no
+    /// more pictures), WrongKind (an image that cannot be read; the next call goes on with the one after it).
+    [[nodiscard]] virtual Result<bool> next(Picture& picture) = 0;
+    /// A video and a folder have pictures with times of their own.
+    [[nodiscard]] virtual bool isLive() const = 0;
+};
+
+/// Errors of the three: FileMissing (no such camera or file), NotAllowed, Busy (another program uses the camera),
+/// WrongKind (not a video, or no image in the folder), FileUnreadable (the part of Cusp that reads pictures is not
+/// installed).
+[[nodiscard]] Result<std::unique_ptr<PictureSource>> openCamera(int number, const CameraWish& wish);
+[[nodiscard]] Result<std::unique_ptr<PictureSource>> openVideo(const std::string& path);
+/// @param path  of a folder; its images are read in the order of their names
+[[nodiscard]] Result<std::unique_ptr<PictureSource>> openFolder(const std::string& path);
+
+}  // namespace core::tracking

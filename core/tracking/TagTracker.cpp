@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/TagTracker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+namespace core::tracking {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kGrowth = 0.6;  ///< of the region, on every side, as a share of the tag's size
+constexpr int kFineEvery = 3;    ///< of the searches, one looks for small tags too
+constexpr int kFineDecimation = 2;
+constexpr double kSmallEdgePx = 56.0;  ///< smaller tags are followed with every pixel
+constexpr int kAllDecimation = 1;
+
+double msSince(Clock::time_point begun)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+}
+
+}  // namespace
+
+Status check(const TrackerSettings& settings)
+{
+    if (settings.id && (*settings.id < 0 || *settings.id >= kTagCount))
+        return unexpected(ErrorCode::OutOfRange, "The number of a tag must be 0 to 586.");
+    if (!(settings.tagMm >= 5.0 && settings.tagMm <= 1000.0))
+        return unexpected(ErrorCode::OutOfRange, "The edge of a tag must be 5 to 1000 mm.");
+    if (!(settings.fovDeg >= 10.0 && settings.fovDeg <= 150.0))
+        return unexpected(ErrorCode::OutOfRange, "The field of view must be 10 to 150 degrees.");
+    return settings.calibration ? settings.calibration->check() : Status{};
+}
+
+TagTracker::TagTracker(const TrackerSettings& settings) : m_settings(settings), m_detector(settings.id)
+{
+    if (settings.calibration)
+        m_camera = *settings.calibration;
+}
+
+Result<TagFrame> TagTracker::look(const PictureView& picture)
+{
+    if (picture.width != m_camera.width || picture.height != m_camera.height) {
+        if (m_settings.calibration)
+            return unexpected(
+                ErrorCode::OutOfRange,
+                Words{"The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate "
+                      "the camera at this size.",
+                      {noted(std::to_string(m_camera.width)), noted(std::to_string(m_camera.height)),
+                       noted(std::to_string(picture.width)), noted(std::to_string(picture.height))}});
+        m_camera = CameraModel::withFieldOfView(picture.width, picture.height, m_settings.fovDeg);
+        m_last.reset();
+    }
+    TagFrame frame;
+    const auto begun = Clock::now();
+    std::vector<SeenTag> seen;
+    if (m_settings.usesRegion && m_settings.id && m_last)
+        seen = searchRegion(picture, *m_last);
+    if (seen.empty()) {
+        frame.isWhole = true;
+        seen = search(picture);
+    }
+    std::sort(seen.begin(), seen.end(), [](const SeenTag& a, const SeenTag& b) { return a.edgePx() > b.edgePx(); });
+    frame.findMs = msSince(begun);
+    m_last.reset();
+    if (!seen.empty()) {
+        m_searches = 0;
+        m_last = seen.front();
+    }
+    const auto found = Clock::now();
+    for (const SeenTag& tag : seen)
+        if (const auto posed = poseOf(tag, m_camera, m_settings.tagMm))
+            frame.tags.push_back(*posed);
+    frame.poseMs = msSince(found);
+    return frame;
+}
+
+std::vector<SeenTag> TagTracker::search(const PictureView& picture)
+{
+    if (!m_settings.id)
+        return m_detector.find(picture, {kAllDecimation, m_settings.refinesEdges});
+    auto seen = m_detector.find(picture, {m_settings.searchDecimation, m_settings.refinesEdges});
+    const int fine = m_settings.isThorough ? kAllDecimation : kFineDecimation;
+    if (seen.empty() && fine < m_settings.searchDecimation && (m_settings.isThorough || ++m_searches % kFineEvery == 0))
+        seen = m_detector.find(picture, {fine, m_settings.refinesEdges});
+    return seen;
+}
+
+std::vector<SeenTag> TagTracker::searchRegion(const PictureView& picture, const SeenTag& last)
+{
+    glm::dvec2 low = last.cornersPx[0];
+    glm::dvec2 high = low;
+    for (const glm::dvec2& corner : last.cornersPx) {
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+    }
+    const glm::dvec2 margin = (high - low) * kGrowth;  // its white border, and some way
+    low -= margin;
+    high += margin;
+    const TagDetector::Region region{static_cast<int>(std::floor(low.x)), static_cast<int>(std::floor(low.y)),
+                                     static_cast<int>(std::ceil(high.x - low.x)),
+                                     static_cast<int>(std::ceil(high.y - low.y))};
+    const int decimation = last.edgePx() < kSmallEdgePx ? 1 : m_settings.regionDecimation;
+    return m_detector.find(picture, region, {decimation, m_settings.refinesEdges});
+}
+
+}  // namespace core::tracking

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library cusp_pictures: cameras, videos and images by OpenCV.
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "core/tracking/pictures/Reader.h"
+
+namespace core::tracking::pictures {
+namespace {
+
+constexpr int kLargestPx = 16384;
+
+/// Makes a picture of an image in grey or in colour. False if there is none.
+bool take(const cv::Mat& image, Picture& picture)
+{
+    if (image.empty() || image.depth() != CV_8U || image.cols > kLargestPx || image.rows > kLargestPx)
+        return false;
+    picture.width = image.cols;
+    picture.height = image.rows;
+    picture.pixels.resize(static_cast<std::size_t>(image.cols) * static_cast<std::size_t>(image.rows));
+    cv::Mat grey(image.rows, image.cols, CV_8UC1, picture.pixels.data());
+    switch (image.channels()) {
+    case 1:
+        image.copyTo(grey);
+        return true;
+    case 3:
+        cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+        return true;
+    case 4:
+        cv::cvtColor(image, grey, cv::COLOR_BGRA2GRAY);
+        return true;
+    default:
+        return false;
+    }
+}
+
+class VideoReader final : public Reader
+{
+public:
+    VideoReader(cv::VideoCapture capture, bool isCamera) : m_capture(std::move(capture)), m_isCamera(isCamera) {}
+
+    bool read(Picture& picture) override
+    {
+        try {
+            if (!m_capture.grab())
+                return false;
+            picture.timeS = m_isCamera ? now() : m_capture.get(cv::CAP_PROP_POS_MSEC) / 1000.0;
+            return m_capture.retrieve(m_image) && take(m_image, picture);
+        } catch (const std::exception&) {
+            return false;
+        }
+    }
+
+private:
+    static double now()
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
+    cv::VideoCapture m_capture;
+    cv::Mat m_image;
+    bool m_isCamera;
+};
+
+Reader* openCamera(int number, int width, int height, double hz)
+{
+    try {
+        cv::VideoCapture capture(number, cv::CAP_V4L2);
+        if (!capture.isOpened())
+            return nullptr;
+        // Uncompressed, most cameras give few pictures a second at this size.
+        capture.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
+        if (width > 0 && height > 0) {
+            capture.set(cv::CAP_PROP_FRAME_WIDTH, width);
+            capture.set(cv::CAP_PROP_FRAME_HEIGHT, height);
+        }
+        if (hz > 0.0)
+            capture.set(cv::CAP_PROP_FPS, hz);
+        capture.set(cv::CAP_PROP_BUFFERSIZE, 1);  // the newest picture, not the oldest of a queue
+        return new VideoReader(std::move(capture), true);
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
+Reader* openVideo(const char* path)
+{
+    try {
+        cv::VideoCapture capture(path, cv::CAP_ANY);
+        return capture.isOpened() ? new VideoReader(std::move(capture), false) : nullptr;
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
+bool readImage(const char* path, Picture& picture)
+{
+    try {
+        picture.timeS = 0.0;
+        return take(cv::imread(path, cv::IMREAD_GRAYSCALE), picture);
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+constexpr Library kLibrary{&openCamera, &openVideo, &readImage};
+
+}  // namespace
+}  // namespace core::tracking::pictures
+
+extern "C" __attribute__((visibility("default"))) const core::tracking::pictures::Library* cuspPictures()
+{
+    // What goes wrong is said by Cusp.
+    setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+    setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds that a camera may be silent
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    cv::setNumThreads(1);
+    return &core::tracking::pictures::kLibrary;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/tracking/Picture.h"
+
+/// What the library `cusp_pictures` offers. It is loaded when the first camera, video or image is opened: OpenCV's
+/// videoio brings some 220 libraries along, which cost each start of Cusp 0.1 s and 60 MB.
+namespace core::tracking::pictures {
+
+/// A camera or a video file. One thread at a time.
+class Reader
+{
+public:
+    Reader() = default;
+    virtual ~Reader() = default;
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    /// Reads the next picture; false if there is none. Leaves the name alone.
+    [[nodiscard]] virtual bool read(Picture& picture) = 0;
+};
+
+/// Functions of the library; none throws.
+struct Library
+{
+    /// Null if the camera gives no picture.
+    Reader* (*openCamera)(int number, int width, int height, double hz);
+    /// Null if the file is no video.
+    Reader* (*openVideo)(const char* path);
+    /// False if the file is no image.
+    bool (*readImage)(const char* path, Picture& picture);
+};
+
+/// Name of the function that returns the library's functions.
+inline constexpr const char* kEntry = "cuspPictures";
+using Entry = const Library* (*)();
+
+}  // namespace core::tracking::pictures
