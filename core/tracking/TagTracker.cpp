@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace core::tracking {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kGrowth = 0.6;  ///< of the region, on every side, as a share of the tag's size
+constexpr int kWholeEvery = 30;  ///< of the pictures, one is searched whole although the tag is followed
 constexpr int kFineEvery = 3;    ///< of the searches, one looks for small tags too
 constexpr int kFineDecimation = 2;
 constexpr double kSmallEdgePx = 56.0;  ///< smaller tags are followed with every pixel
@@ -58,13 +60,19 @@ Result<TagFrame> TagTracker::look(const PictureView& picture)
     TagFrame frame;
     const auto begun = Clock::now();
     std::vector<SeenTag> seen;
-    if (m_settings.usesRegion && m_settings.id && m_last)
+    const bool follows = m_settings.usesRegion && m_settings.id && m_last;
+    if (follows && ++m_followed < kWholeEvery)
         seen = searchRegion(picture, *m_last);
     if (seen.empty()) {
         frame.isWhole = true;
+        m_followed = 0;
         seen = search(picture);
+        m_sameTags = static_cast<int>(seen.size());
+        if (seen.empty() && follows)
+            seen = searchRegion(picture, *m_last);  // small tags are not found in a whole picture
     }
-    std::sort(seen.begin(), seen.end(), [](const SeenTag& a, const SeenTag& b) { return a.edgePx() > b.edgePx(); });
+    frame.sameTags = m_sameTags;
+    sortTags(seen);
     frame.findMs = msSince(begun);
     m_last.reset();
     if (!seen.empty()) {
@@ -77,6 +85,17 @@ Result<TagFrame> TagTracker::look(const PictureView& picture)
             frame.tags.push_back(*posed);
     frame.poseMs = msSince(found);
     return frame;
+}
+
+/// The tag nearest to the last one first; without a last one the largest.
+void TagTracker::sortTags(std::vector<SeenTag>& tags) const
+{
+    if (m_last && m_settings.id)
+        std::sort(tags.begin(), tags.end(), [at = m_last->centrePx()](const SeenTag& a, const SeenTag& b) {
+            return glm::distance(a.centrePx(), at) < glm::distance(b.centrePx(), at);
+        });
+    else
+        std::sort(tags.begin(), tags.end(), [](const SeenTag& a, const SeenTag& b) { return a.edgePx() > b.edgePx(); });
 }
 
 std::vector<SeenTag> TagTracker::search(const PictureView& picture)

@@ -30,14 +30,16 @@ struct TrackerSettings
 /// What one picture shows, and what finding it cost.
 struct TagFrame
 {
-    std::vector<PosedTag> tags;  ///< of the searched id, largest first; of all ids in no order
-    bool isWhole = false;        ///< the whole picture was searched
+    /// Of the searched id: the one that is followed is first. Of all ids: the largest.
+    std::vector<PosedTag> tags;
+    int sameTags = 0;      ///< with the searched id, when a whole picture was searched last
+    bool isWhole = false;  ///< the whole picture was searched
     double findMs = 0.0;
     double poseMs = 0.0;
 };
 
 /// Finds the tag on the head in picture after picture: around its last place, and in the whole picture if it is not
-/// there. One thread at a time.
+/// there. Now and then a whole picture is searched anyway, for a second tag with the same number. One thread at a time.
 class TagTracker
 {
 public:
@@ -50,6 +52,7 @@ public:
     [[nodiscard]] const CameraModel& camera() const { return m_camera; }
 
 private:
+    void sortTags(std::vector<SeenTag>& tags) const;
     [[nodiscard]] std::vector<SeenTag> search(const PictureView& picture);
     [[nodiscard]] std::vector<SeenTag> searchRegion(const PictureView& picture, const SeenTag& last);
 
@@ -58,6 +61,8 @@ private:
     CameraModel m_camera;
     std::optional<SeenTag> m_last;  ///< in the picture before
     int m_searches = 0;             ///< of whole pictures without a tag, in a row
+    int m_followed = 0;             ///< pictures since a whole one was searched
+    int m_sameTags = 0;
 };
 
 }  // namespace core::tracking

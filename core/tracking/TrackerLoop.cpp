@@ -148,7 +148,7 @@ void TrackerLoop::note(const TagFrame& frame, double latencyMs)
     const std::lock_guard lock(m_mutex);
     m_report.stage = head.isSeen ? TrackerStage::Tracking : TrackerStage::NoTag;
     m_report.error = {};
-    m_report.sameTags = static_cast<int>(frame.tags.size());
+    m_report.sameTags = frame.sameTags;
     m_report.hz = span > 0.0 ? static_cast<double>(m_lastSecond.size() - 1) / span : 0.0;
     m_report.findMs = median(std::move(find));
     m_report.poseMs = median(std::move(pose));

@@ -26,7 +26,7 @@ struct TrackerReport
     TrackerStage stage = TrackerStage::Opening;
     Error error{};
     PictureTrouble trouble = PictureTrouble::None;
-    int sameTags = 0;     ///< tags with the searched number in the last picture
+    int sameTags = 0;     ///< tags with the searched number that were in a picture lately
     double hz = 0.0;      ///< pictures a second
     double findMs = 0.0;  ///< medians of the last second
     double poseMs = 0.0;
