@@ -7506,6 +7506,14 @@ ungesichert</translation>
         <source>Choose and try what moves the bur</source>
         <translation>Wählen und ausprobieren, was den Bohrer führt</translation>
     </message>
+    <message>
+        <source>Straight ahead is here</source>
+        <translation>Hier ist geradeaus</translation>
+    </message>
+    <message>
+        <source>Make the present position of your head the middle one</source>
+        <translation>Die jetzige Haltung des Kopfes zur mittleren machen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>

@@ -7506,6 +7506,14 @@ sin guardar</translation>
         <source>Choose and try what moves the bur</source>
         <translation>Elegir y probar lo que mueve la fresa</translation>
     </message>
+    <message>
+        <source>Straight ahead is here</source>
+        <translation>El frente está aquí</translation>
+    </message>
+    <message>
+        <source>Make the present position of your head the middle one</source>
+        <translation>Tomar la posición actual de la cabeza como la central</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>

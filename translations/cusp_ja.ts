@@ -7455,6 +7455,14 @@ unsaved</source>
         <source>Choose and try what moves the bur</source>
         <translation>バーを動かすものを選び、試す</translation>
     </message>
+    <message>
+        <source>Straight ahead is here</source>
+        <translation>ここを正面にする</translation>
+    </message>
+    <message>
+        <source>Make the present position of your head the middle one</source>
+        <translation>現在の頭の位置を中央の位置にする</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>

@@ -159,6 +159,29 @@ private slots:
         QCOMPARE(camera.distanceMm(), chosen);
     }
 
+    void leansWithTheHead()
+    {
+        Camera camera = molarCamera();
+        camera.set(10.0, 40.0, 40.0);
+        camera.lean({15.0, 5.0, 1.25});
+        QVERIFY(near(camera.azimuthDeg(), 25.0, 1e-9));
+        QVERIFY(near(camera.elevationDeg(), 45.0, 1e-9));
+        QVERIFY(near(glm::distance(camera.eyeMm(), kMiddle), 50.0, 1e-9));
+        QVERIFY(near(camera.sight().azimuthDeg, 25.0, 1e-9));
+        // A ray still goes through the pixel that it came from.
+        const ui::render::Ray ray = camera.rayThrough({300.0, 200.0});
+        QVERIFY(glm::distance(camera.pixelOf(ray.originMm + 30.0 * ray.direction), glm::dvec2(300.0, 200.0)) < 1e-6);
+        // The mouse turns what lies under the lean.
+        camera.turn(-20.0, 0.0);
+        QVERIFY(near(camera.azimuthDeg(), 5.0, 1e-9));
+        camera.lean({0.0, 80.0, 1.0});
+        QVERIFY(near(camera.elevationDeg(), Camera::kHighestDeg, 1e-9));
+        camera.lean({});
+        QVERIFY(near(camera.azimuthDeg(), -10.0, 1e-9));
+        QVERIFY(near(camera.elevationDeg(), 40.0, 1e-9));
+        QVERIFY(near(camera.distanceMm(), 40.0, 1e-9));
+    }
+
     void whatIsBehindTheEyeLiesOutsideOnItsSide()
     {
         const Camera camera = molarCamera();

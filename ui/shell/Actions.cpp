@@ -147,6 +147,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     resetView = add("view", QT_TR_NOOP("Reset view"), QT_TR_NOOP("Return to the initial view"), {Qt::Key_V});
     turnRound = add("turn", QT_TR_NOOP("Rotate 180°"), QT_TR_NOOP("Look at the tooth from the opposite side"),
                     {Qt::SHIFT | Qt::Key_H});
+    recentreHead = add("view", QT_TR_NOOP("Straight ahead is here"),
+                       QT_TR_NOOP("Make the present position of your head the middle one"), {Qt::SHIFT | Qt::Key_V});
+    recentreHead->setVisible(false);
     const auto choice = [this](const QString& drawing, const char* text, const char* tip,
                                const QList<QKeySequence>& keys) {
         QAction* action = add(drawing, text, tip, keys);

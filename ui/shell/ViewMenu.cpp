@@ -40,7 +40,7 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
 {
     dress(*m_menu, roomPalette());
     text::inEveryLanguage(m_menu, [this] { m_menu->setAccessibleName(tr("View")); });
-    for (QAction* action : {actions.resetView, actions.turnRound})
+    for (QAction* action : {actions.resetView, actions.turnRound, actions.recentreHead})
         m_menu->addAction(action);
     m_menu->addMenu(makeSides());
     m_menu->addSeparator();

@@ -79,7 +79,17 @@ void Camera::lookFrom(const core::session::Sight& sight)
 
 core::session::Sight Camera::sight() const
 {
-    return {m_azimuthDeg, m_elevationDeg, m_distanceMm, m_lookAtMm};
+    return {azimuthDeg(), elevationDeg(), distanceMm(), m_lookAtMm};
+}
+
+double Camera::azimuthDeg() const
+{
+    return std::remainder(m_azimuthDeg + m_lean.yawDeg, 360.0);
+}
+
+double Camera::elevationDeg() const
+{
+    return std::clamp(m_elevationDeg + m_lean.pitchDeg, kLowestDeg, kHighestDeg);
 }
 
 void Camera::lookDownAt(glm::dvec3 placeMm)
@@ -152,9 +162,9 @@ double Camera::fittingMm() const
 
 glm::dvec3 Camera::eyeMm() const
 {
-    const double azimuth = glm::radians(m_azimuthDeg);
-    const double elevation = glm::radians(m_elevationDeg);
-    return m_lookAtMm + m_distanceMm * glm::dvec3(std::sin(azimuth) * std::cos(elevation),
+    const double azimuth = glm::radians(azimuthDeg());
+    const double elevation = glm::radians(elevationDeg());
+    return m_lookAtMm + distanceMm() * glm::dvec3(std::sin(azimuth) * std::cos(elevation),
                                                   -std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
 }
 
@@ -165,8 +175,8 @@ glm::dmat4 Camera::view() const
 
 glm::dmat4 Camera::projection() const
 {
-    return glm::perspective(glm::radians(kFieldOfViewDeg), m_sizePx.x / m_sizePx.y, 0.1 * m_distanceMm,
-                            m_distanceMm + 200.0);
+    return glm::perspective(glm::radians(kFieldOfViewDeg), m_sizePx.x / m_sizePx.y, 0.1 * distanceMm(),
+                            distanceMm() + 200.0);
 }
 
 render::Ray Camera::rayThrough(glm::dvec2 pixel) const
@@ -189,13 +199,13 @@ glm::dvec2 Camera::pixelOf(glm::dvec3 pointMm) const
 
 glm::dvec2 Camera::rightOnTooth() const
 {
-    const double azimuth = glm::radians(m_azimuthDeg);
+    const double azimuth = glm::radians(azimuthDeg());
     return {std::cos(azimuth), std::sin(azimuth)};
 }
 
 glm::dvec2 Camera::awayOnTooth() const
 {
-    const double azimuth = glm::radians(m_azimuthDeg);
+    const double azimuth = glm::radians(azimuthDeg());
     return {-std::sin(azimuth), std::cos(azimuth)};
 }
 

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/session/Sight.h"
+#include "core/tracking/Lean.h"
 #include "ui/render/ToothSurface.h"
 
 namespace ui::tooth {
@@ -52,12 +53,15 @@ public:
     /// `towardsMm` keeps its place in the picture (nothing: the middle of the picture does); further, the crown comes
     /// back to it.
     void zoom(double steps, const std::optional<glm::dvec3>& towardsMm = {});
+    /// Turns and moves the eye in addition, as the user's head moves; all else stays relative to the place without it.
+    void lean(const core::tracking::Lean& lean) { m_lean = lean; }
     /// Lets the distance follow the zoom for a time. True while it still moves.
     bool advance(double seconds);
 
-    [[nodiscard]] double azimuthDeg() const { return m_azimuthDeg; }
-    [[nodiscard]] double elevationDeg() const { return m_elevationDeg; }
-    [[nodiscard]] double distanceMm() const { return m_distanceMm; }
+    // Of the eye, with its lean.
+    [[nodiscard]] double azimuthDeg() const;
+    [[nodiscard]] double elevationDeg() const;
+    [[nodiscard]] double distanceMm() const { return m_distanceMm * m_lean.farther; }
     /// Distance at which the subject just fits the viewport.
     [[nodiscard]] double fittingMm() const;
 
@@ -88,6 +92,7 @@ private:
     double m_elevationDeg = kStartElevationDeg;
     double m_distanceMm = 40.0;
     double m_wantedMm = 40.0;
+    core::tracking::Lean m_lean;
     bool m_fitted = true;  ///< distance follows the size of the viewport until someone zooms
 };
 

@@ -683,6 +683,7 @@ void ToothView::advanceFrame()
         takeChanges(m_surface->sweepLight());
         m_sinceLight.start();
     }
+    followHead(seconds);
     moveByKeys(seconds);
     aim();
     publishPointer();
@@ -718,6 +719,27 @@ void ToothView::advanceFrame()
         redraw();
     }
     emit frameAdvanced(m_servo);
+}
+
+void ToothView::setHeadLean(HeadLean lean)
+{
+    m_headLean = std::move(lean);
+    if (!m_headLean)
+        followHead(0.0);
+}
+
+void ToothView::followHead(double seconds)
+{
+    constexpr double kSeenDeg = 0.02;  ///< less is not drawn: a picture that rests has smooth edges
+    constexpr double kSeenShare = 2e-4;
+    const core::tracking::Lean lean = m_headLean ? m_headLean(seconds, m_servo.touching) : core::tracking::Lean{};
+    if (std::abs(lean.yawDeg - m_lean.yawDeg) < kSeenDeg && std::abs(lean.pitchDeg - m_lean.pitchDeg) < kSeenDeg &&
+        std::abs(lean.farther - m_lean.farther) < kSeenShare)
+        return;
+    m_lean = lean;
+    m_camera.lean(lean);
+    m_control.forgetRay();
+    redrawMoving();
 }
 
 void ToothView::takePatches()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -109,6 +110,12 @@ public:
     /// The same without the instrument: what has become of the tooth.
     [[nodiscard]] QImage toothPicture();
 
+    /// Asked in every frame how the eye leans. Empty: it does not.
+    /// @param seconds  since the frame before
+    /// @param touches  the bur touches the tooth
+    using HeadLean = std::function<core::tracking::Lean(double seconds, bool touches)>;
+    void setHeadLean(HeadLean lean);
+
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     /// Returns where the tip of the bur is seen in this widget. Empty if no bur is shown, or if the picture has two
     /// halves.
@@ -160,6 +167,7 @@ protected:
 
 private:
     void advanceFrame();
+    void followHead(double seconds);
     void takePatches();
     void takeChanges(const render::ToothSurface::Changes& changes);
     void takeAllChanges();
@@ -214,6 +222,8 @@ private:
     PatchInbox m_inbox;
     Camera m_camera;
     Camera m_storedCamera;
+    HeadLean m_headLean;
+    core::tracking::Lean m_lean;  ///< of m_camera
     PointerControl m_control;
     core::session::PointerInput m_published;
     core::session::ServoState m_servo;
