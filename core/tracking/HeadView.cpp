@@ -15,6 +15,8 @@ constexpr double kSeenS = 0.25;   ///< age of a tag that is followed still
 constexpr double kGlideS = 0.15;  ///< time constant of gliding
 constexpr double kDeadDeg = 0.3;  ///< around the middle, where the view hardly moves
 constexpr double kMostFarther = 1.6;
+constexpr double kMostWindowDeg = 40.0;
+constexpr double kMostStep = 0.0175;  ///< a frame, of the distance: a degree
 constexpr double kLeastMm = 1.0;
 
 /// Soft dead zone: half-heartedly near zero, parallel to the identity from there on.
@@ -52,10 +54,13 @@ const Lean& HeadView::update(const Head& head, double nowS, double seconds, bool
     const double share = glm::mix(glide, 1.0, m_follow * m_follow);
     m_lean.yawDeg = towards(m_lean.yawDeg, target.yawDeg, share, kMostDegPerFrame);
     m_lean.pitchDeg = towards(m_lean.pitchDeg, target.pitchDeg, share, kMostDegPerFrame);
-    m_lean.farther = towards(m_lean.farther, target.farther, share, 0.02);
+    m_lean.farther = towards(m_lean.farther, target.farther, share, kMostStep);
+    m_lean.rightShare = towards(m_lean.rightShare, target.rightShare, share, kMostStep);
+    m_lean.upShare = towards(m_lean.upShare, target.upShare, share, kMostStep);
     constexpr double kNothing = 1e-3;
-    if (target == Lean{} && std::abs(m_lean.yawDeg) < kNothing && std::abs(m_lean.pitchDeg) < kNothing &&
-        std::abs(m_lean.farther - 1.0) < kNothing)
+    const double left = std::abs(m_lean.yawDeg) + std::abs(m_lean.pitchDeg) + std::abs(m_lean.farther - 1.0) +
+                        std::abs(m_lean.rightShare) + std::abs(m_lean.upShare);
+    if (target == Lean{} && left < kNothing)
         m_lean = {};
     return m_lean;
 }
@@ -65,11 +70,16 @@ Lean HeadView::wanted(const glm::dvec3& positionMm) const
 {
     const double depth = std::max(kLeastMm, positionMm.z);
     const auto angle = [&](double moved) { return glm::degrees(std::atan2(moved, depth)); };
+    const double yaw = m_settings.gain * calmed(angle(m_neutralMm.x - positionMm.x));
+    const double pitch = m_settings.gain * calmed(angle(m_neutralMm.y - positionMm.y));
     Lean lean;
-    lean.yawDeg = std::clamp(m_settings.gain * calmed(angle(m_neutralMm.x - positionMm.x)), -m_settings.mostYawDeg,
-                             m_settings.mostYawDeg);
-    lean.pitchDeg = std::clamp(m_settings.gain * calmed(angle(m_neutralMm.y - positionMm.y)), -m_settings.mostPitchDeg,
-                               m_settings.mostPitchDeg);
+    if (m_settings.isWindow) {
+        lean.rightShare = std::tan(glm::radians(std::clamp(yaw, -kMostWindowDeg, kMostWindowDeg)));
+        lean.upShare = std::tan(glm::radians(std::clamp(pitch, -kMostWindowDeg, kMostWindowDeg)));
+    } else {
+        lean.yawDeg = std::clamp(yaw, -m_settings.mostYawDeg, m_settings.mostYawDeg);
+        lean.pitchDeg = std::clamp(pitch, -m_settings.mostPitchDeg, m_settings.mostPitchDeg);
+    }
     lean.farther = std::clamp(std::pow(depth / std::max(kLeastMm, m_neutralMm.z), m_settings.depthPower),
                               1.0 / kMostFarther, kMostFarther);
     return lean;

@@ -15,6 +15,7 @@ struct HeadViewSettings
     double mostYawDeg = 75.0;  ///< farthest turn to a side
     double mostPitchDeg = 40.0;
     double depthPower = 0.7;  ///< of the distance: 0 keeps it, 1 follows the head in full
+    bool isWindow = false;    ///< the screen is a window before the tooth, which does not turn; else the tooth turns
     bool operator==(const HeadViewSettings&) const = default;
 };
 

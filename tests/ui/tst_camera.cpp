@@ -182,6 +182,28 @@ private slots:
         QVERIFY(near(camera.distanceMm(), 40.0, 1e-9));
     }
 
+    /// The head moves before a window: what lies in the plane of the glass stays in its place.
+    void theScreenCanBeAWindow()
+    {
+        Camera camera = molarCamera();
+        camera.set(10.0, 40.0, 40.0);
+        const glm::dvec2 pixel(900.0, 250.0);
+        const ui::render::Ray straight = camera.rayThrough(pixel);
+        const glm::dvec3 forward = glm::normalize(kMiddle - camera.eyeMm());
+        const glm::dvec3 onGlass =
+            straight.originMm + straight.direction * (40.0 / glm::dot(straight.direction, forward));
+        core::tracking::Lean lean;
+        lean.rightShare = 0.3;
+        lean.upShare = -0.1;
+        camera.lean(lean);
+        QVERIFY(glm::distance(camera.pixelOf(onGlass), pixel) < 1e-6);
+        const ui::render::Ray ray = camera.rayThrough(pixel);
+        QVERIFY(glm::distance(camera.pixelOf(ray.originMm + 33.0 * ray.direction), pixel) < 1e-6);
+        // What is behind the glass goes to the side that the head goes to.
+        QVERIFY(camera.pixelOf(onGlass + 5.0 * forward).x > pixel.x);
+        QVERIFY(camera.pixelOf(onGlass + 5.0 * forward).y > pixel.y);
+    }
+
     void whatIsBehindTheEyeLiesOutsideOnItsSide()
     {
         const Camera camera = molarCamera();

@@ -160,7 +160,8 @@ double Camera::fittingMm() const
     return m_radiusMm / std::sin(std::atan(narrower));
 }
 
-glm::dvec3 Camera::eyeMm() const
+/// The eye before it leans aside from the middle of the screen.
+glm::dvec3 Camera::straightEyeMm() const
 {
     const double azimuth = glm::radians(azimuthDeg());
     const double elevation = glm::radians(elevationDeg());
@@ -168,26 +169,45 @@ glm::dvec3 Camera::eyeMm() const
                                                   -std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
 }
 
+Camera::Axes Camera::axes() const
+{
+    const glm::dvec3 forward = glm::normalize(m_lookAtMm - straightEyeMm());
+    const glm::dvec3 right(rightOnTooth(), 0.0);
+    return {right, glm::cross(right, forward)};
+}
+
+glm::dvec3 Camera::eyeMm() const
+{
+    const Axes screen = axes();
+    return straightEyeMm() + distanceMm() * (m_lean.rightShare * screen.right + m_lean.upShare * screen.up);
+}
+
 glm::dmat4 Camera::view() const
 {
-    return glm::lookAt(eyeMm(), m_lookAtMm, glm::dvec3(0.0, 0.0, 1.0));
+    const glm::dvec3 aside = eyeMm() - straightEyeMm();
+    return glm::lookAt(eyeMm(), m_lookAtMm + aside, glm::dvec3(0.0, 0.0, 1.0));
 }
 
 glm::dmat4 Camera::projection() const
 {
-    return glm::perspective(glm::radians(kFieldOfViewDeg), m_sizePx.x / m_sizePx.y, 0.1 * distanceMm(),
-                            distanceMm() + 200.0);
+    const double nearMm = 0.1 * distanceMm();
+    const double high = std::tan(glm::radians(kFieldOfViewDeg) / 2.0);
+    const double wide = high * m_sizePx.x / m_sizePx.y;
+    return glm::frustum(nearMm * (-wide - m_lean.rightShare), nearMm * (wide - m_lean.rightShare),
+                        nearMm * (-high - m_lean.upShare), nearMm * (high - m_lean.upShare), nearMm,
+                        distanceMm() + 200.0);
 }
 
 render::Ray Camera::rayThrough(glm::dvec2 pixel) const
 {
-    const double half = std::tan(glm::radians(kFieldOfViewDeg) / 2.0);
-    const double right = (2.0 * pixel.x / m_sizePx.x - 1.0) * half * m_sizePx.x / m_sizePx.y;
-    const double up = (1.0 - 2.0 * pixel.y / m_sizePx.y) * half;
+    const double high = std::tan(glm::radians(kFieldOfViewDeg) / 2.0);
+    const double right = (2.0 * pixel.x / m_sizePx.x - 1.0) * high * m_sizePx.x / m_sizePx.y;
+    const double up = (1.0 - 2.0 * pixel.y / m_sizePx.y) * high;
+    const Axes screen = axes();
     const glm::dvec3 eye = eyeMm();
-    const glm::dvec3 forward = glm::normalize(m_lookAtMm - eye);
-    const glm::dvec3 side = glm::dvec3(rightOnTooth(), 0.0);
-    return {eye, glm::normalize(forward + right * side + up * glm::cross(side, forward))};
+    // The middle of the screen is at what is looked at.
+    const glm::dvec3 onScreen = m_lookAtMm + distanceMm() * (right * screen.right + up * screen.up);
+    return {eye, glm::normalize(onScreen - eye)};
 }
 
 glm::dvec2 Camera::pixelOf(glm::dvec3 pointMm) const

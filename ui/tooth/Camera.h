@@ -77,6 +77,14 @@ public:
     [[nodiscard]] glm::dvec2 awayOnTooth() const;
 
 private:
+    /// Unit vectors that point right and up on the screen, tooth frame.
+    struct Axes
+    {
+        glm::dvec3 right;
+        glm::dvec3 up;
+    };
+    [[nodiscard]] Axes axes() const;
+    [[nodiscard]] glm::dvec3 straightEyeMm() const;
     void keepInBounds();
     void moveTo(double distanceMm);
     void fit();

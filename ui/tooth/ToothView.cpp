@@ -734,7 +734,9 @@ void ToothView::followHead(double seconds)
     constexpr double kSeenShare = 2e-4;
     const core::tracking::Lean lean = m_headLean ? m_headLean(seconds, m_servo.touching) : core::tracking::Lean{};
     if (std::abs(lean.yawDeg - m_lean.yawDeg) < kSeenDeg && std::abs(lean.pitchDeg - m_lean.pitchDeg) < kSeenDeg &&
-        std::abs(lean.farther - m_lean.farther) < kSeenShare)
+        std::abs(lean.farther - m_lean.farther) < kSeenShare &&
+        std::abs(lean.rightShare - m_lean.rightShare) < kSeenShare &&
+        std::abs(lean.upShare - m_lean.upShare) < kSeenShare)
         return;
     m_lean = lean;
     m_camera.lean(lean);
