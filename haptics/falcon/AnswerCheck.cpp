@@ -10,6 +10,7 @@ namespace {
 constexpr double kMsPerNs = 1.0e-6;
 constexpr double kLeastMs = 0.1;           ///< answers are not taken at shorter intervals
 constexpr double kForgottenMs = 50.0;      ///< after this time the last counts say nothing
+constexpr double kConfirmedMs = 3.0;       ///< after this time a second answer has to agree
 constexpr double kMostCountsPerMs = 60.0;  ///< about 2 m/s
 constexpr int kConfirmed = 3;
 constexpr double kRoundingCounts = 1.5;
@@ -52,6 +53,9 @@ std::optional<glm::dvec3> AnswerCheck::take(const Answer& answer, std::chrono::n
     else
         m_countsPerMs += (moved / ms - m_countsPerMs) * (m_known == 1 ? 1.0 : ms / (ms + kPaceLagMs));
     m_known = agrees ? std::min(m_known + 1, kConfirmed) : 1;
+    // After a pause the allowance is so wide that a spoilt count may be within it; the next one tells.
+    if (m_known == kConfirmed && ms > kConfirmedMs)
+        m_known = kConfirmed - 1;
     m_counts = counts;
     m_taken = taken;
     return m_known == kConfirmed ? std::optional(counts) : std::nullopt;

@@ -15,7 +15,7 @@ namespace haptics::falcon {
 /// another position. A count is believed if the arm can have come there: it is compared with the one that the last
 /// counts lead to, and may differ by what a hand can accelerate. So a spoilt count is either refused or within
 /// about kBelievedCounts of the real one, a seventh of a millimetre. After answers that are missing the allowance is
-/// larger.
+/// larger, and the first one is believed when the next one agrees.
 ///
 /// Device thread. Never allocates.
 class AnswerCheck

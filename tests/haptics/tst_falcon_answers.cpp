@@ -42,6 +42,7 @@ private slots:
     void refusesAnArmThatIsNotHomed();
     void refusesWhatNoArmReaches();
     void findsTheHandAgainAfterAPause();
+    void afterMissingAnswersTwoHaveToAgree();
     void believesNoCountThatIsFarOff();
 };
 
@@ -103,6 +104,19 @@ void TestFalconAnswers::findsTheHandAgainAfterAPause()
     QVERIFY(!check.take(homedAt(700, 700, 700), 103ms));
     QVERIFY(!check.take(homedAt(700, 700, 700), 104ms));
     QVERIFY(check.take(homedAt(700, 700, 700), 105ms));
+}
+
+void TestFalconAnswers::afterMissingAnswersTwoHaveToAgree()
+{
+    AnswerCheck check = settledAt(100);
+    QVERIFY(!check.take(homedAt(102, 100, 100), 11ms));
+    QVERIFY(check.take(homedAt(102, 100, 100), 12ms));
+    // Within what a hand can do in this time, but spoilt.
+    check = settledAt(100);
+    QVERIFY(!check.take(homedAt(100 + 32, 100, 100), 11ms));
+    QVERIFY(!check.take(homedAt(100, 100, 100), 12ms));
+    QVERIFY(!check.take(homedAt(100, 100, 100), 13ms));
+    QVERIFY(check.take(homedAt(100, 100, 100), 14ms));
 }
 
 void TestFalconAnswers::believesNoCountThatIsFarOff()
