@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -32,6 +33,10 @@ struct CameraModel
     [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& pointMm) const;
     /// Direction of a pixel: x / z and y / z of every point that is seen there.
     [[nodiscard]] glm::dvec2 directionOf(const glm::dvec2& pixel) const;
+    /// Focal length with which a tag is at its measured distance from the camera. Empty if there is none. For a camera
+    /// without distortion.
+    /// @param positionMm  of the tag, computed with this camera
+    [[nodiscard]] std::optional<double> focalAt(const glm::dvec3& positionMm, double distanceMm) const;
 };
 
 }  // namespace core::tracking

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of TagCells.cpp, TagDetector.cpp and TagPose.cpp in a program that is built without AprilTag or OpenCV.
+// In place of BoardCalibration.cpp, TagCells.cpp, TagDetector.cpp and TagPose.cpp in a program that is built without
+// AprilTag or OpenCV.
+#include "core/tracking/BoardCalibration.h"
 #include "core/tracking/TagCells.h"
 #include "core/tracking/TagDetector.h"
 #include "core/tracking/TagPose.h"
@@ -34,6 +36,16 @@ std::vector<SeenTag> TagDetector::find(const PictureView& /*picture*/, const Reg
 std::optional<PosedTag> poseOf(const SeenTag& /*tag*/, const CameraModel& /*camera*/, double /*edgeMm*/)
 {
     return std::nullopt;
+}
+
+BoardCalibration::Look BoardCalibration::take(const PictureView& /*picture*/)
+{
+    return Look::NoBoard;
+}
+
+Result<BoardCalibration::Found> BoardCalibration::solve() const
+{
+    return unexpected(ErrorCode::BadStructure, "This program was built without head tracking.");
 }
 
 }  // namespace core::tracking
