@@ -46,8 +46,8 @@ core::Result<CameraModel> readCameraCalibration(const QString& path)
         return value.toDouble();
     };
     CameraModel camera;
-    camera.width = static_cast<int>(number("width"));
-    camera.height = static_cast<int>(number("height"));
+    camera.width = root[QStringLiteral("width")].toInt();  // 0 for what is no whole number, and 0 is refused
+    camera.height = root[QStringLiteral("height")].toInt();
     camera.focalPx = {number("fx"), number("fy")};
     camera.centrePx = {number("cx"), number("cy")};
     if (const QJsonValue lens = root[QStringLiteral("distortion")]; !lens.isUndefined()) {

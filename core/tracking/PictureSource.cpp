@@ -83,8 +83,12 @@ public:
 
     Result<bool> next(Picture& picture) override
     {
-        if (!m_reader->read(picture))
+        if (!m_reader->read(picture)) {
+            if (m_lastS + kLeastMissingS < kWholeShare * m_reader->lengthS())
+                return unexpected(ErrorCode::FileTruncated,
+                                  "The video " + m_name + " ends before its time: it is cut off or damaged.");
             return false;
+        }
         // Some files have no times, or times that stand still.
         picture.timeS = m_isFirst ? picture.timeS : std::max(picture.timeS, m_lastS + kLeastStepS);
         m_lastS = picture.timeS;
@@ -95,6 +99,8 @@ public:
 
 private:
     static constexpr double kLeastStepS = 0.001;
+    static constexpr double kWholeShare = 0.9;  ///< the length in a header may be an estimate
+    static constexpr double kLeastMissingS = 0.1;
     std::unique_ptr<Reader> m_reader;
     std::string m_name;
     double m_lastS = 0.0;
@@ -115,7 +121,7 @@ public:
         ++m_next;
         picture.name = file.filename().string();
         if (!m_library.readImage(file.c_str(), picture))
-            return unexpected(ErrorCode::WrongKind, Words{"%1 is no image.", {noted(picture.name)}});
+            return unexpected(ErrorCode::WrongKind, Words{"%1 is no image, or is cut off.", {noted(picture.name)}});
         picture.timeS = timeS;
         return true;
     }
@@ -134,6 +140,22 @@ bool isImage(const fs::path& file)
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return std::find(kImageEndings.begin(), kImageEndings.end(), ending) != kImageEndings.end();
+}
+
+/// Whether a file begins as text. FFmpeg would show it as the screen of a terminal, or follow the links of a playlist.
+bool isText(const std::string& path)
+{
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored))
+        return false;  // what is read from a pipe is gone
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 1024> head{};
+    file.read(head.data(), head.size());
+    const std::string_view begin(head.data(), static_cast<std::size_t>(file.gcount()));
+    return std::all_of(begin.begin(), begin.end(), [](char c) {
+        const auto code = static_cast<unsigned char>(c);
+        return code >= 0x20 || code == '\n' || code == '\r' || code == '\t';
+    });
 }
 
 }  // namespace
@@ -201,7 +223,7 @@ Result<std::unique_ptr<PictureSource>> openVideo(const std::string& path)
     const Library* const from = library();
     if (from == nullptr)
         return noLibrary();
-    std::unique_ptr<Reader> reader(from->openVideo(path.c_str()));
+    std::unique_ptr<Reader> reader(isText(path) ? nullptr : from->openVideo(path.c_str()));
     if (!reader)
         return unexpected(ErrorCode::WrongKind,
                           Words{"%1 is no video, or of a kind that cannot be read here.", {noted(path)}});

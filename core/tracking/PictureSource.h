@@ -38,7 +38,8 @@ public:
     PictureSource& operator=(const PictureSource&) = delete;
 
     /// Waits for the next picture. False at the end of a file or folder. Errors: ConnectionLost (a camera gives no
-    /// more pictures), WrongKind (an image that cannot be read; the next call goes on with the one after it).
+    /// more pictures), FileTruncated (a video ends long before its time), WrongKind (an image that cannot be read; the
+    /// next call goes on with the one after it).
     [[nodiscard]] virtual Result<bool> next(Picture& picture) = 0;
     /// A video and a folder have pictures with times of their own.
     [[nodiscard]] virtual bool isLive() const = 0;

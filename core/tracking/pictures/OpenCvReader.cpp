@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The library cusp_pictures: cameras, videos and images by OpenCV.
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <new>
+#include <string>
+#include <string_view>
 
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -58,6 +64,12 @@ public:
         }
     }
 
+    double lengthS() const override
+    {
+        const double hz = m_isCamera ? 0.0 : m_capture.get(cv::CAP_PROP_FPS);
+        return hz > 0.0 ? m_capture.get(cv::CAP_PROP_FRAME_COUNT) / hz : 0.0;
+    }
+
 private:
     static double now()
     {
@@ -100,9 +112,29 @@ Reader* openVideo(const char* path)
     }
 }
 
+/// Whether a file is a JPEG whose end is missing. OpenCV makes a picture of it whose lower part is grey.
+bool isCutOffJpeg(const char* path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 4> head{};
+    constexpr std::string_view kStart = "\xFF\xD8";
+    if (!file.read(head.data(), 2) || std::string_view(head.data(), 2) != kStart)
+        return false;
+    // Segments with their lengths, up to the first scan. A thumbnail in one of them has an end of its own.
+    constexpr char kScan = '\xDA';
+    while (file.read(head.data(), 4) && head[1] != kScan) {
+        const int length = 256 * static_cast<std::uint8_t>(head[2]) + static_cast<std::uint8_t>(head[3]);
+        file.seekg(length - 2, std::ios::cur);
+    }
+    const std::string scans{std::istreambuf_iterator<char>(file), {}};
+    return scans.find("\xFF\xD9") == std::string::npos;
+}
+
 bool readImage(const char* path, Picture& picture)
 {
     try {
+        if (isCutOffJpeg(path))
+            return false;
         picture.timeS = 0.0;
         return take(cv::imread(path, cv::IMREAD_GRAYSCALE), picture);
     } catch (const std::exception&) {

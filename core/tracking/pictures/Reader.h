@@ -20,6 +20,8 @@ public:
 
     /// Reads the next picture; false if there is none. Leaves the name alone.
     [[nodiscard]] virtual bool read(Picture& picture) = 0;
+    /// Of a video, as its header has it, seconds; 0 if that is not known.
+    [[nodiscard]] virtual double lengthS() const = 0;
 };
 
 /// Functions of the library; none throws.
@@ -29,7 +31,7 @@ struct Library
     Reader* (*openCamera)(int number, int width, int height, double hz);
     /// Null if the file is no video.
     Reader* (*openVideo)(const char* path);
-    /// False if the file is no image.
+    /// False if the file is no image, or is cut off.
     bool (*readImage)(const char* path, Picture& picture);
 };
 
