@@ -4322,6 +4322,61 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::devices::TagSheet</name>
+    <message>
+        <source>Head tracking: tag %1</source>
+        <translation>Kopfverfolgung: Marke %1</translation>
+    </message>
+    <message>
+        <source>Print this on matte paper. Cut a tag out along the dashed line. Do not cut off its white border: without it the tag is not found. Glue the tag to a piece of stiff, flat card.</source>
+        <translation>Drucken Sie dies auf mattes Papier. Schneiden Sie eine Marke entlang der gestrichelten Linie aus. Schneiden Sie den weißen Rand nicht ab: Ohne ihn wird die Marke nicht gefunden. Kleben Sie die Marke auf ein Stück steife, ebene Pappe.</translation>
+    </message>
+    <message>
+        <source>Wear the tag on your forehead with the arrow pointing up, tilted by 15 to 25 degrees: its lower edge is nearer to the camera than its upper edge.</source>
+        <translation>Tragen Sie die Marke auf der Stirn, mit dem Pfeil nach oben und um 15 bis 25 Grad geneigt: Ihre untere Kante ist näher an der Kamera als die obere.</translation>
+    </message>
+    <message>
+        <source>Tell Cusp the length of the tag&apos;s edge. It stands below the tag and is the side of the black square.</source>
+        <translation>Geben Sie in Cusp die Kantenlänge der Marke an. Sie steht unter der Marke und ist die Seite des schwarzen Quadrats.</translation>
+    </message>
+    <message>
+        <source>Tag %1, edge %2 mm</source>
+        <translation>Marke %1, Kante %2 mm</translation>
+    </message>
+    <message>
+        <source>The headband: cut it out and cut its two slots. Pull an elastic band, 20 mm wide and about 35 cm long, through the slots.</source>
+        <translation>Das Stirnband: Schneiden Sie es und seine zwei Schlitze aus. Ziehen Sie ein Gummiband, 20 mm breit und etwa 35 cm lang, durch die Schlitze.</translation>
+    </message>
+    <message>
+        <source>The wedge: glue it to stiff card, cut it out, fold it along the dotted lines to a triangle, and glue its flap to its foot. Glue it behind the tag, the foot below. It keeps the tag flat and tilts it by 20 degrees.</source>
+        <translation>Der Keil: Kleben Sie ihn auf steife Pappe, schneiden Sie ihn aus, falten Sie ihn entlang der gepunkteten Linien zu einem Dreieck und kleben Sie die Lasche an den Fuß. Kleben Sie ihn hinter die Marke, den Fuß nach unten. Er hält die Marke eben und neigt sie um 20 Grad.</translation>
+    </message>
+    <message>
+        <source>Flap</source>
+        <translation>Lasche</translation>
+    </message>
+    <message>
+        <source>This side to the forehead</source>
+        <translation>Diese Seite zur Stirn</translation>
+    </message>
+    <message>
+        <source>This side to the tag</source>
+        <translation>Diese Seite zur Marke</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Board for the calibration of a camera. Glue it to something stiff and flat. Show it to the camera at many places and tilted to all sides.</source>
+        <translation>Tafel für die Kalibrierung einer Kamera. Kleben Sie sie auf etwas Steifes und Ebenes. Zeigen Sie sie der Kamera an vielen Stellen und nach allen Seiten geneigt.</translation>
+    </message>
+    <message>
+        <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
+        <translation>Messen Sie diese Linie: Sie muss 100 mm lang sein. Sonst drucken Sie ohne Skalierung (100 %).</translation>
+    </message>
+</context>
+<context>
     <name>ui::devices::Words</name>
     <message>
         <source>Not available: this program was built without force devices.</source>

@@ -4322,6 +4322,61 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+    <name>ui::devices::TagSheet</name>
+    <message>
+        <source>Head tracking: tag %1</source>
+        <translation>Seguimiento de la cabeza: marca %1</translation>
+    </message>
+    <message>
+        <source>Print this on matte paper. Cut a tag out along the dashed line. Do not cut off its white border: without it the tag is not found. Glue the tag to a piece of stiff, flat card.</source>
+        <translation>Imprima esto en papel mate. Recorte una marca por la línea discontinua. No corte el borde blanco: sin él no se encuentra la marca. Pegue la marca sobre un cartón rígido y plano.</translation>
+    </message>
+    <message>
+        <source>Wear the tag on your forehead with the arrow pointing up, tilted by 15 to 25 degrees: its lower edge is nearer to the camera than its upper edge.</source>
+        <translation>Lleve la marca en la frente con la flecha hacia arriba, inclinada de 15 a 25 grados: su borde inferior queda más cerca de la cámara que el superior.</translation>
+    </message>
+    <message>
+        <source>Tell Cusp the length of the tag&apos;s edge. It stands below the tag and is the side of the black square.</source>
+        <translation>Indique a Cusp la longitud del borde de la marca. Figura debajo de la marca y es el lado del cuadrado negro.</translation>
+    </message>
+    <message>
+        <source>Tag %1, edge %2 mm</source>
+        <translation>Marca %1, borde %2 mm</translation>
+    </message>
+    <message>
+        <source>The headband: cut it out and cut its two slots. Pull an elastic band, 20 mm wide and about 35 cm long, through the slots.</source>
+        <translation>La banda: recórtela y corte sus dos ranuras. Pase por las ranuras una cinta elástica de 20 mm de ancho y unos 35 cm de largo.</translation>
+    </message>
+    <message>
+        <source>The wedge: glue it to stiff card, cut it out, fold it along the dotted lines to a triangle, and glue its flap to its foot. Glue it behind the tag, the foot below. It keeps the tag flat and tilts it by 20 degrees.</source>
+        <translation>La cuña: péguela sobre cartón rígido, recórtela, dóblela por las líneas de puntos en forma de triángulo y pegue la solapa al pie. Péguela detrás de la marca, con el pie abajo. Mantiene plana la marca y la inclina 20 grados.</translation>
+    </message>
+    <message>
+        <source>Flap</source>
+        <translation>Solapa</translation>
+    </message>
+    <message>
+        <source>This side to the forehead</source>
+        <translation>Este lado hacia la frente</translation>
+    </message>
+    <message>
+        <source>This side to the tag</source>
+        <translation>Este lado hacia la marca</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Pie</translation>
+    </message>
+    <message>
+        <source>Board for the calibration of a camera. Glue it to something stiff and flat. Show it to the camera at many places and tilted to all sides.</source>
+        <translation>Tablero para calibrar una cámara. Péguelo sobre algo rígido y plano. Muéstrelo a la cámara en muchos lugares e inclinado hacia todos los lados.</translation>
+    </message>
+    <message>
+        <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
+        <translation>Mida esta línea: debe tener 100 mm. Si no, imprima sin escalar (100 %).</translation>
+    </message>
+</context>
+<context>
     <name>ui::devices::Words</name>
     <message>
         <source>Not available: this program was built without force devices.</source>

@@ -4299,6 +4299,61 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
+    <name>ui::devices::TagSheet</name>
+    <message>
+        <source>Head tracking: tag %1</source>
+        <translation>ヘッドトラッキング：タグ %1</translation>
+    </message>
+    <message>
+        <source>Print this on matte paper. Cut a tag out along the dashed line. Do not cut off its white border: without it the tag is not found. Glue the tag to a piece of stiff, flat card.</source>
+        <translation>つや消しの紙に印刷してください。破線に沿ってタグを切り取ります。白い縁は切り落とさないでください。縁がないとタグは検出されません。タグを硬く平らな厚紙に貼ってください。</translation>
+    </message>
+    <message>
+        <source>Wear the tag on your forehead with the arrow pointing up, tilted by 15 to 25 degrees: its lower edge is nearer to the camera than its upper edge.</source>
+        <translation>矢印を上にしてタグを額に付け、15～25 度傾けてください。下の縁が上の縁よりカメラに近くなるようにします。</translation>
+    </message>
+    <message>
+        <source>Tell Cusp the length of the tag&apos;s edge. It stands below the tag and is the side of the black square.</source>
+        <translation>タグの辺の長さを Cusp に指定してください。長さはタグの下に書かれており、黒い正方形の一辺です。</translation>
+    </message>
+    <message>
+        <source>Tag %1, edge %2 mm</source>
+        <translation>タグ %1、辺 %2 mm</translation>
+    </message>
+    <message>
+        <source>The headband: cut it out and cut its two slots. Pull an elastic band, 20 mm wide and about 35 cm long, through the slots.</source>
+        <translation>ヘッドバンド：切り取り、2 つの切れ込みを入れます。幅 20 mm、長さ約 35 cm のゴムバンドを切れ込みに通してください。</translation>
+    </message>
+    <message>
+        <source>The wedge: glue it to stiff card, cut it out, fold it along the dotted lines to a triangle, and glue its flap to its foot. Glue it behind the tag, the foot below. It keeps the tag flat and tilts it by 20 degrees.</source>
+        <translation>くさび：硬い厚紙に貼って切り取り、点線で折って三角形にし、のりしろを底面に貼ります。底面を下にしてタグの裏に貼ってください。タグを平らに保ち、20 度傾けます。</translation>
+    </message>
+    <message>
+        <source>Flap</source>
+        <translation>のりしろ</translation>
+    </message>
+    <message>
+        <source>This side to the forehead</source>
+        <translation>この面を額側に</translation>
+    </message>
+    <message>
+        <source>This side to the tag</source>
+        <translation>この面をタグ側に</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>底面</translation>
+    </message>
+    <message>
+        <source>Board for the calibration of a camera. Glue it to something stiff and flat. Show it to the camera at many places and tilted to all sides.</source>
+        <translation>カメラの校正用ボード。硬く平らな物に貼ってください。さまざまな位置で、いろいろな方向に傾けてカメラに見せてください。</translation>
+    </message>
+    <message>
+        <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
+        <translation>この線を測ってください。長さは 100 mm のはずです。違うときは拡大縮小なし（100 %）で印刷してください。</translation>
+    </message>
+</context>
+<context>
     <name>ui::devices::Words</name>
     <message>
         <source>Not available: this program was built without force devices.</source>
