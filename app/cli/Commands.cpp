@@ -27,7 +27,8 @@ constexpr Command kCommands[] = {
     {"import", "enter a class list", importCommand},
     {"export", "write the attempts as CSV", exportCommand},
     {"falcon", "find, test and calibrate a Novint Falcon", falconCommand},
-    {"track", "find the tag of head tracking in pictures of a camera, a video or a folder", trackCommand},
+    {"track", "find the tag of head tracking in pictures of a camera, a video or a folder; print a tag", trackCommand,
+     Draws::Charts, "--print"},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
     {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},
@@ -117,8 +118,10 @@ std::optional<int> run(int& argc, char** argv)
     if (!help && !version && first.startsWith(u'-'))
         return std::nullopt;
     const Command* const command = findCommand(first);
-    const bool draws = command != nullptr &&
-                       (command->drawingPart == nullptr || (argc > 2 && qstrcmp(argv[2], command->drawingPart) == 0));
+    const bool draws = command != nullptr && (command->drawingPart == nullptr ||
+                                              std::any_of(argv + 2, argv + argc, [&](const char* argument) {
+                                                  return QByteArrayView(argument).startsWith(command->drawingPart);
+                                              }));
     const auto application = makeApplication(argc, argv, draws ? command->draws : Draws::Nothing);
     const QStringList arguments = QCoreApplication::arguments().mid(2);
     if (help)

@@ -23,7 +23,7 @@ struct Command
     const char* summary;                       ///< one line for `cusp help`
     int (*run)(const QStringList& arguments);  ///< arguments after the command's name; returns an ExitCode
     Draws draws = Draws::Nothing;
-    const char* drawingPart = nullptr;  ///< the only part of it that draws; null: all of it
+    const char* drawingPart = nullptr;  ///< the only part or option of it that draws; null: all of it
 };
 
 /// All of them, in the order `cusp help` shows. To add one: XCommand.cpp with a function, and a line in Commands.cpp.

@@ -12,6 +12,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/StopSignal.h"
+#include "app/cli/TrackParts.h"
 #include "core/tracking/PictureSource.h"
 #include "core/tracking/TagTracker.h"
 
@@ -26,9 +27,12 @@ using core::tracking::TagTracker;
 using core::tracking::TrackerSettings;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kTrackUsage = "cusp track --camera N | --video FILE | --images DIR | --list [OPTIONS]";
+constexpr const char* kTrackUsage =
+    "cusp track --camera N | --video FILE | --images DIR | --list | --print FILE [OPTIONS]";
 constexpr int kMostCameras = 1000;
 constexpr double kMostPictures = 1e9;
+constexpr double kNearestMm = 100.0;  ///< of a tag that a camera is calibrated by
+constexpr double kFarthestMm = 5000.0;
 
 QJsonArray numbers(const glm::dvec2& value)
 {
@@ -211,11 +215,8 @@ int track(PictureSource& source, TagTracker& tracker, qint64 most, bool isJson)
     return unread == 0 ? kDone : kFailed;
 }
 
-}  // namespace
-
-int trackCommand(const QStringList& arguments)
+void addTrackOptions(QCommandLineParser& parser)
 {
-    QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral(
         "Finds a printed tag (AprilTag, family 36h11) in the pictures of a camera, a video or a folder of images, and "
         "says where it is: x to the right, y down, z away from the camera. rotation_deg is a rotation vector: the axis "
@@ -233,35 +234,59 @@ int trackCommand(const QStringList& arguments)
     option("tag-size", "The edge of the tag's black square in millimetres; 50 if not given.", "MM");
     option("fov", "The horizontal field of view of the camera in degrees; 60 if not given.", "DEG");
     option("calibration", "A calibration of the camera, in place of --fov.", "FILE");
+    option("print", "Writes a PDF with the tag in several sizes, a headband and a board for calibration.", "FILE");
+    option("calibrate", "Computes the camera's calibration from pictures of the printed board, and writes it.", "FILE");
+    option("at", "Calibrates by the tag instead, held at this distance from the camera.", "MM");
     option("frames", "Stops after so many pictures.", "N", "1000000000");
     addJson(parser);
+}
+
+}  // namespace
+
+int trackCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    addTrackOptions(parser);
     if (const auto code = parse(parser, arguments, QLatin1String(kTrackUsage)))
         return *code;
-    if (parser.isSet(QStringLiteral("list")))
-        return listCameras();
+    const auto has = [&](const char* name) { return parser.isSet(QLatin1String(name)); };
+    const auto wrong = [](const core::Error& error) { return wrongUsage(QString::fromStdString(error.detail)); };
     int sources = 0;
-    for (const char* name : {"camera", "video", "images"})
-        sources += parser.isSet(QLatin1String(name)) ? 1 : 0;
+    for (const char* name : {"camera", "video", "images", "list", "print"})
+        sources += has(name) ? 1 : 0;
     if (sources != 1 || !parser.positionalArguments().isEmpty())
         return wrongUsage(QStringLiteral("name one source of pictures; usage: ") + QLatin1String(kTrackUsage));
+    if (has("list"))
+        return listCameras();
     qint64 camera = 0;
-    if (parser.isSet(QStringLiteral("camera"))) {
+    if (has("camera")) {
         const auto number = wholeNumber(parser, QStringLiteral("camera"), 0, kMostCameras);
         if (!number)
-            return wrongUsage(QString::fromStdString(number.error().detail));
+            return wrong(number.error());
         camera = *number;
     }
     const auto most = wholeNumber(parser, QStringLiteral("frames"), 1, static_cast<qint64>(kMostPictures));
     if (!most)
-        return wrongUsage(QString::fromStdString(most.error().detail));
+        return wrong(most.error());
     auto settings = settingsFrom(parser);
     if (!settings)
-        return wrongUsage(QString::fromStdString(settings.error().detail));
+        return wrong(settings.error());
+    if (has("calibrate") && (has("calibration") || has("print")))
+        return wrongUsage(QStringLiteral("--calibrate makes a calibration from pictures; leave out --calibration and "
+                                         "--print"));
+    bool isNumber = true;
+    const double distanceMm = has("at") ? parser.value(QStringLiteral("at")).toDouble(&isNumber) : 0.0;
+    if (has("at") && !(isNumber && distanceMm >= kNearestMm && distanceMm <= kFarthestMm))
+        return wrongUsage(QStringLiteral("--at wants a distance from 100 to 5000 mm"));
+    if (has("at") && (!has("calibrate") || !settings->id))
+        return wrongUsage(QStringLiteral("--at goes with --calibrate and one tag"));
     if (!core::tracking::hasTagDetector())
         return failed({core::ErrorCode::FileUnreadable,
                        "This program was built without head tracking. Install libapriltag-dev and OpenCV, and build it "
                        "again."});
-    if (parser.isSet(QStringLiteral("calibration"))) {
+    if (has("print"))
+        return printTagSheet(parser.value(QStringLiteral("print")), settings->id.value_or(0));
+    if (has("calibration")) {
         const auto calibration = readCameraCalibration(parser.value(QStringLiteral("calibration")));
         if (!calibration)
             return failed(calibration.error());
@@ -270,8 +295,13 @@ int trackCommand(const QStringList& arguments)
     auto source = openSource(parser, static_cast<int>(camera));
     if (!source)
         return failed(source.error());
+    if (has("calibrate")) {
+        const CalibrationWish wish{parser.value(QStringLiteral("calibrate")), *most, has("json")};
+        return has("at") ? calibrateByDistance(**source, *settings, distanceMm, wish)
+                         : calibrateByBoard(**source, wish);
+    }
     TagTracker tracker(*settings);
-    return track(**source, tracker, *most, parser.isSet(QStringLiteral("json")));
+    return track(**source, tracker, *most, has("json"));
 }
 
 }  // namespace app::cli
