@@ -20,7 +20,7 @@ public:
     static constexpr int kColumns = 9;  ///< of inner corners
     static constexpr int kRows = 6;
     static constexpr int kLeastViews = 6;
-    static constexpr int kMostViews = 40;
+    static constexpr int kMostViews = 25;
 
     enum class Look {
         Taken,
@@ -28,7 +28,7 @@ public:
         Alike,      ///< the board is where it was in a picture before
         OtherSize,  ///< than the pictures before
     };
-    /// Looks for the board. Takes a tenth of a second and more.
+    /// Looks for the board. Takes a fifth of a second and more.
     Look take(const PictureView& picture);
     /// Number of pictures that were taken.
     [[nodiscard]] int views() const { return static_cast<int>(m_views.size()); }

@@ -84,27 +84,34 @@ public:
     Result<bool> next(Picture& picture) override
     {
         if (!m_reader->read(picture)) {
-            if (m_lastS + kLeastMissingS < kWholeShare * m_reader->lengthS())
+            if (isCutOff())
                 return unexpected(ErrorCode::FileTruncated,
                                   "The video " + m_name + " ends before its time: it is cut off or damaged.");
             return false;
         }
         // Some files have no times, or times that stand still.
-        picture.timeS = m_isFirst ? picture.timeS : std::max(picture.timeS, m_lastS + kLeastStepS);
+        picture.timeS = m_pictures == 0.0 ? picture.timeS : std::max(picture.timeS, m_lastS + kLeastStepS);
         m_lastS = picture.timeS;
-        m_isFirst = false;
+        ++m_pictures;
         return true;
     }
     bool isLive() const override { return false; }
 
 private:
+    /// The length in a header may be an estimate, and so may the times of the pictures.
+    bool isCutOff() const
+    {
+        constexpr double kWholeShare = 0.9;
+        constexpr double kLeastMissing = 3.0;
+        const Reader::Length whole = m_reader->length();
+        return m_pictures + kLeastMissing < kWholeShare * whole.pictures && m_lastS < kWholeShare * whole.seconds;
+    }
+
     static constexpr double kLeastStepS = 0.001;
-    static constexpr double kWholeShare = 0.9;  ///< the length in a header may be an estimate
-    static constexpr double kLeastMissingS = 0.1;
     std::unique_ptr<Reader> m_reader;
     std::string m_name;
     double m_lastS = 0.0;
-    bool m_isFirst = true;
+    double m_pictures = 0.0;
 };
 
 class FolderSource final : public PictureSource

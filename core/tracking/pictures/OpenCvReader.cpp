@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <memory>
 #include <new>
@@ -64,10 +65,13 @@ public:
         }
     }
 
-    double lengthS() const override
+    Length length() const override
     {
-        const double hz = m_isCamera ? 0.0 : m_capture.get(cv::CAP_PROP_FPS);
-        return hz > 0.0 ? m_capture.get(cv::CAP_PROP_FRAME_COUNT) / hz : 0.0;
+        if (m_isCamera)
+            return {};
+        const double hz = m_capture.get(cv::CAP_PROP_FPS);
+        const double pictures = m_capture.get(cv::CAP_PROP_FRAME_COUNT);
+        return {hz > 0.0 ? pictures / hz : 0.0, pictures};
     }
 
 private:
@@ -153,6 +157,7 @@ extern "C" __attribute__((visibility("default"))) const core::tracking::pictures
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
     setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds that a camera may be silent
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    std::cerr.setstate(std::ios::badbit);  // where OpenCV tells programmers of an image; Cusp writes to stderr itself
     cv::setNumThreads(1);
     return &core::tracking::pictures::kLibrary;
 }

@@ -20,8 +20,13 @@ public:
 
     /// Reads the next picture; false if there is none. Leaves the name alone.
     [[nodiscard]] virtual bool read(Picture& picture) = 0;
-    /// Of a video, as its header has it, seconds; 0 if that is not known.
-    [[nodiscard]] virtual double lengthS() const = 0;
+    /// Of a video, as its header has it; 0 for what that leaves open.
+    struct Length
+    {
+        double seconds = 0.0;
+        double pictures = 0.0;
+    };
+    [[nodiscard]] virtual Length length() const = 0;
 };
 
 /// Functions of the library; none throws.
