@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -51,7 +52,7 @@ public:
                     const glm::dvec3 hit = ray * (offset / glm::dot(ray, normal)) - pose.positionMm;
                     sum += greyAt(glm::dvec2(glm::transpose(pose.rotation) * hit));
                 }
-                picture.pixels.push_back(static_cast<std::uint8_t>(sum / (kSide * kSide) + 0.5));
+                picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(sum / (kSide * kSide))));
             }
         }
         return picture;

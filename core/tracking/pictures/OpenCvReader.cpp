@@ -51,7 +51,7 @@ bool take(const cv::Mat& image, Picture& picture)
 class VideoReader final : public Reader
 {
 public:
-    VideoReader(cv::VideoCapture capture, bool isCamera) : m_capture(std::move(capture)), m_isCamera(isCamera) {}
+    VideoReader(const cv::VideoCapture& capture, bool isCamera) : m_capture(capture), m_isCamera(isCamera) {}
 
     bool read(Picture& picture) override
     {
@@ -100,7 +100,7 @@ Reader* openCamera(int number, int width, int height, double hz)
         if (hz > 0.0)
             capture.set(cv::CAP_PROP_FPS, hz);
         capture.set(cv::CAP_PROP_BUFFERSIZE, 1);  // the newest picture, not the oldest of a queue
-        return new VideoReader(std::move(capture), true);
+        return new VideoReader(capture, true);
     } catch (const std::exception&) {
         return nullptr;
     }
@@ -110,7 +110,7 @@ Reader* openVideo(const char* path)
 {
     try {
         cv::VideoCapture capture(path, cv::CAP_ANY);
-        return capture.isOpened() ? new VideoReader(std::move(capture), false) : nullptr;
+        return capture.isOpened() ? new VideoReader(capture, false) : nullptr;
     } catch (const std::exception&) {
         return nullptr;
     }
