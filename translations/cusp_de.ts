@@ -1706,6 +1706,42 @@
         <source>No Falcon with the serial number %1 is plugged in.</source>
         <translation>Es ist kein Falcon mit der Seriennummer %1 angeschlossen.</translation>
     </message>
+    <message>
+        <source>Cusp cannot read pictures: its file %1 or a library of OpenCV is missing. Install Cusp again. The mouse works without it.</source>
+        <translation>Cusp kann keine Bilder lesen: Seine Datei %1 oder eine Bibliothek von OpenCV fehlt. Installieren Sie Cusp neu. Die Maus funktioniert ohne sie.</translation>
+    </message>
+    <message>
+        <source>There is no camera %1. Plug in a camera, or choose another one.</source>
+        <translation>Es gibt keine Kamera %1. Schließen Sie eine Kamera an, oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>You have no permission to use camera %1. An administrator of this computer can add you to the group &quot;video&quot;.</source>
+        <translation>Sie haben keine Berechtigung für Kamera %1. Ein Administrator dieses Computers kann Sie in die Gruppe „video“ aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Camera %1 gives no pictures. Close other programs that use it, or choose another one.</source>
+        <translation>Kamera %1 liefert keine Bilder. Schließen Sie andere Programme, die sie benutzen, oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Camera %1 gives no more pictures. Check that it is plugged in.</source>
+        <translation>Kamera %1 liefert keine Bilder mehr. Prüfen Sie, ob sie angeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read.</source>
+        <translation>Die Datei %1 kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>%1 is no video, or of a kind that cannot be read here.</source>
+        <translation>%1 ist kein Video oder von einer Art, die hier nicht gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate the camera at this size.</source>
+        <translation>Die Kalibrierung gilt für Bilder von %1 x %2 Pixeln, und diese haben %3 x %4. Kalibrieren Sie die Kamera bei dieser Größe.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -4057,6 +4093,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Another one is plugged in too. To use that one, unplug this one.</source>
         <translation>Ein weiteres ist ebenfalls angeschlossen. Um jenes zu verwenden, ziehen Sie dieses ab.</translation>
     </message>
+    <message>
+        <source>Head tracking</source>
+        <translation>Kopfverfolgung</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -4130,6 +4170,30 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>%1, chosen</source>
         <translation>%1, gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HeadTrackingCard</name>
+    <message>
+        <source>Follow my head</source>
+        <translation>Meinem Kopf folgen</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <extracomment>Of a picture: it looks like a mirror</extracomment>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Straight ahead is here</source>
+        <translation>Hier ist geradeaus</translation>
+    </message>
+    <message>
+        <source>The pictures are not saved and stay on this computer.</source>
+        <translation>Die Bilder werden nicht gespeichert und bleiben auf diesem Computer.</translation>
+    </message>
+    <message>
+        <source>The picture of the camera appears here when head tracking is on.</source>
+        <translation>Hier erscheint das Bild der Kamera, wenn die Kopfverfolgung eingeschaltet ist.</translation>
     </message>
 </context>
 <context>
@@ -4374,6 +4438,202 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
         <translation>Messen Sie diese Linie: Sie muss 100 mm lang sein. Sonst drucken Sie ohne Skalierung (100 %).</translation>
+</context>
+<context>
+    <name>ui::devices::TagPicture</name>
+    <message>
+        <source>Picture of the camera, with the tag outlined</source>
+        <translation>Bild der Kamera, die Marke ist umrandet</translation>
+    </message>
+    <message>
+        <source>Picture of the camera, without the tag</source>
+        <translation>Bild der Kamera, ohne die Marke</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingFigures</name>
+    <message>
+        <source>Pictures per second</source>
+        <translation>Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Pictures with the tag</source>
+        <extracomment>Share of the pictures in which the tag was found</extracomment>
+        <translation>Bilder mit der Marke</translation>
+    </message>
+    <message>
+        <source>Time to find it</source>
+        <translation>Suchzeit</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <extracomment>Time from a picture of the camera to the turn of the view</extracomment>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <extracomment>How far the measured place of a head at rest moves</extracomment>
+        <translation>Zittern</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingSetupCard</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>Größe ihrer Bilder</translation>
+    </message>
+    <message>
+        <source>Its field of view, sideways</source>
+        <translation>Ihr Blickwinkel, waagerecht</translation>
+    </message>
+    <message>
+        <source>60° fits most cameras. The data sheet of the camera has the exact number.</source>
+        <translation>60° passen für die meisten Kameras. Den genauen Wert nennt das Datenblatt der Kamera.</translation>
+    </message>
+    <message>
+        <source>Number of the tag</source>
+        <translation>Nummer der Marke</translation>
+    </message>
+    <message>
+        <source>Edge of its black square</source>
+        <translation>Kante des schwarzen Quadrats</translation>
+    </message>
+    <message>
+        <source>Turn of the view for 1° of the head</source>
+        <translation>Drehung der Ansicht je 1° des Kopfes</translation>
+    </message>
+    <message>
+        <source>Print the tag …</source>
+        <translation>Marke drucken …</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>No camera is plugged in</source>
+        <translation>Keine Kamera ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>Camera %1, not plugged in</source>
+        <extracomment>%1: the number of a camera</extracomment>
+        <translation>Kamera %1, nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>A video file …</source>
+        <translation>Eine Videodatei …</translation>
+    </message>
+    <message>
+        <source>Choose a video file</source>
+        <translation>Videodatei wählen</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingText</name>
+    <message>
+        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1.</source>
+        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
+        <translation>Wenden Sie sich der Kamera zu, sodass die ganze Marke mit ihrem weißen Rand im Bild ist. Die Marke muss die Nummer %1 haben.</translation>
+    </message>
+    <message>
+        <source>Not available: head tracking is left out of this program.</source>
+        <translation>Nicht verfügbar: Dieses Programm enthält keine Kopfverfolgung.</translation>
+    </message>
+    <message>
+        <source>Off.</source>
+        <extracomment>Of head tracking</extracomment>
+        <translation>Aus.</translation>
+    </message>
+    <message>
+        <source>The video is being opened.</source>
+        <translation>Das Video wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>The camera is being opened.</source>
+        <translation>Die Kamera wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>The video cannot be played.</source>
+        <translation>Das Video kann nicht abgespielt werden.</translation>
+    </message>
+    <message>
+        <source>The camera sends no pictures.</source>
+        <translation>Die Kamera sendet keine Bilder.</translation>
+    </message>
+    <message>
+        <source>The video is over.</source>
+        <translation>Das Video ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>The pictures are dark.</source>
+        <translation>Die Bilder sind dunkel.</translation>
+    </message>
+    <message>
+        <source>The pictures do not change.</source>
+        <translation>Die Bilder ändern sich nicht.</translation>
+    </message>
+    <message>
+        <source>Several tags with the number %1 are in the picture.</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>Mehrere Marken mit der Nummer %1 sind im Bild.</translation>
+    </message>
+    <message>
+        <source>The view follows your head.</source>
+        <translation>Die Ansicht folgt Ihrem Kopf.</translation>
+    </message>
+    <message>
+        <source>The tag is not in the picture.</source>
+        <translation>Die Marke ist nicht im Bild.</translation>
+    </message>
+    <message>
+        <source>Install the libraries AprilTag and OpenCV and build Cusp again, or use a package that has them. The mouse turns the view without them.</source>
+        <translation>Installieren Sie die Bibliotheken AprilTag und OpenCV und bauen Sie Cusp neu, oder verwenden Sie ein Paket, das sie enthält. Die Maus dreht die Ansicht auch ohne sie.</translation>
+    </message>
+    <message>
+        <source>The view turns when you move your head. Print the tag, glue it to stiff card and wear it on a headband, tilted by about 20°. Then turn on “Follow my head”.</source>
+        <translation>Die Ansicht dreht sich, wenn Sie den Kopf bewegen. Drucken Sie die Marke, kleben Sie sie auf festen Karton und tragen Sie sie an einem Stirnband, um etwa 20° geneigt. Schalten Sie dann „Meinem Kopf folgen“ ein.</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds at most.</source>
+        <translation>Das dauert höchstens ein paar Sekunden.</translation>
+    </message>
+    <message>
+        <source>%1 Cusp tries again by itself. The mouse turns the view meanwhile.</source>
+        <extracomment>%1: what went wrong and what to do, one or two sentences</extracomment>
+        <translation>%1 Cusp versucht es von selbst wieder. Inzwischen dreht die Maus die Ansicht.</translation>
+    </message>
+    <message>
+        <source>To play it again, turn “Follow my head” off and on.</source>
+        <translation>Um es noch einmal abzuspielen, schalten Sie „Meinem Kopf folgen“ aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>Turn on more light, and check that no cover is in front of the camera.</source>
+        <translation>Schalten Sie mehr Licht ein und prüfen Sie, dass keine Abdeckung vor der Kamera ist.</translation>
+    </message>
+    <message>
+        <source>Choose another video, or a camera.</source>
+        <translation>Wählen Sie ein anderes Video oder eine Kamera.</translation>
+    </message>
+    <message>
+        <source>Unplug the camera and plug it in again, or choose another one.</source>
+        <translation>Ziehen Sie die Kamera ab und stecken Sie sie wieder ein, oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The view follows the largest one. Take the others out of the picture.</source>
+        <translation>Die Ansicht folgt der größten. Nehmen Sie die anderen aus dem Bild.</translation>
+    </message>
+    <message>
+        <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
+        <translation>Setzen Sie sich wie beim Präparieren, schauen Sie auf den Bildschirm und drücken Sie „Hier ist geradeaus“.</translation>
     </message>
 </context>
 <context>

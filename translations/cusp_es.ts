@@ -1706,6 +1706,42 @@
         <source>No Falcon with the serial number %1 is plugged in.</source>
         <translation>No hay ningún Falcon con el número de serie %1 conectado.</translation>
     </message>
+    <message>
+        <source>Cusp cannot read pictures: its file %1 or a library of OpenCV is missing. Install Cusp again. The mouse works without it.</source>
+        <translation>Cusp no puede leer imágenes: falta su archivo %1 o una biblioteca de OpenCV. Instale Cusp de nuevo. El ratón funciona sin ellos.</translation>
+    </message>
+    <message>
+        <source>There is no camera %1. Plug in a camera, or choose another one.</source>
+        <translation>No hay ninguna cámara %1. Conecte una cámara o elija otra.</translation>
+    </message>
+    <message>
+        <source>You have no permission to use camera %1. An administrator of this computer can add you to the group &quot;video&quot;.</source>
+        <translation>No tiene permiso para usar la cámara %1. Un administrador de este equipo puede añadirle al grupo «video».</translation>
+    </message>
+    <message>
+        <source>Camera %1 gives no pictures. Close other programs that use it, or choose another one.</source>
+        <translation>La cámara %1 no da imágenes. Cierre otros programas que la usen o elija otra.</translation>
+    </message>
+    <message>
+        <source>Camera %1 gives no more pictures. Check that it is plugged in.</source>
+        <translation>La cámara %1 ya no da imágenes. Compruebe que esté conectada.</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>No existe el archivo %1.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read.</source>
+        <translation>No se puede leer el archivo %1.</translation>
+    </message>
+    <message>
+        <source>%1 is no video, or of a kind that cannot be read here.</source>
+        <translation>%1 no es un vídeo, o es de un tipo que no se puede leer aquí.</translation>
+    </message>
+    <message>
+        <source>The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate the camera at this size.</source>
+        <translation>La calibración es para imágenes de %1 x %2 píxeles, y estas tienen %3 x %4. Calibre la cámara con este tamaño.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -4057,6 +4093,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Another one is plugged in too. To use that one, unplug this one.</source>
         <translation>También hay otro conectado. Para usar ese, desconecte este.</translation>
     </message>
+    <message>
+        <source>Head tracking</source>
+        <translation>Seguimiento de la cabeza</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -4130,6 +4170,30 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>%1, chosen</source>
         <translation>%1, elegido</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HeadTrackingCard</name>
+    <message>
+        <source>Follow my head</source>
+        <translation>Seguir mi cabeza</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <extracomment>Of a picture: it looks like a mirror</extracomment>
+        <translation>Como un espejo</translation>
+    </message>
+    <message>
+        <source>Straight ahead is here</source>
+        <translation>El centro está aquí</translation>
+    </message>
+    <message>
+        <source>The pictures are not saved and stay on this computer.</source>
+        <translation>Las imágenes no se guardan y no salen de este equipo.</translation>
+    </message>
+    <message>
+        <source>The picture of the camera appears here when head tracking is on.</source>
+        <translation>Aquí aparece la imagen de la cámara cuando el seguimiento de la cabeza está activado.</translation>
     </message>
 </context>
 <context>
@@ -4322,6 +4386,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+<<<<<<< HEAD
     <name>ui::devices::TagSheet</name>
     <message>
         <source>Head tracking: tag %1</source>
@@ -4374,6 +4439,202 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
         <translation>Mida esta línea: debe tener 100 mm. Si no, imprima sin escalar (100 %).</translation>
+=======
+    <name>ui::devices::TagPicture</name>
+    <message>
+        <source>Picture of the camera, with the tag outlined</source>
+        <translation>Imagen de la cámara, con el contorno del marcador</translation>
+    </message>
+    <message>
+        <source>Picture of the camera, without the tag</source>
+        <translation>Imagen de la cámara, sin el marcador</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingFigures</name>
+    <message>
+        <source>Pictures per second</source>
+        <translation>Imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>Pictures with the tag</source>
+        <extracomment>Share of the pictures in which the tag was found</extracomment>
+        <translation>Imágenes con el marcador</translation>
+    </message>
+    <message>
+        <source>Time to find it</source>
+        <translation>Tiempo de búsqueda</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <extracomment>Time from a picture of the camera to the turn of the view</extracomment>
+        <translation>Retardo</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <extracomment>How far the measured place of a head at rest moves</extracomment>
+        <translation>Temblor</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingSetupCard</name>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>Tamaño de sus imágenes</translation>
+    </message>
+    <message>
+        <source>Its field of view, sideways</source>
+        <translation>Su campo de visión horizontal</translation>
+    </message>
+    <message>
+        <source>60° fits most cameras. The data sheet of the camera has the exact number.</source>
+        <translation>60° sirve para la mayoría de las cámaras. La ficha técnica de la cámara indica el valor exacto.</translation>
+    </message>
+    <message>
+        <source>Number of the tag</source>
+        <translation>Número del marcador</translation>
+    </message>
+    <message>
+        <source>Edge of its black square</source>
+        <translation>Lado de su cuadrado negro</translation>
+    </message>
+    <message>
+        <source>Turn of the view for 1° of the head</source>
+        <translation>Giro de la vista por 1° de la cabeza</translation>
+    </message>
+    <message>
+        <source>Print the tag …</source>
+        <translation>Imprimir el marcador…</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>No camera is plugged in</source>
+        <translation>No hay ninguna cámara conectada</translation>
+    </message>
+    <message>
+        <source>Camera %1, not plugged in</source>
+        <extracomment>%1: the number of a camera</extracomment>
+        <translation>Cámara %1, no conectada</translation>
+    </message>
+    <message>
+        <source>A video file …</source>
+        <translation>Un archivo de vídeo…</translation>
+    </message>
+    <message>
+        <source>Choose a video file</source>
+        <translation>Elija un archivo de vídeo</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)</source>
+        <translation>Vídeos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingText</name>
+    <message>
+        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1.</source>
+        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
+        <translation>Gírese hacia la cámara para que el marcador entero y su borde blanco estén en la imagen. El marcador debe tener el número %1.</translation>
+    </message>
+    <message>
+        <source>Not available: head tracking is left out of this program.</source>
+        <translation>No disponible: este programa no incluye el seguimiento de la cabeza.</translation>
+    </message>
+    <message>
+        <source>Off.</source>
+        <extracomment>Of head tracking</extracomment>
+        <translation>Desactivado.</translation>
+    </message>
+    <message>
+        <source>The video is being opened.</source>
+        <translation>Se está abriendo el vídeo.</translation>
+    </message>
+    <message>
+        <source>The camera is being opened.</source>
+        <translation>Se está abriendo la cámara.</translation>
+    </message>
+    <message>
+        <source>The video cannot be played.</source>
+        <translation>No se puede reproducir el vídeo.</translation>
+    </message>
+    <message>
+        <source>The camera sends no pictures.</source>
+        <translation>La cámara no envía imágenes.</translation>
+    </message>
+    <message>
+        <source>The video is over.</source>
+        <translation>El vídeo ha terminado.</translation>
+    </message>
+    <message>
+        <source>The pictures are dark.</source>
+        <translation>Las imágenes están oscuras.</translation>
+    </message>
+    <message>
+        <source>The pictures do not change.</source>
+        <translation>Las imágenes no cambian.</translation>
+    </message>
+    <message>
+        <source>Several tags with the number %1 are in the picture.</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>Hay varios marcadores con el número %1 en la imagen.</translation>
+    </message>
+    <message>
+        <source>The view follows your head.</source>
+        <translation>La vista sigue su cabeza.</translation>
+    </message>
+    <message>
+        <source>The tag is not in the picture.</source>
+        <translation>El marcador no está en la imagen.</translation>
+    </message>
+    <message>
+        <source>Install the libraries AprilTag and OpenCV and build Cusp again, or use a package that has them. The mouse turns the view without them.</source>
+        <translation>Instale las bibliotecas AprilTag y OpenCV y vuelva a compilar Cusp, o use un paquete que las incluya. El ratón gira la vista sin ellas.</translation>
+    </message>
+    <message>
+        <source>The view turns when you move your head. Print the tag, glue it to stiff card and wear it on a headband, tilted by about 20°. Then turn on “Follow my head”.</source>
+        <translation>La vista gira cuando usted mueve la cabeza. Imprima el marcador, péguelo en cartón rígido y llévelo en una cinta para la cabeza, inclinado unos 20°. Después active «Seguir mi cabeza».</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds at most.</source>
+        <translation>Tarda unos segundos como máximo.</translation>
+    </message>
+    <message>
+        <source>%1 Cusp tries again by itself. The mouse turns the view meanwhile.</source>
+        <extracomment>%1: what went wrong and what to do, one or two sentences</extracomment>
+        <translation>%1 Cusp lo vuelve a intentar por sí solo. Mientras tanto, el ratón gira la vista.</translation>
+    </message>
+    <message>
+        <source>To play it again, turn “Follow my head” off and on.</source>
+        <translation>Para reproducirlo de nuevo, desactive y active «Seguir mi cabeza».</translation>
+    </message>
+    <message>
+        <source>Turn on more light, and check that no cover is in front of the camera.</source>
+        <translation>Encienda más luz y compruebe que la cámara no esté tapada.</translation>
+    </message>
+    <message>
+        <source>Choose another video, or a camera.</source>
+        <translation>Elija otro vídeo o una cámara.</translation>
+    </message>
+    <message>
+        <source>Unplug the camera and plug it in again, or choose another one.</source>
+        <translation>Desconecte la cámara y vuelva a conectarla, o elija otra.</translation>
+    </message>
+    <message>
+        <source>The view follows the largest one. Take the others out of the picture.</source>
+        <translation>La vista sigue al más grande. Retire los demás de la imagen.</translation>
+    </message>
+    <message>
+        <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
+        <translation>Siéntese como cuando talla, mire la pantalla y pulse «El centro está aquí».</translation>
+>>>>>>> d344317b (ui/devices: a page for head tracking, in the list of devices)
     </message>
 </context>
 <context>

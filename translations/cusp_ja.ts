@@ -1704,6 +1704,42 @@
         <source>No Falcon with the serial number %1 is plugged in.</source>
         <translation>シリアル番号 %1 の Falcon は接続されていません。</translation>
     </message>
+    <message>
+        <source>Cusp cannot read pictures: its file %1 or a library of OpenCV is missing. Install Cusp again. The mouse works without it.</source>
+        <translation>Cusp は画像を読み込めません：ファイル %1 または OpenCV のライブラリがありません。Cusp をインストールし直してください。マウスはそれらがなくても使えます。</translation>
+    </message>
+    <message>
+        <source>There is no camera %1. Plug in a camera, or choose another one.</source>
+        <translation>カメラ %1 はありません。カメラを接続するか、別のカメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>You have no permission to use camera %1. An administrator of this computer can add you to the group &quot;video&quot;.</source>
+        <translation>カメラ %1 を使う権限がありません。このコンピューターの管理者は、あなたをグループ「video」に追加できます。</translation>
+    </message>
+    <message>
+        <source>Camera %1 gives no pictures. Close other programs that use it, or choose another one.</source>
+        <translation>カメラ %1 から映像が得られません。そのカメラを使っているほかのプログラムを閉じるか、別のカメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>Camera %1 gives no more pictures. Check that it is plugged in.</source>
+        <translation>カメラ %1 から映像が得られなくなりました。接続されているか確かめてください。</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>ファイル %1 はありません。</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read.</source>
+        <translation>ファイル %1 を読み込めません。</translation>
+    </message>
+    <message>
+        <source>%1 is no video, or of a kind that cannot be read here.</source>
+        <translation>%1 は動画でないか、ここでは読み込めない種類です。</translation>
+    </message>
+    <message>
+        <source>The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate the camera at this size.</source>
+        <translation>この較正は %1 x %2 画素の画像用ですが、この画像は %3 x %4 画素です。この大きさでカメラを較正してください。</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -4035,6 +4071,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Another one is plugged in too. To use that one, unplug this one.</source>
         <translation>もう 1 台接続されています。そちらを使うには、このデバイスを取り外してください。</translation>
     </message>
+    <message>
+        <source>Head tracking</source>
+        <translation>ヘッドトラッキング</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -4108,6 +4148,30 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>%1, chosen</source>
         <translation>%1、選択中</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HeadTrackingCard</name>
+    <message>
+        <source>Follow my head</source>
+        <translation>頭の動きに従う</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <extracomment>Of a picture: it looks like a mirror</extracomment>
+        <translation>鏡のように表示</translation>
+    </message>
+    <message>
+        <source>Straight ahead is here</source>
+        <translation>ここを正面にする</translation>
+    </message>
+    <message>
+        <source>The pictures are not saved and stay on this computer.</source>
+        <translation>映像は保存されず、このコンピューターの外に出ません。</translation>
+    </message>
+    <message>
+        <source>The picture of the camera appears here when head tracking is on.</source>
+        <translation>ヘッドトラッキングをオンにすると、ここにカメラの映像が表示されます。</translation>
     </message>
 </context>
 <context>
@@ -4299,6 +4363,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
+<<<<<<< HEAD
     <name>ui::devices::TagSheet</name>
     <message>
         <source>Head tracking: tag %1</source>
@@ -4351,6 +4416,202 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
         <translation>この線を測ってください。長さは 100 mm のはずです。違うときは拡大縮小なし（100 %）で印刷してください。</translation>
+=======
+    <name>ui::devices::TagPicture</name>
+    <message>
+        <source>Picture of the camera, with the tag outlined</source>
+        <translation>カメラの映像。マーカーは枠で囲まれています</translation>
+    </message>
+    <message>
+        <source>Picture of the camera, without the tag</source>
+        <translation>カメラの映像。マーカーはありません</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingFigures</name>
+    <message>
+        <source>Pictures per second</source>
+        <translation>1 秒あたりの画像</translation>
+    </message>
+    <message>
+        <source>Pictures with the tag</source>
+        <extracomment>Share of the pictures in which the tag was found</extracomment>
+        <translation>マーカーのある画像</translation>
+    </message>
+    <message>
+        <source>Time to find it</source>
+        <translation>検出時間</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <extracomment>Time from a picture of the camera to the turn of the view</extracomment>
+        <translation>遅延</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <extracomment>How far the measured place of a head at rest moves</extracomment>
+        <translation>揺れ</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingSetupCard</name>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Size of its pictures</source>
+        <translation>画像の大きさ</translation>
+    </message>
+    <message>
+        <source>Its field of view, sideways</source>
+        <translation>水平の画角</translation>
+    </message>
+    <message>
+        <source>60° fits most cameras. The data sheet of the camera has the exact number.</source>
+        <translation>ほとんどのカメラでは 60° で十分です。正確な値はカメラの仕様書にあります。</translation>
+    </message>
+    <message>
+        <source>Number of the tag</source>
+        <translation>マーカーの番号</translation>
+    </message>
+    <message>
+        <source>Edge of its black square</source>
+        <translation>黒い正方形の一辺</translation>
+    </message>
+    <message>
+        <source>Turn of the view for 1° of the head</source>
+        <translation>頭 1° あたりの視点の回転</translation>
+    </message>
+    <message>
+        <source>Print the tag …</source>
+        <translation>マーカーを印刷…</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>No camera is plugged in</source>
+        <translation>カメラが接続されていません</translation>
+    </message>
+    <message>
+        <source>Camera %1, not plugged in</source>
+        <extracomment>%1: the number of a camera</extracomment>
+        <translation>カメラ %1（未接続）</translation>
+    </message>
+    <message>
+        <source>A video file …</source>
+        <translation>動画ファイル…</translation>
+    </message>
+    <message>
+        <source>Choose a video file</source>
+        <translation>動画ファイルを選択</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)</source>
+        <translation>動画 (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::TrackingText</name>
+    <message>
+        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1.</source>
+        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
+        <translation>マーカー全体と白い縁が映像に入るように、カメラの方を向いてください。マーカーの番号は %1 でなければなりません。</translation>
+    </message>
+    <message>
+        <source>Not available: head tracking is left out of this program.</source>
+        <translation>利用できません：このプログラムにヘッドトラッキングは含まれていません。</translation>
+    </message>
+    <message>
+        <source>Off.</source>
+        <extracomment>Of head tracking</extracomment>
+        <translation>オフ。</translation>
+    </message>
+    <message>
+        <source>The video is being opened.</source>
+        <translation>動画を開いています。</translation>
+    </message>
+    <message>
+        <source>The camera is being opened.</source>
+        <translation>カメラを開いています。</translation>
+    </message>
+    <message>
+        <source>The video cannot be played.</source>
+        <translation>動画を再生できません。</translation>
+    </message>
+    <message>
+        <source>The camera sends no pictures.</source>
+        <translation>カメラから映像が届きません。</translation>
+    </message>
+    <message>
+        <source>The video is over.</source>
+        <translation>動画は終わりました。</translation>
+    </message>
+    <message>
+        <source>The pictures are dark.</source>
+        <translation>映像が暗すぎます。</translation>
+    </message>
+    <message>
+        <source>The pictures do not change.</source>
+        <translation>映像が変化しません。</translation>
+    </message>
+    <message>
+        <source>Several tags with the number %1 are in the picture.</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>番号 %1 のマーカーが複数映っています。</translation>
+    </message>
+    <message>
+        <source>The view follows your head.</source>
+        <translation>視点が頭の動きに従っています。</translation>
+    </message>
+    <message>
+        <source>The tag is not in the picture.</source>
+        <translation>マーカーが映っていません。</translation>
+    </message>
+    <message>
+        <source>Install the libraries AprilTag and OpenCV and build Cusp again, or use a package that has them. The mouse turns the view without them.</source>
+        <translation>ライブラリ AprilTag と OpenCV をインストールして Cusp をビルドし直すか、それらを含むパッケージを使ってください。それらがなくても、マウスで視点を回せます。</translation>
+    </message>
+    <message>
+        <source>The view turns when you move your head. Print the tag, glue it to stiff card and wear it on a headband, tilted by about 20°. Then turn on “Follow my head”.</source>
+        <translation>頭を動かすと視点が回ります。マーカーを印刷して厚紙に貼り、約 20° 傾けてヘッドバンドに付けてください。その後「頭の動きに従う」をオンにします。</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds at most.</source>
+        <translation>長くても数秒で終わります。</translation>
+    </message>
+    <message>
+        <source>%1 Cusp tries again by itself. The mouse turns the view meanwhile.</source>
+        <extracomment>%1: what went wrong and what to do, one or two sentences</extracomment>
+        <translation>%1Cusp は自動でもう一度試します。その間はマウスで視点を回せます。</translation>
+    </message>
+    <message>
+        <source>To play it again, turn “Follow my head” off and on.</source>
+        <translation>もう一度再生するには、「頭の動きに従う」をオフにしてからオンにしてください。</translation>
+    </message>
+    <message>
+        <source>Turn on more light, and check that no cover is in front of the camera.</source>
+        <translation>照明を明るくし、カメラにカバーが付いていないか確かめてください。</translation>
+    </message>
+    <message>
+        <source>Choose another video, or a camera.</source>
+        <translation>別の動画かカメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>Unplug the camera and plug it in again, or choose another one.</source>
+        <translation>カメラを抜いて差し直すか、別のカメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>The view follows the largest one. Take the others out of the picture.</source>
+        <translation>視点は最も大きいマーカーに従います。ほかのマーカーを映像の外に移してください。</translation>
+    </message>
+    <message>
+        <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
+        <translation>切削するときの姿勢で座り、画面を見て、「ここを正面にする」を押してください。</translation>
+>>>>>>> d344317b (ui/devices: a page for head tracking, in the list of devices)
     </message>
 </context>
 <context>

@@ -24,6 +24,8 @@
 #include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
 #include "ui/devices/DevicesPage.h"
+#include "ui/devices/HandList.h"
+#include "ui/devices/HeadTrackingCard.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -227,6 +229,26 @@ private slots:
                 m_window->devicesPage().setReport(kind.id, report);
                 m_window->devicesPage().setChosen(kind.id);
                 actions().devices->trigger();
+            });
+        for (const auto& [name, stage] : {std::pair("head tracking", core::tracking::TrackerStage::Tracking),
+                                          {"head tracking without a camera", core::tracking::TrackerStage::NoCamera},
+                                          {"head tracking, off", core::tracking::TrackerStage::Opening}})
+            page(name, [this, stage = stage] {
+                ui::devices::HeadTrackingCard& card = m_window->devicesPage().headTracking();
+                ui::devices::HeadTrackingSettings settings;
+                settings.isOn = stage != core::tracking::TrackerStage::Opening;
+                card.setCameras({});
+                card.setSettings(settings);
+                core::tracking::TrackerReport report;
+                report.stage = stage;
+                report.error = {core::ErrorCode::Busy, {}, {"There is no file %1.", {core::noted("[···]")}}};
+                report.hz = 30.0;
+                report.latencyMs = report.seenShare = 1.0;
+                card.setTracking(report);
+                m_window->devicesPage().setKinds({});
+                m_window->devicesPage().setChosen(ui::devices::kPointer);
+                actions().devices->trigger();
+                child<ui::devices::HandList>()->selectHand(ui::devices::kHeadTracking);
             });
         page("hand", [this] {
             m_window->devicesPage().setKinds({});

@@ -10,6 +10,8 @@ namespace ui::devices {
 /// Ids of the two hands that need no device.
 inline constexpr const char* kPointer = "pointer";
 inline constexpr const char* kSimulated = "simulated";
+/// Id of the row for head tracking, which is no hand.
+inline constexpr const char* kHeadTracking = "head tracking";
 
 /// A kind of force device, as the page of devices shows it.
 struct DeviceKind

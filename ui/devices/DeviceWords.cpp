@@ -60,6 +60,9 @@ QPixmap signPixmap(Sign sign, const QPalette& palette, int sizePx, double device
         return shell::linePixmap(QStringLiteral("hourglass"), tones.accent, sizePx, devicePixelRatio);
     case Sign::Attention:
         return shell::linePixmap(QStringLiteral("warning"), tones.attention, sizePx, devicePixelRatio);
+    case Sign::Off:
+        return shell::linePixmap(QStringLiteral("eye"), palette.color(QPalette::PlaceholderText), sizePx,
+                                 devicePixelRatio);
     case Sign::Missing:
         break;
     }

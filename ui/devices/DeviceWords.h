@@ -18,7 +18,8 @@ enum class Sign : std::uint8_t {
     Ready,      ///< a tick
     Working,    ///< an hourglass: it gets ready by itself
     Attention,  ///< a triangle: the user has to do something
-    Missing     ///< a cross: there is nothing to use
+    Missing,    ///< a cross: there is nothing to use
+    Off         ///< an eye, quiet: the user has not turned it on
 };
 
 [[nodiscard]] Sign signOf(const DeviceKind& kind, const core::session::DeviceReport& report);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QCheckBox>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,6 +17,7 @@
 #include "ui/devices/FirmwareCard.h"
 #include "ui/devices/ForceTest.h"
 #include "ui/devices/HandList.h"
+#include "ui/devices/HeadTrackingCard.h"
 #include "ui/devices/HomingMarks.h"
 #include "ui/devices/LiveTest.h"
 #include "ui/devices/RuleCard.h"
@@ -63,9 +65,11 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     m_live = new LiveTest(cards);
     m_firmware = new FirmwareCard(cards);
     m_setup = new SetupCard(cards);
+    m_headTracking = new HeadTrackingCard(cards);
     for (QWidget* part :
          {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_rule), m_homing,
-          static_cast<QWidget*>(m_live), static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup)})
+          static_cast<QWidget*>(m_live), static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup),
+          static_cast<QWidget*>(m_headTracking)})
         column->addWidget(part);
     column->addStretch(1);
 
@@ -81,12 +85,12 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     body()->addLayout(row, 1);
 
     connect(m_hands, &QListWidget::currentRowChanged, this, &DevicesPage::showHand);
-    connect(m_hands, &QListWidget::itemActivated, m_next, &QPushButton::click);
-    connect(m_next, &QPushButton::clicked, this, [this] {
-        if (shownHand() == m_chosen)
-            m_back->trigger();
-        else
-            emit handWanted(shownHand());
+    connect(m_hands, &QListWidget::itemActivated, this, &DevicesPage::takeNextStep);
+    connect(m_next, &QPushButton::clicked, this, &DevicesPage::takeNextStep);
+    connect(m_headTracking, &HeadTrackingCard::stateChanged, this, [this] {
+        showHands();
+        if (shownHand() == QLatin1String(kHeadTracking))
+            showHeadTracking();
     });
     connect(m_setup, &SetupCard::setupChanged, this, [this](const DeviceSetup& setup) {
         if (Device* device = find(shownHand())) {
@@ -126,6 +130,9 @@ QWidget* DevicesPage::makeHead()
     m_next->setObjectName(QStringLiteral("deviceNext"));
     m_next->setProperty("kind", "filled");
     row->addWidget(m_next, 0, Qt::AlignTop);
+    row->addWidget(&m_headTracking->followSwitch(), 0, Qt::AlignTop);
+    setTabOrder(m_hands, m_next);
+    setTabOrder(m_next, &m_headTracking->followSwitch());
     return head;
 }
 
@@ -238,6 +245,8 @@ QString DevicesPage::handName(const QString& id) const
         return tr("Mouse or pen");
     if (id == QLatin1String(kSimulated))
         return tr("Simulated hand");
+    if (id == QLatin1String(kHeadTracking))
+        return tr("Head tracking");
     const Device* const device = find(id);
     return device == nullptr ? id : device->kind.name;
 }
@@ -246,24 +255,32 @@ void DevicesPage::showHands()
 {
     QList<HandList::Row> rows;
     const auto add = [&](const QString& id, const QString& state, Sign sign) {
-        rows.push_back({id, handName(id), state, sign, id == m_chosen});
+        rows.push_back({id, handName(id), state, sign, id == m_chosen, false});
     };
     add(QLatin1String(kPointer), tr("Always ready."), Sign::Ready);
     add(QLatin1String(kSimulated), tr("Drills by itself while you watch."), Sign::Ready);
     for (const Device& device : m_devices)
         add(device.kind.id, stateWords(device.kind, device.report), signOf(device.kind, device.report));
+    const TrackingState& tracking = m_headTracking->state();
+    add(QLatin1String(kHeadTracking), stateWords(tracking), signOf(tracking));
+    rows.back().isApart = true;
     m_hands->setRows(rows);
 }
 
 void DevicesPage::showHand()
 {
     const Device* const device = find(shownHand());
+    const bool isHeadTracking = shownHand() == QLatin1String(kHeadTracking);
     m_name->setText(handName(shownHand()));
+    m_headTracking->setVisible(isHeadTracking);
+    m_headTracking->followSwitch().setVisible(isHeadTracking);
     if (device != nullptr) {
         m_rule->setKind(device->kind);
         m_firmware->setFile(device->firmware);
         m_setup->setSetup(device->setup);
         showStage(*device);
+    } else if (isHeadTracking) {
+        showHeadTracking();
     } else {
         const bool isPointer = shownHand() == QLatin1String(kPointer);
         m_sign->setPixmap(signPixmap(Sign::Ready, palette(), kHeadSignPx, devicePixelRatioF()));
@@ -274,6 +291,8 @@ void DevicesPage::showHand()
                             : tr("A simulated hand with a simulated force device cuts the ideal preparation. When you "
                                  "start or leave it, the attempt begins anew. Its attempts are not saved.") +
                                   (m_whySimulatedFixed.isEmpty() ? QString() : u'\n' + m_whySimulatedFixed));
+    }
+    if (device == nullptr) {
         for (QWidget* part :
              {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_rule), m_homing, static_cast<QWidget*>(m_live),
               static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup)})
@@ -310,6 +329,14 @@ void DevicesPage::showStage(const Device& device)
     showNextStep();
 }
 
+void DevicesPage::showHeadTracking()
+{
+    const TrackingState& tracking = m_headTracking->state();
+    m_sign->setPixmap(signPixmap(signOf(tracking), palette(), kHeadSignPx, devicePixelRatioF()));
+    m_state->setText(stateWords(tracking));
+    m_help->setText(helpWords(tracking));
+}
+
 /// One button is filled: what is to be done next.
 void DevicesPage::showNextStep()
 {
@@ -319,7 +346,7 @@ void DevicesPage::showNextStep()
     const bool isReady = device == nullptr || device->report.stage == DeviceStage::Ready;
     m_firmware->setIsNextStep(isChosen && device != nullptr && device->report.stage == DeviceStage::NeedsFirmware);
     m_rule->setIsNextStep(isChosen);
-    m_next->setVisible(!isChosen || isReady);
+    m_next->setVisible((!isChosen || isReady) && id != QLatin1String(kHeadTracking));
     //: The button that leads back to the tooth
     m_next->setText(isChosen ? tr("Practise")
                              //: %1: "Novint Falcon", "Mouse or pen"
@@ -329,6 +356,18 @@ void DevicesPage::showNextStep()
     const bool isFixed = !isChosen && concernsSimulated && !m_whySimulatedFixed.isEmpty();
     m_next->setEnabled(!isFixed && (device == nullptr || device->kind.isInBuild));
     m_next->setToolTip(isFixed ? m_whySimulatedFixed : QString());
+}
+
+void DevicesPage::takeNextStep()
+{
+    if (shownHand() == QLatin1String(kHeadTracking))
+        m_headTracking->followSwitch().setFocus();  // a click into a list turns on no camera
+    else if (!m_next->isEnabled())
+        return;
+    else if (shownHand() == m_chosen)
+        m_back->trigger();
+    else
+        emit handWanted(shownHand());
 }
 
 void DevicesPage::showEvent(QShowEvent* event)
@@ -348,6 +387,7 @@ void DevicesPage::resizeEvent(QResizeEvent* event)
     m_hands->setFixedWidth(isNarrow ? kNarrowHandsPx : kHandsPx);
     m_live->setNarrow(isNarrow);
     m_setup->setNarrow(isNarrow);
+    m_headTracking->setNarrow(isNarrow);
 }
 
 void DevicesPage::hideEvent(QHideEvent* event)

@@ -18,12 +18,14 @@ namespace ui::devices {
 
 class FirmwareCard;
 class HandList;
+class HeadTrackingCard;
 class HomingMarks;
 class LiveTest;
 class RuleCard;
 class SetupCard;
 
-/// The page on which a hand is chosen and tried: mouse or pen, a simulated hand, or a force device.
+/// The page on which a hand is chosen and tried: mouse or pen, a simulated hand, or a force device. Head tracking is
+/// turned on here, too.
 ///
 /// The page finds and opens nothing itself: the reports of the devices are given to it, and its signals ask for the
 /// rest.
@@ -43,12 +45,15 @@ public:
     /// @param whyNot  why the simulated hand cannot be chosen or left now; empty: it can
     void setSimulatedFixed(const QString& whyNot);
 
-    /// Id of the hand that is shown at the right.
+    /// Id of the hand that is shown at the right, or kHeadTracking.
     [[nodiscard]] QString shownHand() const;
     /// Force that the user tries with a button held down, tooth frame; zero if none is.
     [[nodiscard]] glm::dvec3 testForce() const;
 
-    /// "Mouse or pen", "Simulated hand", or the name of the product.
+    /// What the page shows of head tracking, and what it asks for.
+    [[nodiscard]] HeadTrackingCard& headTracking() { return *m_headTracking; }
+
+    /// "Mouse or pen", "Simulated hand", "Head tracking", or the name of the product.
     [[nodiscard]] QString handName(const QString& id) const;
 
 signals:
@@ -77,7 +82,9 @@ private:
     void showHands();
     void showHand();
     void showStage(const Device& device);
+    void showHeadTracking();
     void showNextStep();
+    void takeNextStep();
     [[nodiscard]] const Device* find(const QString& id) const;
     [[nodiscard]] Device* find(const QString& id);
 
@@ -99,6 +106,7 @@ private:
     LiveTest* m_live = nullptr;
     FirmwareCard* m_firmware = nullptr;
     SetupCard* m_setup = nullptr;
+    HeadTrackingCard* m_headTracking = nullptr;
 };
 
 }  // namespace ui::devices

@@ -18,15 +18,16 @@ using namespace ui::shell;
 constexpr int kHandRowPx = 76;
 constexpr int kSignPx = 22;
 constexpr int kBarPx = 3;
+constexpr int kApartPx = 2 * kSpace2;
 
 class HandRow final : public QStyledItemDelegate
 {
 public:
     explicit HandRow(HandList* list) : QStyledItemDelegate(list), m_list(list) {}
 
-    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const override
     {
-        return {kHandRowPx, kHandRowPx};
+        return {kHandRowPx, kHandRowPx + (m_list->rows().at(index.row()).isApart ? kApartPx : 0)};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
@@ -37,7 +38,13 @@ public:
         const bool isSelected = option.state.testFlag(QStyle::State_Selected);
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
-        const QRectF card = QRectF(option.rect).adjusted(2, 2, -2, -2);
+        const QRect whole = option.rect.adjusted(0, row.isApart ? kApartPx : 0, 0, 0);
+        if (row.isApart) {
+            const double y = option.rect.top() + 0.5 * kApartPx;
+            painter->setPen(palette.color(QPalette::Mid));
+            painter->drawLine(QPointF(whole.left() + 2.0, y), QPointF(whole.right() - 2.0, y));
+        }
+        const QRectF card = QRectF(whole).adjusted(2, 2, -2, -2);
         const bool hasFocus = isSelected && m_list->hasFocus();
         painter->setBrush(palette.color(isSelected ? QPalette::Midlight : QPalette::Base));
         painter->setPen(QPen(palette.color(hasFocus ? QPalette::Link : QPalette::Mid), hasFocus ? 2.0 : 1.0));
@@ -45,7 +52,7 @@ public:
         if (isSelected)
             painter->fillRect(QRectF(card.left(), card.top() + kRadius, kBarPx, card.height() - 2 * kRadius),
                               palette.color(QPalette::Link));
-        const QRect inner = option.rect.adjusted(kSpace4, kSpace2 + 2, -kSpace4, -kSpace2);
+        const QRect inner = whole.adjusted(kSpace4, kSpace2 + 2, -kSpace4, -kSpace2);
         painter->drawPixmap(inner.topLeft(), signPixmap(row.sign, palette, kSignPx, m_list->devicePixelRatioF()));
         const QRect words = inner.adjusted(kSignPx + kSpace2, 0, 0, 0);
         const QString mark = row.isChosen ? HandList::tr("Chosen") : QString();
@@ -93,6 +100,7 @@ void HandList::setRows(const QList<Row>& rows)
         delete takeItem(count() - 1);
     while (count() < m_rows.size())
         addItem(new QListWidgetItem);
+    scheduleDelayedItemsLayout();  // another row may stand apart
     for (int k = 0; k < count(); ++k) {
         const Row& row = m_rows.at(k);
         const QString name = row.isChosen ? tr("%1, chosen").arg(row.name) : row.name;

@@ -7,7 +7,7 @@
 
 namespace ui::devices {
 
-/// The hands that a student can drill with, each with its state as a shape and a sentence.
+/// The hands that a student can drill with, and head tracking, each with its state as a shape and a sentence.
 class HandList : public QListWidget
 {
     Q_OBJECT
@@ -21,6 +21,7 @@ public:
         QString state;
         Sign sign = Sign::Ready;
         bool isChosen = false;
+        bool isApart = false;  ///< a line divides it from the rows above
         bool operator==(const Row&) const = default;
     };
     /// Shows the rows. The selected one stays selected.

@@ -96,6 +96,17 @@ namespace {
                                "file of your Falcon's software."),
     QT_TRANSLATE_NOOP("Fault", "The firmware was loaded, but does not answer. Try another firmware file."),
     QT_TRANSLATE_NOOP("Fault", "This program was built without libusb: force devices are left out."),
+    QT_TRANSLATE_NOOP("Fault", "Cusp cannot read pictures: its file %1 or a library of OpenCV is missing. Install Cusp "
+                               "again. The mouse works without it."),
+    QT_TRANSLATE_NOOP("Fault", "There is no camera %1. Plug in a camera, or choose another one."),
+    QT_TRANSLATE_NOOP("Fault", "You have no permission to use camera %1. An administrator of this computer can add you "
+                               "to the group \"video\"."),
+    QT_TRANSLATE_NOOP("Fault", "Camera %1 gives no pictures. Close other programs that use it, or choose another one."),
+    QT_TRANSLATE_NOOP("Fault", "Camera %1 gives no more pictures. Check that it is plugged in."),
+    QT_TRANSLATE_NOOP("Fault", "There is no file %1."), QT_TRANSLATE_NOOP("Fault", "The file %1 cannot be read."),
+    QT_TRANSLATE_NOOP("Fault", "%1 is no video, or of a kind that cannot be read here."),
+    QT_TRANSLATE_NOOP("Fault", "The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate "
+                               "the camera at this size."),
     QT_TRANSLATE_NOOP("Fault", "There is no handpiece '%1'; choose one of %2."),
     QT_TRANSLATE_NOOP("Fault", "There is no bur '%1'; choose one of %2."),
     QT_TRANSLATE_NOOP("Fault", "There is no hardness preset '%1'; choose natural or typodont, or name a file."),

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMetaType>
+#include <QString>
+
+namespace ui::devices {
+
+/// What the user sets for head tracking.
+struct HeadTrackingSettings
+{
+    static constexpr int kMostTagId = 586;  ///< of the family 36h11
+    static constexpr double kLeastTagMm = 10.0;
+    static constexpr double kMostTagMm = 200.0;
+    static constexpr double kLeastFovDeg = 20.0;
+    static constexpr double kMostFovDeg = 150.0;
+    static constexpr double kLeastGain = 1.0;
+    static constexpr double kMostGain = 4.0;
+
+    bool isOn = false;
+    int camera = 0;    ///< as in core::tracking::CameraInfo
+    QString video;     ///< path of a file that stands in for the camera; empty: none does
+    int width = 1280;  ///< of the camera's pictures
+    int height = 720;
+    int tagId = 0;
+    double tagMm = 50.0;   ///< edge of the black square
+    double fovDeg = 60.0;  ///< horizontal field of view
+    double gain = 2.0;     ///< degrees of the view for one of the head
+    bool mirrored = true;  ///< the picture on the page looks like a mirror
+    bool operator==(const HeadTrackingSettings&) const = default;
+};
+
+}  // namespace ui::devices
+
+Q_DECLARE_METATYPE(ui::devices::HeadTrackingSettings)

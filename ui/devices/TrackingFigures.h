@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <QWidget>
+
+#include "core/tracking/TrackerReport.h"
+
+namespace ui::shell {
+class TabularLabel;
+}
+
+namespace ui::devices {
+
+/// How well head tracking runs: pictures, share of them with the tag, time, latency and jitter.
+class TrackingFigures : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TrackingFigures(QWidget* parent);
+
+    void setReport(const core::tracking::TrackerReport& report);
+    /// Shows dashes.
+    void clear();
+
+private:
+    std::array<shell::TabularLabel*, 5> m_values{};
+};
+
+}  // namespace ui::devices

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/devices/TrackingSetupCard.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include "ui/shell/FileDialog.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::devices {
+namespace {
+
+using namespace ui::shell;
+using core::tracking::CameraInfo;
+using Settings = HeadTrackingSettings;
+
+// What the entries of the list of cameras stand for, if not for the number of a camera.
+constexpr int kThisVideo = -1;
+constexpr int kAnotherVideo = -2;
+
+constexpr std::array<QSize, 3> kSizes{QSize(640, 480), QSize(1280, 720), QSize(1920, 1080)};
+constexpr double kGainStep = 0.5;
+constexpr int kColumns = 4;
+constexpr int kNarrowColumns = 2;
+
+QLabel* quietLabel(QWidget* parent)
+{
+    return study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
+}
+
+}  // namespace
+
+TrackingSetupCard::TrackingSetupCard(QWidget* parent)
+    : QFrame(parent), m_grid(new QGridLayout(this)), m_camera(study::choiceInput({}, this)),
+      m_size(study::choiceInput({}, this)),
+      m_fov(study::numberInput(Settings::kLeastFovDeg, Settings::kMostFovDeg, 0, QStringLiteral("°"), {}, this)),
+      m_tagId(study::countInput(0, Settings::kMostTagId, this)),
+      m_tagMm(study::numberInput(Settings::kLeastTagMm, Settings::kMostTagMm, 1, QStringLiteral("mm"), {}, this)),
+      m_gain(study::numberInput(Settings::kLeastGain, Settings::kMostGain, 1, QStringLiteral("°"), {}, this)),
+      m_print(new QPushButton(this))
+{
+    setProperty("kind", "card");
+    setObjectName(QStringLiteral("trackingSetup"));
+    m_camera->setObjectName(QStringLiteral("camera"));
+    m_camera->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_size->setObjectName(QStringLiteral("pictureSize"));
+    m_fov->setObjectName(QStringLiteral("fieldOfView"));
+    m_tagId->setObjectName(QStringLiteral("tagNumber"));
+    m_tagId->setFixedWidth(study::kInputPx);
+    m_tagMm->setObjectName(QStringLiteral("tagEdge"));
+    m_gain->setObjectName(QStringLiteral("gain"));
+    m_gain->setSingleStep(kGainStep);
+    m_print->setObjectName(QStringLiteral("printTag"));
+    for (QDoubleSpinBox* number : {m_fov, m_tagMm, m_gain})
+        number->setKeyboardTracking(false);  // each change begins the tracking anew
+    for (const QSize& size : kSizes)
+        m_size->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+
+    m_grid->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace2);
+    m_grid->setHorizontalSpacing(kSpace4);
+    m_grid->setVerticalSpacing(kSpace1);
+    for (QWidget* input : {static_cast<QWidget*>(m_camera), static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_fov),
+                           static_cast<QWidget*>(m_tagId), static_cast<QWidget*>(m_tagMm),
+                           static_cast<QWidget*>(m_gain), static_cast<QWidget*>(m_print)})
+        m_cells.push_back({quietLabel(this), input, input == m_camera ? 2 : 1});
+    setNarrow(false);
+
+    const auto applies = [this](auto apply) {
+        return [this, apply](auto value) {
+            Settings settings = m_settings;
+            apply(settings, value);
+            change(settings);
+        };
+    };
+    connect(m_camera, &QComboBox::activated, this, &TrackingSetupCard::takeCamera);
+    connect(m_size, &QComboBox::activated, this, applies([](Settings& settings, int entry) {
+                const QSize chosen = kSizes.at(static_cast<std::size_t>(entry));
+                settings.width = chosen.width();
+                settings.height = chosen.height();
+            }));
+    connect(m_fov, &QDoubleSpinBox::valueChanged, this,
+            applies([](Settings& settings, double value) { settings.fovDeg = value; }));
+    connect(m_tagId, &QSpinBox::valueChanged, this,
+            applies([](Settings& settings, int value) { settings.tagId = value; }));
+    connect(m_tagMm, &QDoubleSpinBox::valueChanged, this,
+            applies([](Settings& settings, double value) { settings.tagMm = value; }));
+    connect(m_gain, &QDoubleSpinBox::valueChanged, this,
+            applies([](Settings& settings, double value) { settings.gain = value; }));
+    connect(m_print, &QPushButton::clicked, this, &TrackingSetupCard::printRequested);
+    text::inEveryLanguage(this, [this] {
+        const auto name = [this](QWidget* input, const QString& words) {
+            const auto cell =
+                std::find_if(m_cells.begin(), m_cells.end(), [input](const Cell& one) { return one.input == input; });
+            cell->caption->setText(words);
+            if (auto* choice = qobject_cast<QComboBox*>(input))
+                study::nameInput(choice, words);
+            else
+                input->setAccessibleName(words);
+        };
+        name(m_camera, tr("Camera"));
+        name(m_size, tr("Size of its pictures"));
+        name(m_fov, tr("Its field of view, sideways"));
+        m_fov->setToolTip(tr("60° fits most cameras. The data sheet of the camera has the exact number."));
+        name(m_tagId, tr("Number of the tag"));
+        name(m_tagMm, tr("Edge of its black square"));
+        name(m_gain, tr("Turn of the view for 1° of the head"));
+        m_print->setText(tr("Print the tag …"));
+        m_print->setAccessibleName(m_print->text());
+        listCameras();
+    });
+    setSettings(m_settings);
+}
+
+/// In rows of four equal columns, or of two.
+void TrackingSetupCard::setNarrow(bool isNarrow)
+{
+    const int columns = isNarrow ? kNarrowColumns : kColumns;
+    int at = 0;
+    for (const Cell& cell : m_cells) {
+        const int row = 3 * (at / columns);
+        const int column = at % columns;
+        m_grid->removeWidget(cell.caption);
+        m_grid->removeWidget(cell.input);
+        m_grid->addWidget(cell.caption, row, column, 1, cell.columns, Qt::AlignBottom);
+        const bool isChoice = qobject_cast<QComboBox*>(cell.input) != nullptr;
+        m_grid->addWidget(cell.input, row + 1, column, 1, cell.columns,
+                          isChoice ? Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
+        m_grid->setRowMinimumHeight(row + 2, kSpace1);
+        at += cell.columns;
+    }
+    for (int column = 0; column < kColumns; ++column)
+        m_grid->setColumnStretch(column, column < columns ? 1 : 0);
+}
+
+void TrackingSetupCard::setCameras(const std::vector<CameraInfo>& cameras)
+{
+    const auto isSame = [](const CameraInfo& a, const CameraInfo& b) {
+        return a.number == b.number && a.name == b.name;
+    };
+    if (std::equal(cameras.begin(), cameras.end(), m_cameras.begin(), m_cameras.end(), isSame))
+        return;
+    m_cameras = cameras;
+    listCameras();
+}
+
+void TrackingSetupCard::setSettings(const HeadTrackingSettings& settings)
+{
+    m_settings = settings;
+    listCameras();
+    m_size->setCurrentIndex(m_size->findData(QSize(settings.width, settings.height)));
+    m_size->setEnabled(settings.video.isEmpty());
+    for (auto [input, value] :
+         {std::pair(m_fov, settings.fovDeg), {m_tagMm, settings.tagMm}, {m_gain, settings.gain}}) {
+        const QSignalBlocker silent(input);
+        study::showNumber(*input, value);
+    }
+    const QSignalBlocker silent(m_tagId);
+    m_tagId->setValue(settings.tagId);
+}
+
+void TrackingSetupCard::listCameras()
+{
+    m_camera->clear();
+    const auto nameOf = [&](const CameraInfo& camera) {
+        //: %1: a number
+        return camera.name.empty() ? tr("Camera %1").arg(camera.number) : QString::fromStdString(camera.name);
+    };
+    for (const CameraInfo& camera : m_cameras) {
+        const auto sameName = std::count_if(m_cameras.begin(), m_cameras.end(),
+                                            [&](const CameraInfo& other) { return other.name == camera.name; });
+        m_camera->addItem(sameName > 1 ? QStringLiteral("%1 (%2)").arg(nameOf(camera)).arg(camera.number)
+                                       : nameOf(camera),
+                          camera.number);
+    }
+    if (m_settings.video.isEmpty() && m_camera->findData(m_settings.camera) < 0)
+        m_camera->addItem(m_cameras.empty() ? tr("No camera is plugged in")
+                                            //: %1: the number of a camera
+                                            : tr("Camera %1, not plugged in").arg(m_settings.camera),
+                          m_settings.camera);
+    m_camera->insertSeparator(m_camera->count());
+    if (!m_settings.video.isEmpty())
+        m_camera->addItem(QFileInfo(m_settings.video).fileName(), kThisVideo);
+    m_camera->addItem(tr("A video file …"), kAnotherVideo);
+    m_camera->setCurrentIndex(m_camera->findData(m_settings.video.isEmpty() ? m_settings.camera : kThisVideo));
+}
+
+void TrackingSetupCard::takeCamera(int entry)
+{
+    const int camera = m_camera->itemData(entry).toInt();
+    if (camera == kThisVideo)
+        return;
+    if (camera == kAnotherVideo) {
+        listCameras();
+        chooseVideo();
+        return;
+    }
+    HeadTrackingSettings settings = m_settings;
+    settings.camera = camera;
+    settings.video.clear();
+    change(settings);
+}
+
+void TrackingSetupCard::chooseVideo()
+{
+    const QString folder = m_settings.video.isEmpty() ? QDir::homePath() : QFileInfo(m_settings.video).absolutePath();
+    auto* dialog = new FileDialog(this, tr("Choose a video file"), folder,
+                                  tr("Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        HeadTrackingSettings settings = m_settings;
+        settings.video = path;
+        change(settings);
+    });
+    dialog->open();
+}
+
+void TrackingSetupCard::change(const HeadTrackingSettings& settings)
+{
+    if (settings == m_settings)
+        return;
+    setSettings(settings);
+    emit settingsChanged(settings);
+}
+
+}  // namespace ui::devices

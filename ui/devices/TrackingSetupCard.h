@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QFrame>
+
+#include "core/tracking/PictureSource.h"
+#include "ui/devices/HeadTrackingSettings.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace ui::devices {
+
+/// Camera, tag, and how far the view turns.
+class TrackingSetupCard : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit TrackingSetupCard(QWidget* parent);
+
+    void setCameras(const std::vector<core::tracking::CameraInfo>& cameras);
+    void setSettings(const HeadTrackingSettings& settings);
+    /// Has two columns, not four, for a page where there is no room beside them.
+    void setNarrow(bool isNarrow);
+
+signals:
+    /// Emitted when the user has changed a setting.
+    void settingsChanged(const HeadTrackingSettings& settings);
+    void printRequested();
+
+private:
+    struct Cell
+    {
+        QLabel* caption;
+        QWidget* input;
+        int columns;
+    };
+    void listCameras();
+    void takeCamera(int entry);
+    void chooseVideo();
+    void change(const HeadTrackingSettings& settings);
+
+    std::vector<core::tracking::CameraInfo> m_cameras;
+    HeadTrackingSettings m_settings;
+    QGridLayout* m_grid;
+    std::vector<Cell> m_cells;
+    QComboBox* m_camera;
+    QComboBox* m_size;
+    QDoubleSpinBox* m_fov;
+    QSpinBox* m_tagId;
+    QDoubleSpinBox* m_tagMm;
+    QDoubleSpinBox* m_gain;
+    QPushButton* m_print;
+};
+
+}  // namespace ui::devices
