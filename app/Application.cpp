@@ -247,6 +247,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_devices.get(), &DeviceController::inUseChanged, this, &Application::followHand);
     connect(m_devices.get(), &DeviceController::simulatedChanged, this, &Application::beginForAnotherHand);
     followHand();
+    m_headTracking = std::make_unique<HeadTrackingController>(*m_window);
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
     static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
     startLoops();
@@ -260,6 +261,7 @@ Application::~Application()
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
     m_replay.reset();
+    m_headTracking.reset();
     m_devices.reset();
     // The window has asked about the work on the table before it let itself be closed.
     stopJournal(true);

@@ -19,6 +19,7 @@
 #include "app/Explainer.h"
 #include "app/GradedMark.h"
 #include "app/Letters.h"
+#include "app/HeadTrackingController.h"
 #include "app/LoopThread.h"
 #include "app/PeopleDesk.h"
 #include "app/PresetDesk.h"
@@ -220,6 +221,7 @@ private:
     core::session::Follower m_follower;
     std::unique_ptr<ui::shell::MainWindow> m_window;
     std::unique_ptr<DeviceController> m_devices;
+    std::unique_ptr<HeadTrackingController> m_headTracking;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
     std::unique_ptr<Letters> m_letters;    ///< null where m_desk is
     std::unique_ptr<PeopleDesk> m_people;  ///< the same

@@ -2989,6 +2989,26 @@
     </message>
 </context>
 <context>
+    <name>app::HeadTrackingController</name>
+    <message>
+        <source>Print the tag</source>
+        <translation>Marke drucken</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The sheet is in %1. Print it without scaling.</source>
+        <extracomment>%1: a path</extracomment>
+        <translation>Das Blatt ist in %1. Drucken Sie es ohne Skalierung.</translation>
+    </message>
+    <message>
+        <source>The sheet could not be written.</source>
+        <translation>Das Blatt konnte nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
     <name>app::PeopleDesk</name>
     <message>
         <source>Save the class report</source>
@@ -4438,6 +4458,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
         <translation>Messen Sie diese Linie: Sie muss 100 mm lang sein. Sonst drucken Sie ohne Skalierung (100 %).</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::TagPicture</name>
@@ -4535,6 +4556,19 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)</source>
         <translation>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>When the head moves</source>
+        <translation>Wenn sich der Kopf bewegt</translation>
+    </message>
+    <message>
+        <source>The tooth turns</source>
+        <translation>Der Zahn dreht sich</translation>
+    </message>
+    <message>
+        <source>The screen is a window</source>
+        <extracomment>The tooth is seen through the screen as through a window</extracomment>
+        <translation>Der Bildschirm ist ein Fenster</translation>
     </message>
 </context>
 <context>

@@ -2989,6 +2989,26 @@
     </message>
 </context>
 <context>
+    <name>app::HeadTrackingController</name>
+    <message>
+        <source>Print the tag</source>
+        <translation>Imprimir la marca</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Documento PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The sheet is in %1. Print it without scaling.</source>
+        <extracomment>%1: a path</extracomment>
+        <translation>La hoja está en %1. Imprímala sin escalar.</translation>
+    </message>
+    <message>
+        <source>The sheet could not be written.</source>
+        <translation>No se pudo escribir la hoja.</translation>
+    </message>
+</context>
+<context>
     <name>app::PeopleDesk</name>
     <message>
         <source>Save the class report</source>
@@ -4386,7 +4406,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
-<<<<<<< HEAD
     <name>ui::devices::TagSheet</name>
     <message>
         <source>Head tracking: tag %1</source>
@@ -4439,7 +4458,9 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
         <translation>Mida esta línea: debe tener 100 mm. Si no, imprima sin escalar (100 %).</translation>
-=======
+    </message>
+</context>
+<context>
     <name>ui::devices::TagPicture</name>
     <message>
         <source>Picture of the camera, with the tag outlined</source>
@@ -4535,6 +4556,19 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)</source>
         <translation>Vídeos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>When the head moves</source>
+        <translation>Al mover la cabeza</translation>
+    </message>
+    <message>
+        <source>The tooth turns</source>
+        <translation>Gira el diente</translation>
+    </message>
+    <message>
+        <source>The screen is a window</source>
+        <extracomment>The tooth is seen through the screen as through a window</extracomment>
+        <translation>La pantalla es una ventana</translation>
     </message>
 </context>
 <context>
@@ -4634,7 +4668,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
         <translation>Siéntese como cuando talla, mire la pantalla y pulse «El centro está aquí».</translation>
->>>>>>> d344317b (ui/devices: a page for head tracking, in the list of devices)
     </message>
 </context>
 <context>

@@ -2976,6 +2976,26 @@
     </message>
 </context>
 <context>
+    <name>app::HeadTrackingController</name>
+    <message>
+        <source>Print the tag</source>
+        <translation>マーカーの印刷</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF 文書 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The sheet is in %1. Print it without scaling.</source>
+        <extracomment>%1: a path</extracomment>
+        <translation>シートを %1 に保存しました。拡大縮小せずに印刷してください。</translation>
+    </message>
+    <message>
+        <source>The sheet could not be written.</source>
+        <translation>シートを書き込めませんでした。</translation>
+    </message>
+</context>
+<context>
     <name>app::PeopleDesk</name>
     <message>
         <source>Save the class report</source>
@@ -4363,7 +4383,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-<<<<<<< HEAD
     <name>ui::devices::TagSheet</name>
     <message>
         <source>Head tracking: tag %1</source>
@@ -4416,7 +4435,9 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Measure this line: it must be 100 mm long. Otherwise print without scaling (100 %).</source>
         <translation>この線を測ってください。長さは 100 mm のはずです。違うときは拡大縮小なし（100 %）で印刷してください。</translation>
-=======
+    </message>
+</context>
+<context>
     <name>ui::devices::TagPicture</name>
     <message>
         <source>Picture of the camera, with the tag outlined</source>
@@ -4512,6 +4533,19 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)</source>
         <translation>動画 (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>When the head moves</source>
+        <translation>頭を動かしたとき</translation>
+    </message>
+    <message>
+        <source>The tooth turns</source>
+        <translation>歯が回転する</translation>
+    </message>
+    <message>
+        <source>The screen is a window</source>
+        <extracomment>The tooth is seen through the screen as through a window</extracomment>
+        <translation>画面が窓になる</translation>
     </message>
 </context>
 <context>
@@ -4611,7 +4645,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
         <translation>切削するときの姿勢で座り、画面を見て、「ここを正面にする」を押してください。</translation>
->>>>>>> d344317b (ui/devices: a page for head tracking, in the list of devices)
     </message>
 </context>
 <context>

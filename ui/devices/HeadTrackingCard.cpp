@@ -155,14 +155,14 @@ void HeadTrackingCard::showState()
     m_follow->setAccessibleDescription(stateWords(m_state));
     m_recentre->setEnabled(isTracking);
     setFilled(*m_recentre, isTracking);
-    if (hasPictures(m_state)) {
+    if (hasPictures(m_state))
         m_figures->setReport(m_state.report);
-    } else {
+    else
         m_figures->clear();
+    if (!hasPictures(m_state) || !m_picture->hasPicture())
         m_picture->setWords(m_state.settings.isOn
                                 ? stateWords(m_state)
                                 : tr("The picture of the camera appears here when head tracking is on."));
-    }
     emit stateChanged();
 }
 

@@ -23,10 +23,11 @@ struct HeadTrackingSettings
     int width = 1280;  ///< of the camera's pictures
     int height = 720;
     int tagId = 0;
-    double tagMm = 50.0;   ///< edge of the black square
-    double fovDeg = 60.0;  ///< horizontal field of view
-    double gain = 2.0;     ///< degrees of the view for one of the head
-    bool mirrored = true;  ///< the picture on the page looks like a mirror
+    double tagMm = 50.0;    ///< edge of the black square
+    double fovDeg = 60.0;   ///< horizontal field of view
+    double gain = 2.0;      ///< degrees of the view for one of the head
+    bool isWindow = false;  ///< the screen is a window before the tooth, which does not turn
+    bool mirrored = true;   ///< the picture on the page looks like a mirror
     bool operator==(const HeadTrackingSettings&) const = default;
 };
 

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool hasPicture() const { return !m_picture.isNull(); }
     /// Corners of the drawn outline in the widget; empty if there is none.
     [[nodiscard]] QPolygonF outline() const;
-    [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
+    [[nodiscard]] QSize sizeHint() const override { return {516, 290}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
 protected:

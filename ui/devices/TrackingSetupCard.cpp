@@ -49,7 +49,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
       m_tagId(study::countInput(0, Settings::kMostTagId, this)),
       m_tagMm(study::numberInput(Settings::kLeastTagMm, Settings::kMostTagMm, 1, QStringLiteral("mm"), {}, this)),
       m_gain(study::numberInput(Settings::kLeastGain, Settings::kMostGain, 1, QStringLiteral("°"), {}, this)),
-      m_print(new QPushButton(this))
+      m_way(study::choiceInput({}, this)), m_print(new QPushButton(this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("trackingSetup"));
@@ -62,6 +62,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     m_tagMm->setObjectName(QStringLiteral("tagEdge"));
     m_gain->setObjectName(QStringLiteral("gain"));
     m_gain->setSingleStep(kGainStep);
+    m_way->setObjectName(QStringLiteral("wayOfView"));
     m_print->setObjectName(QStringLiteral("printTag"));
     for (QDoubleSpinBox* number : {m_fov, m_tagMm, m_gain})
         number->setKeyboardTracking(false);  // each change begins the tracking anew
@@ -72,7 +73,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     m_grid->setHorizontalSpacing(kSpace4);
     m_grid->setVerticalSpacing(kSpace1);
     for (QWidget* input : {static_cast<QWidget*>(m_camera), static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_fov),
-                           static_cast<QWidget*>(m_tagId), static_cast<QWidget*>(m_tagMm),
+                           static_cast<QWidget*>(m_tagId), static_cast<QWidget*>(m_tagMm), static_cast<QWidget*>(m_way),
                            static_cast<QWidget*>(m_gain), static_cast<QWidget*>(m_print)})
         m_cells.push_back({quietLabel(this), input, input == m_camera ? 2 : 1});
     setNarrow(false);
@@ -98,6 +99,8 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
             applies([](Settings& settings, double value) { settings.tagMm = value; }));
     connect(m_gain, &QDoubleSpinBox::valueChanged, this,
             applies([](Settings& settings, double value) { settings.gain = value; }));
+    connect(m_way, &QComboBox::activated, this,
+            applies([](Settings& settings, int entry) { settings.isWindow = entry == 1; }));
     connect(m_print, &QPushButton::clicked, this, &TrackingSetupCard::printRequested);
     text::inEveryLanguage(this, [this] {
         const auto name = [this](QWidget* input, const QString& words) {
@@ -116,6 +119,12 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
         name(m_tagId, tr("Number of the tag"));
         name(m_tagMm, tr("Edge of its black square"));
         name(m_gain, tr("Turn of the view for 1° of the head"));
+        name(m_way, tr("When the head moves"));
+        m_way->clear();
+        m_way->addItem(tr("The tooth turns"));
+        //: The tooth is seen through the screen as through a window
+        m_way->addItem(tr("The screen is a window"));
+        m_way->setCurrentIndex(m_settings.isWindow ? 1 : 0);
         m_print->setText(tr("Print the tag …"));
         m_print->setAccessibleName(m_print->text());
         listCameras();
@@ -161,6 +170,7 @@ void TrackingSetupCard::setSettings(const HeadTrackingSettings& settings)
     listCameras();
     m_size->setCurrentIndex(m_size->findData(QSize(settings.width, settings.height)));
     m_size->setEnabled(settings.video.isEmpty());
+    m_way->setCurrentIndex(settings.isWindow ? 1 : 0);
     for (auto [input, value] :
          {std::pair(m_fov, settings.fovDeg), {m_tagMm, settings.tagMm}, {m_gain, settings.gain}}) {
         const QSignalBlocker silent(input);

@@ -56,6 +56,7 @@ private:
     QSpinBox* m_tagId;
     QDoubleSpinBox* m_tagMm;
     QDoubleSpinBox* m_gain;
+    QComboBox* m_way;
     QPushButton* m_print;
 };
 

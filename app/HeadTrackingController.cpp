@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/HeadTrackingController.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include <QDesktopServices>
+#include <QUrl>
+
+#include "core/base/WholeFile.h"
+#include "core/tracking/PictureSource.h"
+#include "core/tracking/TagCells.h"
+#include "core/tracking/TagDetector.h"
+#include "ui/devices/DevicesPage.h"
+#include "ui/devices/HeadTrackingCard.h"
+#include "ui/devices/TagSheet.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/FileDialog.h"
+#include "ui/shell/Memory.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/text/FaultWords.h"
+#include "ui/tooth/ToothView.h"
+
+namespace app {
+namespace {
+
+using core::tracking::Head;
+using core::tracking::Lean;
+using ui::devices::DevicesPage;
+using ui::devices::HeadTrackingCard;
+using ui::devices::HeadTrackingSettings;
+using ui::shell::memory;
+using ui::shell::MessageBar;
+
+constexpr int kShowMs = 40;
+constexpr int kCamerasEvery = 25;       ///< of those, cameras are looked for
+constexpr double kToTheScreenS = 0.02;  ///< from drawing a frame until it is seen
+constexpr std::chrono::milliseconds kTrackerBeat{10};
+
+const QString kOnKey = QStringLiteral("head/on");
+const QString kCameraKey = QStringLiteral("head/camera");
+const QString kVideoKey = QStringLiteral("head/video");
+const QString kWidthKey = QStringLiteral("head/width");
+const QString kHeightKey = QStringLiteral("head/height");
+const QString kTagKey = QStringLiteral("head/tag");
+const QString kTagMmKey = QStringLiteral("head/tag_mm");
+const QString kFovKey = QStringLiteral("head/fov_deg");
+const QString kGainKey = QStringLiteral("head/gain");
+const QString kMirroredKey = QStringLiteral("head/mirrored");
+const QString kWindowKey = QStringLiteral("head/window");
+
+/// A number as it was stored, if it is one within its range.
+template <class T>
+void recallNumber(const QSettings& stored, const QString& key, T low, T high, T& value)
+{
+    bool isNumber = false;
+    const double number = stored.value(key).toDouble(&isNumber);
+    if (isNumber && number >= static_cast<double>(low) && number <= static_cast<double>(high))
+        value = static_cast<T>(number);
+}
+
+HeadTrackingSettings recalledSettings()
+{
+    const QSettings stored = memory();
+    HeadTrackingSettings settings;
+    settings.isOn = ui::shell::recalled(stored, kOnKey, false);
+    recallNumber(stored, kCameraKey, 0, 1000, settings.camera);
+    settings.video = stored.value(kVideoKey).toString();
+    recallNumber(stored, kWidthKey, 160, 7680, settings.width);
+    recallNumber(stored, kHeightKey, 120, 4320, settings.height);
+    recallNumber(stored, kTagKey, 0, HeadTrackingSettings::kMostTagId, settings.tagId);
+    recallNumber(stored, kTagMmKey, HeadTrackingSettings::kLeastTagMm, HeadTrackingSettings::kMostTagMm,
+                 settings.tagMm);
+    recallNumber(stored, kFovKey, HeadTrackingSettings::kLeastFovDeg, HeadTrackingSettings::kMostFovDeg,
+                 settings.fovDeg);
+    recallNumber(stored, kGainKey, HeadTrackingSettings::kLeastGain, HeadTrackingSettings::kMostGain, settings.gain);
+    settings.mirrored = ui::shell::recalled(stored, kMirroredKey, true);
+    settings.isWindow = ui::shell::recalled(stored, kWindowKey, false);
+    return settings;
+}
+
+void remember(const HeadTrackingSettings& settings)
+{
+    QSettings stored = memory();
+    stored.setValue(kOnKey, settings.isOn);
+    stored.setValue(kCameraKey, settings.camera);
+    stored.setValue(kVideoKey, settings.video);
+    stored.setValue(kWidthKey, settings.width);
+    stored.setValue(kHeightKey, settings.height);
+    stored.setValue(kTagKey, settings.tagId);
+    stored.setValue(kTagMmKey, settings.tagMm);
+    stored.setValue(kFovKey, settings.fovDeg);
+    stored.setValue(kGainKey, settings.gain);
+    stored.setValue(kMirroredKey, settings.mirrored);
+    stored.setValue(kWindowKey, settings.isWindow);
+}
+
+core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
+{
+    if (!settings.video.isEmpty())
+        return [path = settings.video.toStdString()] { return core::tracking::openVideo(path); };
+    const core::tracking::CameraWish wish{settings.width, settings.height, 30.0};
+    return [number = settings.camera, wish] { return core::tracking::openCamera(number, wish); };
+}
+
+core::tracking::TrackerSettings trackerSettings(const HeadTrackingSettings& settings)
+{
+    core::tracking::TrackerSettings wanted;
+    wanted.id = settings.tagId;
+    wanted.tagMm = settings.tagMm;
+    wanted.fovDeg = settings.fovDeg;
+    return wanted;
+}
+
+/// Whether the tracker has to begin anew.
+bool concernsTracker(const HeadTrackingSettings& a, const HeadTrackingSettings& b)
+{
+    HeadTrackingSettings same = b;
+    same.gain = a.gain;
+    same.mirrored = a.mirrored;
+    same.isWindow = a.isWindow;
+    return !(a == same);
+}
+
+double secondsNow()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+HeadTrackingController::Tracker::Tracker(const HeadTrackingSettings& settings)
+    : loop(sourceOf(settings), trackerSettings(settings)), thread(loop, kTrackerBeat, LoopThread::Urgency::Normal)
+{
+    // The servo and the view come first.
+    thread.start(QThread::LowPriority);
+}
+
+HeadTrackingController::HeadTrackingController(ui::shell::MainWindow& window)
+    : m_window(window), m_settings(recalledSettings())
+{
+    HeadTrackingCard& card = m_window.devicesPage().headTracking();
+    card.setInBuild(core::tracking::hasTagDetector());
+    m_settings.isOn = m_settings.isOn && core::tracking::hasTagDetector();
+    card.setSettings(m_settings);
+    showSettings();
+    connectPage();
+    m_poll.setInterval(kShowMs);
+    connect(&m_poll, &QTimer::timeout, this, &HeadTrackingController::poll);
+    connect(m_window.actions().recentreHead, &QAction::triggered, this, [this] { m_view.recentre(); });
+    restart();
+}
+
+HeadTrackingController::~HeadTrackingController()
+{
+    m_window.view().setHeadLean({});
+}
+
+void HeadTrackingController::connectPage()
+{
+    DevicesPage& page = m_window.devicesPage();
+    const HeadTrackingCard* const card = &page.headTracking();
+    connect(&page, &DevicesPage::opened, this, [this](bool isOpen) {
+        m_isPageOpen = isOpen;
+        m_polls = 0;
+        if (isOpen)
+            m_poll.start();
+        else
+            m_poll.stop();
+        if (m_tracker)
+            m_tracker->loop.showPictures(isOpen);
+    });
+    connect(card, &HeadTrackingCard::trackingChanged, this, &HeadTrackingController::turn);
+    connect(card, &HeadTrackingCard::settingsChanged, this, &HeadTrackingController::change);
+    connect(card, &HeadTrackingCard::recentreRequested, this, [this] { m_view.recentre(); });
+    connect(card, &HeadTrackingCard::printRequested, this, &HeadTrackingController::askWhereToPrint);
+}
+
+void HeadTrackingController::turn(bool on)
+{
+    HeadTrackingSettings settings = m_settings;
+    settings.isOn = on;
+    change(settings);
+}
+
+void HeadTrackingController::change(const HeadTrackingSettings& settings)
+{
+    const bool isNew = concernsTracker(m_settings, settings);
+    m_settings = settings;
+    remember(m_settings);
+    showSettings();
+    if (isNew)
+        restart();
+}
+
+void HeadTrackingController::showSettings()
+{
+    m_window.devicesPage().headTracking().setSettings(m_settings);
+    core::tracking::HeadViewSettings view;
+    view.gain = m_settings.gain;
+    view.isWindow = m_settings.isWindow;
+    m_view.setSettings(view);
+}
+
+void HeadTrackingController::askWhereToPrint()
+{
+    auto* dialog = new ui::shell::FileDialog(&m_window, tr("Print the tag"), {}, tr("PDF document (*.pdf)"));
+    dialog->askWhere(QStringLiteral("cusp-tag"), QStringLiteral("pdf"));
+    connect(dialog, &QFileDialog::fileSelected, this, &HeadTrackingController::print);
+    dialog->open();
+}
+
+/// Writes the sheet with the tag and shows it.
+void HeadTrackingController::print(const QString& path)
+{
+    const QByteArray bytes = ui::devices::TagSheet(m_settings.tagId, core::tracking::cellsOf(m_settings.tagId)).pdf();
+    const auto written =
+        core::writeWhole(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())}, "The sheet");
+    if (!written) {
+        m_window.messages().say([error = written.error()] {
+            return MessageBar::Message{MessageBar::Kind::Error,
+                                       tr("The sheet could not be written."),
+                                       ui::text::faultWords(core::wordsOf(error)),
+                                       {},
+                                       {},
+                                       MessageBar::Topic::Page};
+        });
+        return;
+    }
+    QDesktopServices::openUrl(QUrl::fromLocalFile(path));
+    m_window.messages().say([path] {
+        return MessageBar::Message{MessageBar::Kind::News,
+                                   //: %1: a path
+                                   tr("The sheet is in %1. Print it without scaling.").arg(path),
+                                   {},
+                                   {},
+                                   {},
+                                   MessageBar::Topic::Page};
+    });
+}
+
+void HeadTrackingController::restart()
+{
+    m_tracker.reset();
+    m_view.recentre();
+    m_window.actions().recentreHead->setVisible(m_settings.isOn);
+    if (!m_settings.isOn)
+        return;  // the view glides back, see leanNow()
+    m_tracker = std::make_unique<Tracker>(m_settings);
+    m_tracker->loop.showPictures(m_isPageOpen);
+    m_window.view().setHeadLean([this](double seconds, bool touches) { return leanNow(seconds, touches); });
+}
+
+Lean HeadTrackingController::leanNow(double seconds, bool touches)
+{
+    return m_view.update(m_tracker ? m_tracker->loop.head() : Head{}, secondsNow() + kToTheScreenS, seconds, touches);
+}
+
+void HeadTrackingController::poll()
+{
+    HeadTrackingCard& card = m_window.devicesPage().headTracking();
+    if (m_polls++ % kCamerasEvery == 0)
+        card.setCameras(core::tracking::cameras());
+    if (m_tracker)
+        card.setTracking(m_tracker->loop.report());
+}
+
+}  // namespace app

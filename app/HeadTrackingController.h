@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+#include <QTimer>
+
+#include "app/LoopThread.h"
+#include "core/tracking/HeadView.h"
+#include "core/tracking/TrackerLoop.h"
+#include "ui/devices/HeadTrackingSettings.h"
+#include "ui/shell/MainWindow.h"
+
+namespace app {
+
+/// Turns the view as the user's head moves, while they want that: runs the tracker in a thread of its own, gives its
+/// head to the view of the tooth, and shows it on the page of devices. Remembers the settings on this computer. Ui
+/// thread.
+class HeadTrackingController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit HeadTrackingController(ui::shell::MainWindow& window);
+    /// Stops the tracker; the view follows it no longer.
+    ~HeadTrackingController() override;
+
+    [[nodiscard]] bool isOn() const { return m_settings.isOn; }
+
+private:
+    /// A tracker and the thread that it runs in.
+    struct Tracker
+    {
+        explicit Tracker(const ui::devices::HeadTrackingSettings& settings);
+        core::tracking::TrackerLoop loop;
+        LoopThread thread;  ///< last: it uses the loop
+    };
+    void connectPage();
+    void turn(bool on);
+    void change(const ui::devices::HeadTrackingSettings& settings);
+    void restart();
+    void showSettings();
+    void askWhereToPrint();
+    void print(const QString& path);
+    void poll();
+    [[nodiscard]] core::tracking::Lean leanNow(double seconds, bool touches);
+
+    ui::shell::MainWindow& m_window;
+    ui::devices::HeadTrackingSettings m_settings;
+    std::unique_ptr<Tracker> m_tracker;
+    core::tracking::HeadView m_view;
+    QTimer m_poll;
+    int m_polls = 0;
+    bool m_isPageOpen = false;
+};
+
+}  // namespace app
