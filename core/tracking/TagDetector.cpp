@@ -2,6 +2,7 @@
 #include "core/tracking/TagDetector.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
@@ -12,9 +13,25 @@ namespace {
 constexpr double kSharpening = 0.25;   ///< AprilTag's own default
 constexpr double kLeastMargin = 30.0;  ///< tags on photographs have 43 and more; what is no tag has less
 constexpr int kLeastSidePx = 16;
+/// Of a corner from the border, as a share of the tag's edge; its white border is an eighth. Of a square whose corner
+/// is cut off, the corner is found some pixels away from where it would be.
+constexpr double kLeastFromBorder = 0.08;
 /// For all ids, AprilTag's own default. For a single id, one bit is enough and needs a megabyte instead of nineteen.
 constexpr int kCorrectedOfAll = 2;
 constexpr int kCorrectedOfOne = 1;
+
+bool isWhole(const apriltag_detection_t& found, int width, int height)
+{
+    double edges = 0.0;
+    double border = width;
+    for (std::size_t n = 0; n < 4; ++n) {
+        const double* const corner = found.p[n];
+        const double* const next = found.p[(n + 1) % 4];
+        edges += std::hypot(next[0] - corner[0], next[1] - corner[1]);
+        border = std::min({border, corner[0], corner[1], width - corner[0], height - corner[1]});
+    }
+    return border >= kLeastFromBorder * 0.25 * edges;
+}
 
 }  // namespace
 
@@ -71,7 +88,7 @@ std::vector<SeenTag> TagDetector::find(const PictureView& picture, const Region&
     for (int n = 0; n < zarray_size(found); ++n) {
         const apriltag_detection_t* one = nullptr;
         zarray_get(found, n, &one);
-        if ((m_id && one->id != *m_id) || one->decision_margin < kLeastMargin)
+        if ((m_id && one->id != *m_id) || one->decision_margin < kLeastMargin || !isWhole(*one, width, height))
             continue;
         SeenTag tag;
         tag.id = one->id;

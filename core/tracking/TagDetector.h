@@ -39,7 +39,8 @@ public:
         bool refinesEdges = true;
     };
 
-    /// Tags within a region, corners in pixels of the whole picture. A tag that the region cuts is not found.
+    /// Tags within a region, corners in pixels of the whole picture. A tag that the border of the
+    /// region cuts is not found, nor one whose white border is mostly beyond it.
     [[nodiscard]] std::vector<SeenTag> find(const PictureView& picture, const Region& region, const Effort& effort);
     [[nodiscard]] std::vector<SeenTag> find(const PictureView& picture, const Effort& effort)
     {

@@ -75,6 +75,9 @@ struct Context
 /// What an exchange of packets with a Falcon costs, and its kinematics.
 [[nodiscard]] core::Result<Figures> falconSuite(const Context& context);
 
+/// Head tracking on rendered pictures whose poses are known: errors, times, losses, the filter, and false tags.
+[[nodiscard]] core::Result<Figures> trackingSuite(const Context& context);
+
 /// A recording of continuous drilling played to its end, and looked at here and there.
 [[nodiscard]] core::Result<Figures> replaySuite(const Context& context);
 /// A servo in its thread at 1 kHz, by turns alone and with the live measures of a lesson beside it, and what those
