@@ -41,7 +41,7 @@ constexpr Suite kSuites[] = {
     {"live", "the servo's ticks with and without live measures in other threads", bench::liveSuite, 62.0},
     {"pointer", "a simulated person at a mouse: plunge, slot, lesion, aim", bench::pointerSuite, 200.0},
     {"falcon", "a Falcon's packets and kinematics", bench::falconSuite, 2.0},
-    {"tracking", "head tracking: a tag in rendered pictures, errors and times", bench::trackingSuite, 75.0},
+    {"tracking", "head tracking: a tag in rendered pictures, errors and times", bench::trackingSuite, 95.0},
     {"replay", "an attempt replayed, and looked at here and there", bench::replaySuite, 25.0},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };

@@ -21,7 +21,7 @@ constexpr double kRestMm = 5.0;  ///< measuring error that is no jump
 constexpr double kRestDeg = 8.0;
 constexpr int kJumpAfter = 3;
 constexpr double kClearlyBetter = 2.0;
-constexpr int kOtherAfter = 5;
+constexpr int kOtherAfter = 3;
 constexpr double kLeastS = 1e-4;
 
 }  // namespace
@@ -75,7 +75,13 @@ Pose HeadFilter::choose(const PosedTag& tag)
         m_otherIsBetter = 0;
         return isFirst ? tag.pose : tag.other;
     }
-    return ++m_otherIsBetter >= kOtherAfter ? tag.pose : tag.other;
+    if (++m_otherIsBetter < kOtherAfter)
+        return tag.other;
+    // The head has not turned: until now the wrong pose of both was chosen.
+    m_otherIsBetter = 0;
+    m_head.raw.rotation = tag.pose.rotation;
+    m_head.pose.rotation = tag.pose.rotation;
+    return tag.pose;
 }
 
 bool HeadFilter::isJump(const Pose& pose, double seconds) const

@@ -32,8 +32,8 @@ class HeadFilter
 public:
     struct Settings
     {
-        OneEuro::Settings position{0.5, 0.1, 1.0};  ///< mm
-        OneEuro::Settings angle{0.5, 0.04, 1.0};    ///< degrees
+        OneEuro::Settings position{0.4, 0.07, 1.0};  ///< mm
+        OneEuro::Settings angle{0.4, 0.03, 1.0};     ///< degrees
     };
 
     HeadFilter();

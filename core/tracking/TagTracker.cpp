@@ -17,8 +17,9 @@ constexpr double kGrowth = 0.6;  ///< of the region, on every side, as a share o
 constexpr int kWholeEvery = 30;  ///< of the pictures, one is searched whole although the tag is followed
 constexpr int kFineEvery = 3;    ///< of the searches, one looks for small tags too
 constexpr int kFineDecimation = 2;
-constexpr double kSmallEdgePx = 56.0;  ///< smaller tags are followed with every pixel
+constexpr double kSmallEdgePx = 80.0;  ///< smaller tags are followed with every pixel, which halves the noise of depth
 constexpr int kAllDecimation = 1;
+constexpr int kTilePx = 4;  ///< AprilTag finds the local contrast in squares of so many of the pixels that it searches
 
 double msSince(Clock::time_point begun)
 {
@@ -120,10 +121,12 @@ std::vector<SeenTag> TagTracker::searchRegion(const PictureView& picture, const 
     const glm::dvec2 margin = (high - low) * kGrowth;  // its white border, and some way
     low -= margin;
     high += margin;
-    const TagDetector::Region region{static_cast<int>(std::floor(low.x)), static_cast<int>(std::floor(low.y)),
-                                     static_cast<int>(std::ceil(high.x - low.x)),
-                                     static_cast<int>(std::ceil(high.y - low.y))};
     const int decimation = last.edgePx() < kSmallEdgePx ? 1 : m_settings.regionDecimation;
+    // A region that begins elsewhere is sampled at other pixels, and the corners are found a little elsewhere.
+    const int step = kTilePx * decimation;
+    const glm::ivec2 first = glm::ivec2(glm::floor(glm::max(low, 0.0) / static_cast<double>(step))) * step;
+    const TagDetector::Region region{first.x, first.y, static_cast<int>(std::ceil(high.x)) - first.x,
+                                     static_cast<int>(std::ceil(high.y)) - first.y};
     return m_detector.find(picture, region, {decimation, m_settings.refinesEdges});
 }
 

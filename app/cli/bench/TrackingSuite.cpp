@@ -200,7 +200,7 @@ void addPaths(Figures& figures, const Context& context)
         add("p99_ms", "time, p99", percentileOf(tally.ms, 0.99), "ms", "");
         add("lost_percent", "pictures without the tag", percent(tally.lost), "%", "0");
         add("flip_percent", "wrong pose of two", percent(tally.flipped), "%", "");
-        add("head_flip_percent", "wrong pose of two, filter", percent(tally.flippedByHead), "%", "");
+        add("head_flip_percent", "wrong pose of two, after the filter", percent(tally.flippedByHead), "%", "");
         if (tally.way.decimation == 1)
             chart.lines << lineOf(tally.way.groupName(), static_cast<LookIndex>(chart.lines.size()));
         chart.lines.back().dots << pointAt(percentileOf(tally.ms, 0.5), percentileOf(tally.cornerPx, 0.5),
@@ -289,8 +289,8 @@ std::vector<PosedTag> tagAtRest(double distanceMm)
 void addFilter(Figures& figures, const Context& context)
 {
     constexpr double kChartDistanceMm = 600.0;
-    constexpr std::array kLeastHz{0.3, 0.6, 1.0, 2.0};
-    constexpr std::array kPerSpeed{0.02, 0.05, 0.07, 0.15};
+    constexpr std::array kLeastHz{0.2, 0.4, 1.0, 2.0};
+    constexpr std::array kPerSpeed{0.02, 0.04, 0.07, 0.14};
     ui::charts::Curve chart;
     chart.x = {QStringLiteral("lag at %1 mm/s (ms)").arg(kMotionMmPerS), 3.0, 60.0, false, 2.0};
     chart.y = {QStringLiteral("jitter at rest (mm)"), 0.0, 0.1};
