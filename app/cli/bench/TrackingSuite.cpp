@@ -181,7 +181,7 @@ void addPaths(Figures& figures, const Context& context)
 
     ui::charts::Curve chart;
     chart.x = {QStringLiteral("CPU time of a picture, pose included, median (ms)"), 0.2, 200.0, false, 10.0};
-    chart.y = {QStringLiteral("error of a corner, median (px)"), 0.02, 1.0, false, 10.0};
+    chart.y = {QStringLiteral("error of a corner, median (px)"), 0.02, 2.0, false, 10.0};
     chart.limits = {{3.0, true, QStringLiteral("asked of a picture in which the tag is followed")}};
     for (std::size_t k = 0; k < tallies.size(); ++k) {
         const Tally& tally = tallies[k];
@@ -293,7 +293,7 @@ void addFilter(Figures& figures, const Context& context)
     constexpr std::array kPerSpeed{0.02, 0.04, 0.07, 0.14};
     ui::charts::Curve chart;
     chart.x = {QStringLiteral("lag at %1 mm/s (ms)").arg(kMotionMmPerS), 3.0, 60.0, false, 2.0};
-    chart.y = {QStringLiteral("jitter at rest (mm)"), 0.0, 0.1};
+    chart.y = {QStringLiteral("jitter at rest (mm)"), 0.0, 0.06};
     chart.limits = {{0.05, false, QStringLiteral("asked")}, {20.0, true, QStringLiteral("asked")}};
     int done = kPathSteps;
     for (const double distanceMm : kDistancesMm) {
