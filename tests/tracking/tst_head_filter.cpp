@@ -179,6 +179,32 @@ private slots:
         QVERIFY(support::near(head.positionAtMm(3.0).x, 3.0));
         QVERIFY(support::near(head.positionAtMm(1.0).x, 0.0));
     }
+
+    void aTagThatIsLostIsFoundAnew()
+    {
+        HeadFilter filter;
+        const PosedTag tag = exactTag(lab::facing({0.0, 0.0, 600.0}, 0.0, 20.0, 0.0));
+        double timeS = kBeginsS;
+        filter.take(tag, timeS);
+        filter.take(tag, timeS += 1 / 30.0);
+        const double seenS = filter.head().seenS;
+        for (int n = 0; n < 30; ++n)
+            filter.take(std::nullopt, timeS += 1 / 30.0);
+        QVERIFY(!filter.head().isSeen);
+        QCOMPARE(filter.head().seenS, seenS);
+        QVERIFY(!filter.take(tag, timeS += 1 / 30.0).isSeen);
+        QVERIFY(filter.take(tag, timeS += 1 / 30.0).isSeen);
+    }
+
+    void isAheadByThirtyMillisecondsAtMost()
+    {
+        Head head;
+        head.seenS = 5.0;
+        head.mmPerS = {100.0, 0.0, 0.0};
+        QCOMPARE(head.positionAtMm(4.9).x, 0.0);
+        QCOMPARE(head.positionAtMm(5.02).x, 2.0);
+        QCOMPARE(head.positionAtMm(6.0).x, 3.0);
+    }
 };
 
 CUSP_TEST(TestHeadFilter)
