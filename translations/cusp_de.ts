@@ -4208,8 +4208,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Hier ist geradeaus</translation>
     </message>
     <message>
-        <source>The pictures are not saved and stay on this computer.</source>
-        <translation>Die Bilder werden nicht gespeichert und bleiben auf diesem Computer.</translation>
+        <source>No picture is saved or sent.</source>
+        <translation>Kein Bild wird gespeichert oder gesendet.</translation>
     </message>
     <message>
         <source>The picture of the camera appears here when head tracking is on.</source>

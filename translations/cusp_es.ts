@@ -4208,8 +4208,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>El centro está aquí</translation>
     </message>
     <message>
-        <source>The pictures are not saved and stay on this computer.</source>
-        <translation>Las imágenes no se guardan y no salen de este equipo.</translation>
+        <source>No picture is saved or sent.</source>
+        <translation>Ninguna imagen se guarda ni se envía.</translation>
     </message>
     <message>
         <source>The picture of the camera appears here when head tracking is on.</source>

@@ -4186,8 +4186,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ここを正面にする</translation>
     </message>
     <message>
-        <source>The pictures are not saved and stay on this computer.</source>
-        <translation>映像は保存されず、このコンピューターの外に出ません。</translation>
+        <source>No picture is saved or sent.</source>
+        <translation>映像は保存も送信もされません。</translation>
     </message>
     <message>
         <source>The picture of the camera appears here when head tracking is on.</source>

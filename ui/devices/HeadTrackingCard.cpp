@@ -94,8 +94,7 @@ QWidget* HeadTrackingCard::makeLive()
     quality->addStretch(1);
     quality->addWidget(m_recentre, 0, Qt::AlignLeft);
     m_liveColumns->addLayout(quality, 3);
-    text::inEveryLanguage(m_live,
-                          [privacy] { privacy->setText(tr("The pictures are not saved and stay on this computer.")); });
+    text::inEveryLanguage(m_live, [privacy] { privacy->setText(tr("No picture is saved or sent.")); });
     return m_live;
 }
 
