@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Head tracking in the whole program, with a video in the place of the camera.
+#include <QCheckBox>
+#include <QFile>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/app/PrintedScene.h"
+#include "tests/app/ProgramWindow.h"
+#include "tests/support/OpenGlMain.h"
+#include "ui/devices/DevicesPage.h"
+#include "ui/devices/HandList.h"
+#include "ui/devices/HeadTrackingCard.h"
+#include "ui/shell/Memory.h"
+#include "ui/tooth/ToothView.h"
+
+using core::tracking::Picture;
+using core::tracking::TrackerStage;
+using ui::devices::HeadTrackingCard;
+using ui::devices::HeadTrackingSettings;
+
+namespace {
+
+constexpr int kWide = 320;
+constexpr int kHigh = 240;
+constexpr int kTagId = 7;
+constexpr int kHz = 30;
+constexpr double kAwayMm = 100.0;  ///< to the user's left, which is the camera's right
+constexpr double kFarMm = 400.0;
+
+/// A head that is in the middle for two seconds, goes aside in one, and stays there for six.
+QByteArray videoOfAHead()
+{
+    const support::PrintCamera camera(core::tracking::CameraModel::withFieldOfView(kWide, kHigh, 60.0));
+    const support::TagPrint print{core::tracking::cellsOf(kTagId)};
+    constexpr int kSteps = 12;
+    std::vector<Picture> pictures;
+    for (int n = 0; n <= kSteps; ++n) {
+        core::tracking::Pose pose;
+        pose.positionMm = {kAwayMm * n / kSteps, 0.0, kFarMm};
+        pose.rotation = glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(20.0), glm::dvec3(1.0, 0.0, 0.0)));
+        pictures.push_back(camera.take(pose, print));
+    }
+    constexpr int kPictures = 9 * kHz;
+    const support::Avi avi(kWide, kHigh, kPictures);
+    QByteArray bytes = avi.header();
+    for (int n = 0; n < kPictures; ++n)
+        bytes +=
+            avi.picture(pictures.at(static_cast<std::size_t>(std::clamp((n - 2 * kHz) * kSteps / kHz, 0, kSteps))));
+    return bytes;
+}
+
+}  // namespace
+
+class TestHeadTracking : public support::ProgramWindow
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { m_bytes = videoOfAHead(); }
+    void init()
+    {
+        ui::shell::memory().clear();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_video = m_folder->filePath(QStringLiteral("head.avi"));
+        QFile file(m_video);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(m_bytes), m_bytes.size());
+    }
+    void cleanup() { m_application.reset(); }
+
+    void theViewGoesWithTheHeadAndComesBack()
+    {
+        start();
+        const double straightDeg = azimuthDeg();
+        use({.isOn = true, .video = m_video, .tagId = kTagId});
+        // 100 mm at 400 mm are 14 degrees, doubled. To the left the azimuth falls.
+        WAIT_FOR(azimuthDeg() < straightDeg - 20.0);
+        QVERIFY(actions().recentreHead->isVisible());
+        // The video ends, and with it the tag.
+        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 0.1);
+    }
+
+    void turnedOffTheViewComesBack()
+    {
+        start();
+        const double straightDeg = azimuthDeg();
+        use({.isOn = true, .video = m_video, .tagId = kTagId});
+        WAIT_FOR(azimuthDeg() < straightDeg - 5.0);
+        use({.isOn = false, .video = m_video, .tagId = kTagId});
+        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 0.1);
+        QVERIFY(!actions().recentreHead->isVisible());
+    }
+
+    void recentringMakesAnotherMiddle()
+    {
+        start();
+        const double straightDeg = azimuthDeg();
+        use({.isOn = true, .video = m_video, .tagId = kTagId});
+        WAIT_FOR(azimuthDeg() < straightDeg - 20.0);
+        actions().recentreHead->trigger();
+        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 0.5);
+    }
+
+    void theScreenCanBeAWindow()
+    {
+        start();
+        const double straightDeg = azimuthDeg();
+        const glm::dvec3 eye = window().view().camera().eyeMm();
+        use({.isOn = true, .video = m_video, .tagId = kTagId, .isWindow = true});
+        WAIT_FOR(glm::distance(window().view().camera().eyeMm(), eye) > 5.0);
+        QVERIFY(std::abs(azimuthDeg() - straightDeg) < 1e-6);
+    }
+
+    void thePageShowsWhatTheCameraSees()
+    {
+        start();
+        actions().devices->trigger();
+        waitForPage<ui::devices::DevicesPage>();
+        child<ui::devices::HandList>()->selectHand(QLatin1String(ui::devices::kHeadTracking));
+        use({.video = m_video, .tagId = kTagId});
+        QVERIFY(!card().followSwitch().isChecked());
+        card().followSwitch().click();
+        WAIT_FOR(card().state().report.stage == TrackerStage::Tracking);
+        WAIT_FOR(card().state().report.hz > 1.0);
+        QCOMPARE(card().state().report.sameTags, 1);
+        QVERIFY(ui::shell::memory().value("head/on").toBool());
+    }
+
+    void aMissingCameraIsSaidAndTheMouseWorks()
+    {
+        start();
+        use({.isOn = true, .camera = 999});
+        actions().devices->trigger();
+        waitForPage<ui::devices::DevicesPage>();
+        WAIT_FOR(card().state().report.stage == TrackerStage::NoCamera);
+        QVERIFY(!card().state().report.error.detail.empty());
+        actions().back->trigger();
+        waitForTooth();
+        drill(1.5);
+        QVERIFY(removed() != "0.00");
+    }
+
+    void settingsAreRemembered()
+    {
+        start();
+        const HeadTrackingSettings wanted{.isOn = true,
+                                          .camera = 3,
+                                          .video = m_video,
+                                          .width = 640,
+                                          .height = 480,
+                                          .tagId = kTagId,
+                                          .tagMm = 60.0,
+                                          .fovDeg = 70.0,
+                                          .gain = 3.0,
+                                          .isWindow = true,
+                                          .mirrored = false};
+        use(wanted);
+        m_application.reset();
+        start();
+        QVERIFY(card().settings() == wanted);
+    }
+
+private:
+    void start()
+    {
+        app::WindowOptions options;
+        options.source = {36};
+        begin(options);
+        waitForTooth();
+        WAIT_FOR(servo().tick > 0);
+    }
+    [[nodiscard]] HeadTrackingCard& card() const { return child<ui::devices::DevicesPage>()->headTracking(); }
+    /// As if the user had chosen all of this on the page.
+    void use(const HeadTrackingSettings& settings) const { emit card().settingsChanged(settings); }
+    [[nodiscard]] double azimuthDeg() const { return window().view().camera().azimuthDeg(); }
+
+    QByteArray m_bytes;
+    QString m_video;
+};
+
+int main(int argc, char** argv)
+{
+    return support::openGlMain<TestHeadTracking>(argc, argv);
+}
+
+#include "tst_head_tracking.moc"
