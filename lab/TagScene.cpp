@@ -264,8 +264,10 @@ void drawTag(Canvas& canvas, const PrintedTag& tag, const TagScene& scene)
             float sum = 0.0F;
             int met = 0;
             for (int ray = 0; ray < kRaysASide * kRaysASide; ++ray) {
-                const double right = (ray % kRaysASide + 0.5) / kRaysASide;
-                const double down = (ray / kRaysASide + 0.5) / kRaysASide;
+                const int column = ray % kRaysASide;
+                const int row = ray / kRaysASide;
+                const double right = (column + 0.5) / kRaysASide;
+                const double down = (row + 0.5) / kRaysASide;
                 const glm::dvec2 direction =
                     glm::mix(glm::mix(above[k], above[k + 1], right), glm::mix(below[k], below[k + 1], right), down);
                 met += card.meets(direction, sum) ? 1 : 0;
@@ -293,6 +295,7 @@ void expose(const Canvas& canvas, const TagScene& scene, Picture& picture)
     for (float& normal : normals)
         normal = static_cast<float>(scene.noise * rng.normal());
     std::vector<float> light;
+    light.reserve(static_cast<std::size_t>(canvas.width));
     for (int x = 0; x < canvas.width; ++x)
         light.push_back(static_cast<float>(1.0 - scene.lightFall * x / canvas.width));
     std::uint64_t random = 0;
