@@ -117,7 +117,7 @@ private slots:
         start();
         actions().devices->trigger();
         waitForPage<ui::devices::DevicesPage>();
-        child<ui::devices::HandList>()->selectHand(QLatin1String(ui::devices::kHeadTracking));
+        window().findChild<ui::devices::HandList*>()->selectHand(QLatin1String(ui::devices::kHeadTracking));
         use({.video = m_video, .tagId = kTagId});
         QVERIFY(!card().followSwitch().isChecked());
         card().followSwitch().click();
@@ -130,7 +130,10 @@ private slots:
     void aMissingCameraIsSaidAndTheMouseWorks()
     {
         start();
-        use({.isOn = true, .camera = 999});
+        HeadTrackingSettings missing;
+        missing.isOn = true;
+        missing.camera = 999;
+        use(missing);
         actions().devices->trigger();
         waitForPage<ui::devices::DevicesPage>();
         WAIT_FOR(card().state().report.stage == TrackerStage::NoCamera);
