@@ -61,8 +61,8 @@ public:
     QAction* bringHome = nullptr;  ///< hidden where the device cannot lead a hand
     QAction* resetView = nullptr;
     QAction* recentreHead = nullptr;  ///< hidden while the view does not follow the head
-    QList<QAction*> handpieces;  ///< the same, of core::settings::handpieces(); visible where at hand
-    QList<QAction*> burs;        ///< checkable, one of them; in the order of core::drilling::burs()
+    QList<QAction*> handpieces;       ///< the same, of core::settings::handpieces(); visible where at hand
+    QList<QAction*> burs;             ///< checkable, one of them; in the order of core::drilling::burs()
     QAction* undo = nullptr;
     QAction* redo = nullptr;
     QAction* reload = nullptr;
