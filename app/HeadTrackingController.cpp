@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <QDesktopServices>
@@ -61,6 +62,28 @@ void recallNumber(const QSettings& stored, const QString& key, T low, T high, T&
         value = static_cast<T>(number);
 }
 
+/// Each camera, and each video, has a field of view of its own.
+QString fovKeyOf(const HeadTrackingSettings& settings)
+{
+    QString source = settings.video;
+    if (source.isEmpty()) {
+        source = QString::number(settings.camera);
+        for (const core::tracking::CameraInfo& camera : core::tracking::cameras())
+            if (camera.number == settings.camera && !camera.name.empty())
+                source = QString::fromStdString(camera.name);
+    }
+    // A slash would make a group of the settings file.
+    return kFovKey + u'/' + source.replace(u'/', u'_').replace(u'\\', u'_');
+}
+
+double recalledFovDeg(const HeadTrackingSettings& settings)
+{
+    double fovDeg = HeadTrackingSettings{}.fovDeg;
+    recallNumber(memory(), fovKeyOf(settings), HeadTrackingSettings::kLeastFovDeg, HeadTrackingSettings::kMostFovDeg,
+                 fovDeg);
+    return fovDeg;
+}
+
 HeadTrackingSettings recalledSettings()
 {
     const QSettings stored = memory();
@@ -73,8 +96,7 @@ HeadTrackingSettings recalledSettings()
     recallNumber(stored, kTagKey, 0, HeadTrackingSettings::kMostTagId, settings.tagId);
     recallNumber(stored, kTagMmKey, HeadTrackingSettings::kLeastTagMm, HeadTrackingSettings::kMostTagMm,
                  settings.tagMm);
-    recallNumber(stored, kFovKey, HeadTrackingSettings::kLeastFovDeg, HeadTrackingSettings::kMostFovDeg,
-                 settings.fovDeg);
+    settings.fovDeg = recalledFovDeg(settings);
     recallNumber(stored, kGainKey, HeadTrackingSettings::kLeastGain, HeadTrackingSettings::kMostGain, settings.gain);
     settings.mirrored = ui::shell::recalled(stored, kMirroredKey, true);
     settings.isWindow = ui::shell::recalled(stored, kWindowKey, false);
@@ -91,7 +113,7 @@ void remember(const HeadTrackingSettings& settings)
     stored.setValue(kHeightKey, settings.height);
     stored.setValue(kTagKey, settings.tagId);
     stored.setValue(kTagMmKey, settings.tagMm);
-    stored.setValue(kFovKey, settings.fovDeg);
+    stored.setValue(fovKeyOf(settings), settings.fovDeg);
     stored.setValue(kGainKey, settings.gain);
     stored.setValue(kMirroredKey, settings.mirrored);
     stored.setValue(kWindowKey, settings.isWindow);
@@ -175,6 +197,7 @@ void HeadTrackingController::connectPage()
     connect(card, &HeadTrackingCard::trackingChanged, this, &HeadTrackingController::turn);
     connect(card, &HeadTrackingCard::settingsChanged, this, &HeadTrackingController::change);
     connect(card, &HeadTrackingCard::recentreRequested, this, [this] { m_view.recentre(); });
+    connect(card, &HeadTrackingCard::fieldOfViewRequested, this, &HeadTrackingController::measureFieldOfView);
     connect(card, &HeadTrackingCard::printRequested, this, &HeadTrackingController::askWhereToPrint);
 }
 
@@ -188,7 +211,11 @@ void HeadTrackingController::turn(bool on)
 void HeadTrackingController::change(const HeadTrackingSettings& settings)
 {
     const bool isNew = concernsTracker(m_settings, settings);
+    const bool isOtherSource = m_settings.camera != settings.camera || m_settings.video != settings.video;
+    const bool isOtherFov = m_settings.fovDeg != settings.fovDeg;
     m_settings = settings;
+    if (isOtherSource && !isOtherFov)
+        m_settings.fovDeg = recalledFovDeg(m_settings);
     remember(m_settings);
     showSettings();
     if (isNew)
@@ -202,6 +229,47 @@ void HeadTrackingController::showSettings()
     view.gain = m_settings.gain;
     view.isWindow = m_settings.isWindow;
     m_view.setSettings(view);
+}
+
+/// From the size at which the tag is seen now.
+void HeadTrackingController::measureFieldOfView()
+{
+    if (!m_tracker)
+        return;
+    const core::tracking::TrackerReport report = m_tracker->loop.report();
+    const core::tracking::Picture& picture = report.picture;
+    auto camera = core::tracking::CameraModel::withFieldOfView(picture.width, picture.height, m_settings.fovDeg);
+    const auto focalPx = report.stage == core::tracking::TrackerStage::Tracking && picture.width > 0
+                             ? camera.focalAt(report.tag.pose.positionMm, HeadTrackingSettings::kMeasuredMm)
+                             : std::nullopt;
+    if (focalPx)
+        camera.focalPx = glm::dvec2(*focalPx);
+    const double fovDeg = camera.fieldOfViewDeg();
+    if (!focalPx || fovDeg < HeadTrackingSettings::kLeastFovDeg || fovDeg > HeadTrackingSettings::kMostFovDeg) {
+        m_window.messages().say([] {
+            return MessageBar::Message{MessageBar::Kind::Warning,
+                                       tr("The field of view could not be measured. Hold the tag still at this "
+                                          "distance, and check the edge of "
+                                          "its black square."),
+                                       {},
+                                       {},
+                                       {},
+                                       MessageBar::Topic::Page};
+        });
+        return;
+    }
+    HeadTrackingSettings settings = m_settings;
+    settings.fovDeg = std::round(fovDeg);
+    change(settings);
+    m_window.messages().say([degrees = settings.fovDeg] {
+        return MessageBar::Message{MessageBar::Kind::News,
+                                   //: %1: a number of degrees
+                                   tr("The field of view is %1°. It is stored for this camera.").arg(degrees),
+                                   {},
+                                   {},
+                                   {},
+                                   MessageBar::Topic::Page};
+    });
 }
 
 void HeadTrackingController::askWhereToPrint()

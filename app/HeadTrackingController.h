@@ -41,6 +41,7 @@ private:
     void change(const ui::devices::HeadTrackingSettings& settings);
     void restart();
     void showSettings();
+    void measureFieldOfView();
     void askWhereToPrint();
     void print(const QString& path);
     void poll();

@@ -3007,6 +3007,15 @@
         <source>The sheet could not be written.</source>
         <translation>Das Blatt konnte nicht geschrieben werden.</translation>
     </message>
+    <message>
+        <source>The field of view could not be measured. Hold the tag still at this distance, and check the edge of its black square.</source>
+        <translation>Der Bildwinkel konnte nicht gemessen werden. Halten Sie die Marke in diesem Abstand still, und prüfen Sie die Kante ihres schwarzen Quadrats.</translation>
+    </message>
+    <message>
+        <source>The field of view is %1°. It is stored for this camera.</source>
+        <extracomment>%1: a number of degrees</extracomment>
+        <translation>Der Bildwinkel beträgt %1°. Er wird für diese Kamera gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>app::PeopleDesk</name>
@@ -4509,7 +4518,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>Its field of view, sideways</source>
-        <translation>Ihr Blickwinkel, waagerecht</translation>
+        <translation>Ihr Bildwinkel, waagerecht</translation>
     </message>
     <message>
         <source>60° fits most cameras. The data sheet of the camera has the exact number.</source>
@@ -4569,6 +4578,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>The screen is a window</source>
         <extracomment>The tooth is seen through the screen as through a window</extracomment>
         <translation>Der Bildschirm ist ein Fenster</translation>
+    </message>
+    <message>
+        <source>Hold the tag %1 mm from the lens</source>
+        <extracomment>%1: a length in millimetres</extracomment>
+        <translation>Marke %1 mm vor das Objektiv halten</translation>
+    </message>
+    <message>
+        <source>Measure the field of view</source>
+        <translation>Bildwinkel messen</translation>
     </message>
 </context>
 <context>

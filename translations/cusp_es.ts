@@ -3007,6 +3007,15 @@
         <source>The sheet could not be written.</source>
         <translation>No se pudo escribir la hoja.</translation>
     </message>
+    <message>
+        <source>The field of view could not be measured. Hold the tag still at this distance, and check the edge of its black square.</source>
+        <translation>No se pudo medir el campo de visión. Mantenga la marca quieta a esta distancia y compruebe el lado de su cuadrado negro.</translation>
+    </message>
+    <message>
+        <source>The field of view is %1°. It is stored for this camera.</source>
+        <extracomment>%1: a number of degrees</extracomment>
+        <translation>El campo de visión es de %1°. Se guarda para esta cámara.</translation>
+    </message>
 </context>
 <context>
     <name>app::PeopleDesk</name>
@@ -4569,6 +4578,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>The screen is a window</source>
         <extracomment>The tooth is seen through the screen as through a window</extracomment>
         <translation>La pantalla es una ventana</translation>
+    </message>
+    <message>
+        <source>Hold the tag %1 mm from the lens</source>
+        <extracomment>%1: a length in millimetres</extracomment>
+        <translation>Sostenga la marca a %1 mm del objetivo</translation>
+    </message>
+    <message>
+        <source>Measure the field of view</source>
+        <translation>Medir el campo de visión</translation>
     </message>
 </context>
 <context>

@@ -2994,6 +2994,15 @@
         <source>The sheet could not be written.</source>
         <translation>シートを書き込めませんでした。</translation>
     </message>
+    <message>
+        <source>The field of view could not be measured. Hold the tag still at this distance, and check the edge of its black square.</source>
+        <translation>画角を測定できませんでした。この距離でマーカーを静止させ、黒い正方形の辺の長さを確認してください。</translation>
+    </message>
+    <message>
+        <source>The field of view is %1°. It is stored for this camera.</source>
+        <extracomment>%1: a number of degrees</extracomment>
+        <translation>画角は %1° です。このカメラ用に保存されます。</translation>
+    </message>
 </context>
 <context>
     <name>app::PeopleDesk</name>
@@ -4546,6 +4555,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>The screen is a window</source>
         <extracomment>The tooth is seen through the screen as through a window</extracomment>
         <translation>画面が窓になる</translation>
+    </message>
+    <message>
+        <source>Hold the tag %1 mm from the lens</source>
+        <extracomment>%1: a length in millimetres</extracomment>
+        <translation>マーカーをレンズから %1 mm に持つ</translation>
+    </message>
+    <message>
+        <source>Measure the field of view</source>
+        <translation>画角を測定</translation>
     </message>
 </context>
 <context>

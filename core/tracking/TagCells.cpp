@@ -14,7 +14,7 @@ TagCells cellsOf(int id)
     TagCells cells;
     cells.fill(true);
     apriltag_family_t* const family = tag36h11_create();
-    image_u8_t* const image = apriltag_to_image(family, static_cast<std::uint32_t>(id));
+    image_u8_t* const image = apriltag_to_image(family, id);
     for (int y = 0; y < kCellsASide && y < image->height; ++y)
         for (int x = 0; x < kCellsASide && x < image->width; ++x)
             cells.at(static_cast<std::size_t>(y * kCellsASide + x)) = image->buf[y * image->stride + x] != 0;

@@ -127,6 +127,30 @@ private slots:
         QVERIFY(ui::shell::memory().value("head/on").toBool());
     }
 
+    /// The tag of the video is 400 mm away, and the user says that it is 500 mm.
+    void theFieldOfViewIsMeasuredAndStoredForTheCamera()
+    {
+        start();
+        actions().devices->trigger();
+        waitForPage<ui::devices::DevicesPage>();
+        window().findChild<ui::devices::HandList*>()->selectHand(QLatin1String(ui::devices::kHeadTracking));
+        use({.isOn = true, .video = m_video, .tagId = kTagId});
+        WAIT_FOR(child<QPushButton>("measureFieldOfView")->isEnabled());
+        click("measureFieldOfView");
+        // f = 277 px * 500 / 400, and half of 320 px is seen under 24.8 degrees.
+        WAIT_FOR(std::abs(card().settings().fovDeg - 49.6) < 1.5);
+        const double measuredDeg = card().settings().fovDeg;
+        HeadTrackingSettings other = card().settings();
+        other.video.clear();
+        other.camera = 998;
+        use(other);
+        QCOMPARE(card().settings().fovDeg, HeadTrackingSettings{}.fovDeg);
+        other = card().settings();
+        other.video = m_video;
+        use(other);
+        QCOMPARE(card().settings().fovDeg, measuredDeg);
+    }
+
     void aMissingCameraIsSaidAndTheMouseWorks()
     {
         start();

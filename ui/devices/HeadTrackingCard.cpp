@@ -47,6 +47,7 @@ HeadTrackingCard::HeadTrackingCard(QWidget* parent) : QWidget(parent), m_follow(
     connect(m_mirrored, &QCheckBox::toggled, this, &HeadTrackingCard::changeMirrored);
     connect(m_recentre, &QPushButton::clicked, this, &HeadTrackingCard::recentreRequested);
     connect(m_setup, &TrackingSetupCard::printRequested, this, &HeadTrackingCard::printRequested);
+    connect(m_setup, &TrackingSetupCard::fieldOfViewRequested, this, &HeadTrackingCard::fieldOfViewRequested);
     connect(m_setup, &TrackingSetupCard::settingsChanged, this, [this](const HeadTrackingSettings& settings) {
         setSettings(settings);
         emit settingsChanged(settings);
@@ -153,6 +154,7 @@ void HeadTrackingCard::showState()
     m_follow->setEnabled(m_state.isInBuild);
     m_follow->setAccessibleDescription(stateWords(m_state));
     m_recentre->setEnabled(isTracking);
+    m_setup->setSeen(isTracking);
     setFilled(*m_recentre, isTracking);
     if (hasPictures(m_state))
         m_figures->setReport(m_state.report);

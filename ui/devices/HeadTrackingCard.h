@@ -53,6 +53,8 @@ signals:
     /// Emitted when the place of the head becomes the middle.
     void recentreRequested();
     void printRequested();
+    /// Emitted when the user holds the tag at HeadTrackingSettings::kMeasuredMm from the camera.
+    void fieldOfViewRequested();
     /// Emitted when state() has changed.
     void stateChanged();
 

@@ -14,6 +14,7 @@ struct HeadTrackingSettings
     static constexpr double kMostTagMm = 200.0;
     static constexpr double kLeastFovDeg = 20.0;
     static constexpr double kMostFovDeg = 150.0;
+    static constexpr int kMeasuredMm = 500;  ///< from the lens to the tag, when the field of view is measured
     static constexpr double kLeastGain = 1.0;
     static constexpr double kMostGain = 4.0;
 

@@ -49,7 +49,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
       m_tagId(study::countInput(0, Settings::kMostTagId, this)),
       m_tagMm(study::numberInput(Settings::kLeastTagMm, Settings::kMostTagMm, 1, QStringLiteral("mm"), {}, this)),
       m_gain(study::numberInput(Settings::kLeastGain, Settings::kMostGain, 1, QStringLiteral("°"), {}, this)),
-      m_way(study::choiceInput({}, this)), m_print(new QPushButton(this))
+      m_way(study::choiceInput({}, this)), m_print(new QPushButton(this)), m_measure(new QPushButton(this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("trackingSetup"));
@@ -64,6 +64,8 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     m_gain->setSingleStep(kGainStep);
     m_way->setObjectName(QStringLiteral("wayOfView"));
     m_print->setObjectName(QStringLiteral("printTag"));
+    m_measure->setObjectName(QStringLiteral("measureFieldOfView"));
+    m_measure->setEnabled(false);
     for (QDoubleSpinBox* number : {m_fov, m_tagMm, m_gain})
         number->setKeyboardTracking(false);  // each change begins the tracking anew
     for (const QSize& size : kSizes)
@@ -72,9 +74,10 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     m_grid->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace2);
     m_grid->setHorizontalSpacing(kSpace4);
     m_grid->setVerticalSpacing(kSpace1);
-    for (QWidget* input : {static_cast<QWidget*>(m_camera), static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_fov),
-                           static_cast<QWidget*>(m_tagId), static_cast<QWidget*>(m_tagMm), static_cast<QWidget*>(m_way),
-                           static_cast<QWidget*>(m_gain), static_cast<QWidget*>(m_print)})
+    for (QWidget* input :
+         {static_cast<QWidget*>(m_camera), static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_fov),
+          static_cast<QWidget*>(m_tagId), static_cast<QWidget*>(m_tagMm), static_cast<QWidget*>(m_way),
+          static_cast<QWidget*>(m_gain), static_cast<QWidget*>(m_print), static_cast<QWidget*>(m_measure)})
         m_cells.push_back({quietLabel(this), input, input == m_camera ? 2 : 1});
     setNarrow(false);
 
@@ -102,6 +105,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     connect(m_way, &QComboBox::activated, this,
             applies([](Settings& settings, int entry) { settings.isWindow = entry == 1; }));
     connect(m_print, &QPushButton::clicked, this, &TrackingSetupCard::printRequested);
+    connect(m_measure, &QPushButton::clicked, this, &TrackingSetupCard::fieldOfViewRequested);
     text::inEveryLanguage(this, [this] {
         const auto name = [this](QWidget* input, const QString& words) {
             const auto cell =
@@ -127,6 +131,11 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
         m_way->setCurrentIndex(m_settings.isWindow ? 1 : 0);
         m_print->setText(tr("Print the tag …"));
         m_print->setAccessibleName(m_print->text());
+        //: %1: a length in millimetres
+        name(m_measure, tr("Hold the tag %1 mm from the lens").arg(Settings::kMeasuredMm));
+        m_measure->setText(tr("Measure the field of view"));
+        m_measure->setAccessibleDescription(m_measure->accessibleName());
+        m_measure->setAccessibleName(m_measure->text());
         listCameras();
     });
     setSettings(m_settings);
@@ -178,6 +187,11 @@ void TrackingSetupCard::setSettings(const HeadTrackingSettings& settings)
     }
     const QSignalBlocker silent(m_tagId);
     m_tagId->setValue(settings.tagId);
+}
+
+void TrackingSetupCard::setSeen(bool isSeen)
+{
+    m_measure->setEnabled(isSeen);
 }
 
 void TrackingSetupCard::listCameras()

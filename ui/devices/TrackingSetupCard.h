@@ -26,6 +26,8 @@ public:
 
     void setCameras(const std::vector<core::tracking::CameraInfo>& cameras);
     void setSettings(const HeadTrackingSettings& settings);
+    /// Whether the tag is seen: then the field of view can be measured.
+    void setSeen(bool isSeen);
     /// Has two columns, not four, for a page where there is no room beside them.
     void setNarrow(bool isNarrow);
 
@@ -33,6 +35,8 @@ signals:
     /// Emitted when the user has changed a setting.
     void settingsChanged(const HeadTrackingSettings& settings);
     void printRequested();
+    /// Emitted when the user holds the tag at kMeasuredMm from the camera.
+    void fieldOfViewRequested();
 
 private:
     struct Cell
@@ -58,6 +62,7 @@ private:
     QDoubleSpinBox* m_gain;
     QComboBox* m_way;
     QPushButton* m_print;
+    QPushButton* m_measure;
 };
 
 }  // namespace ui::devices
