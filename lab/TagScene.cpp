@@ -47,7 +47,10 @@ struct Canvas
     Canvas(int w, int h, float grey)
         : width(w), height(h), light(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), grey)
     {}
-    float& at(int x, int y) { return light[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + x]; }
+    float& at(int x, int y)
+    {
+        return light[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
     [[nodiscard]] float clamped(int x, int y) const
     {
         return light[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * static_cast<std::size_t>(width) +
