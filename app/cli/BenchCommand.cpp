@@ -34,7 +34,7 @@ constexpr Suite kSuites[] = {
     {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 20.0},
     {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite, 155.0},
     {"smoothness", "change of the force from tick to tick over a crown", bench::smoothnessSuite, 1.0},
-    {"servo", "1, 2 and 4 kHz: largest stable stiffness, ticks, missed periods", bench::servoSuite, 30.0},
+    {"servo", "1, 2 and 4 kHz: largest stable stiffness, ticks, missed periods", bench::servoSuite, 40.0},
     {"cutting", "swept volumes, pace over grids, rates and headings, ripple", bench::cuttingSuite, 16.0},
     {"model", "height stack and dense voxels: size, time, volume", bench::modelSuite, 10.0},
     {"history", "undo: memory of a thousand moments, jumps, servo meanwhile", bench::historySuite, 40.0},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "app/LoopThread.h"
 #include "app/cli/bench/Contestants.h"
@@ -13,11 +14,13 @@
 #include "app/cli/bench/Wander.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
+#include "core/tracking/TrackerLoop.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "haptics/simulated/Simulation.h"
 #include "lab/StiffnessLimit.h"
+#include "lab/TagScene.h"
 
 namespace app::cli::bench {
 namespace {
@@ -118,6 +121,36 @@ private:
     std::uint64_t m_ticks = 0;
 };
 
+/// A camera that gives rendered pictures of a head that moves, 30 a second.
+class RenderedCamera final : public core::tracking::PictureSource
+{
+public:
+    RenderedCamera()
+    {
+        lab::TagScene scene;
+        scene.camera = core::tracking::CameraModel::withFieldOfView(1280, 720, 60.0);
+        for (int n = 0; n < kPictures; ++n) {
+            scene.grain = static_cast<std::uint64_t>(n + 1);
+            scene.tag.emplace().pose = lab::facing({5.0 * n, 0.0, 600.0}, 0.0, 20.0, 0.0);
+            m_pictures.push_back(lab::render(scene));
+        }
+    }
+    core::Result<bool> next(core::tracking::Picture& picture) override
+    {
+        std::this_thread::sleep_until(m_due += 33ms);
+        picture = m_pictures[m_next++ % m_pictures.size()];
+        picture.timeS = std::chrono::duration<double>(m_due.time_since_epoch()).count();
+        return true;
+    }
+    [[nodiscard]] bool isLive() const override { return true; }
+
+private:
+    static constexpr int kPictures = 10;
+    std::vector<core::tracking::Picture> m_pictures;
+    std::size_t m_next = 0;
+    std::chrono::steady_clock::time_point m_due = std::chrono::steady_clock::now();
+};
+
 struct LiveTicks
 {
     double p99Us = 0.0;  ///< CPU time of a tick, the simulated device among it
@@ -126,7 +159,9 @@ struct LiveTicks
 };
 
 /// The same in a thread that beats with a real clock.
-core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double seconds)
+/// @param tracks  the tag of a head is followed meanwhile
+core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double seconds,
+                                  bool tracks)
 {
     constexpr std::chrono::microseconds kPeriod(1'000'000 / kFastHz);
     const ServoSettings settings = falconSettings();
@@ -148,6 +183,14 @@ core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::Too
         LoopThread sessionThread(session, 10ms, LoopThread::Urgency::Normal);
         sessionThread.start();
         servoThread.start();
+        core::tracking::TrackerLoop tracker(
+            []() -> core::Result<std::unique_ptr<core::tracking::PictureSource>> {
+                return std::make_unique<RenderedCamera>();
+            },
+            {});
+        LoopThread trackerThread(tracker, 10ms, LoopThread::Urgency::Normal);
+        if (tracks)
+            trackerThread.start(QThread::LowPriority);
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (std::chrono::steady_clock::now() < end) {
             for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
@@ -219,7 +262,7 @@ core::Result<Figures> servoSuite(const Context& context)
 {
     const double longS = 60.0 * context.minutes;
     const double shortS = std::max(1.0, kShortShare * longS);
-    const auto steps = static_cast<int>(kRatesHz.size()) + 2;
+    const auto steps = static_cast<int>(kRatesHz.size()) + 3;
     int done = 0;
     Figures figures;
     addLimits(figures, context, steps);
@@ -246,16 +289,22 @@ core::Result<Figures> servoSuite(const Context& context)
         add(key + QStringLiteral("cutting_percent"), what + QStringLiteral("ticks that cut"),
             100.0 * static_cast<double>(run->cutting) / static_cast<double>(run->ticks), "%");
     }
-    context.progress(QStringLiteral("%1 Hz with a real clock").arg(kFastHz), ++done, steps);
-    const auto live = drillLive(anatomy, shortS);
-    if (!live)
-        return tl::unexpected(live.error());
-    const QString key = QStringLiteral("live_%1hz_").arg(kFastHz);
-    const QString what = QStringLiteral("%1 Hz with a real clock: ").arg(kFastHz);
-    add(key + QStringLiteral("tick_p99_us"), what + QStringLiteral("tick, 99 of 100"), live->p99Us, "us",
-        QStringLiteral("under %1").arg(kAskedUs));
-    add(key + QStringLiteral("ticks"), what + QStringLiteral("ticks"), static_cast<double>(live->ticks), "");
-    add(key + QStringLiteral("missed"), what + QStringLiteral("missed periods"), static_cast<double>(live->missed), "");
+    for (const bool tracks : {false, true}) {
+        context.progress(QStringLiteral("%1 Hz with a real clock").arg(kFastHz), ++done, steps);
+        const auto live = drillLive(anatomy, shortS, tracks);
+        if (!live)
+            return tl::unexpected(live.error());
+        const QString key =
+            QStringLiteral("live_%1hz_").arg(kFastHz) + (tracks ? QStringLiteral("tracking_") : QString());
+        const QString what = QStringLiteral("%1 Hz with a real clock%2: ")
+                                 .arg(kFastHz)
+                                 .arg(tracks ? QStringLiteral(", with head tracking") : QString());
+        add(key + QStringLiteral("tick_p99_us"), what + QStringLiteral("tick, 99 of 100"), live->p99Us, "us",
+            QStringLiteral("under %1").arg(kAskedUs));
+        add(key + QStringLiteral("ticks"), what + QStringLiteral("ticks"), static_cast<double>(live->ticks), "");
+        add(key + QStringLiteral("missed"), what + QStringLiteral("missed periods"), static_cast<double>(live->missed),
+            "");
+    }
     return figures;
 }
 
