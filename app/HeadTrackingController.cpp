@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <QDesktopServices>
+#include <QFileInfo>
 #include <QUrl>
 
 #include "core/base/WholeFile.h"
@@ -29,6 +30,7 @@ namespace {
 
 using core::tracking::Head;
 using core::tracking::Lean;
+using core::tracking::TrackerStage;
 using ui::devices::DevicesPage;
 using ui::devices::HeadTrackingCard;
 using ui::devices::HeadTrackingSettings;
@@ -36,6 +38,8 @@ using ui::shell::memory;
 using ui::shell::MessageBar;
 
 constexpr int kShowMs = 40;
+constexpr int kWatchMs = 500;
+constexpr int kMissedAfter = 10;        ///< of those, a tag that is not seen is mentioned
 constexpr int kCamerasEvery = 25;       ///< of those, cameras are looked for
 constexpr double kToTheScreenS = 0.02;  ///< from drawing a frame until it is seen
 constexpr std::chrono::milliseconds kTrackerBeat{10};
@@ -121,6 +125,13 @@ void remember(const HeadTrackingSettings& settings)
 
 core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
 {
+    // A pipe would let the window wait for whoever writes into it.
+    if (!settings.video.isEmpty() && QFileInfo(settings.video).exists() && !QFileInfo(settings.video).isFile())
+        return [path = settings.video.toStdString()]() -> core::Result<std::unique_ptr<core::tracking::PictureSource>> {
+            return core::unexpected(
+                core::ErrorCode::WrongKind,
+                core::Words{"%1 is no video, or of a kind that cannot be read here.", {core::noted(path)}});
+        };
     if (!settings.video.isEmpty())
         return [path = settings.video.toStdString()] { return core::tracking::openVideo(path); };
     const core::tracking::CameraWish wish{settings.width, settings.height, 30.0};
@@ -171,6 +182,8 @@ HeadTrackingController::HeadTrackingController(ui::shell::MainWindow& window)
     connectPage();
     m_poll.setInterval(kShowMs);
     connect(&m_poll, &QTimer::timeout, this, &HeadTrackingController::poll);
+    m_watch.setInterval(kWatchMs);
+    connect(&m_watch, &QTimer::timeout, this, &HeadTrackingController::watch);
     connect(m_window.actions().recentreHead, &QAction::triggered, this, [this] { m_view.recentre(); });
     restart();
 }
@@ -239,7 +252,7 @@ void HeadTrackingController::measureFieldOfView()
     const core::tracking::TrackerReport report = m_tracker->loop.report();
     const core::tracking::Picture& picture = report.picture;
     auto camera = core::tracking::CameraModel::withFieldOfView(picture.width, picture.height, m_settings.fovDeg);
-    const auto focalPx = report.stage == core::tracking::TrackerStage::Tracking && picture.width > 0
+    const auto focalPx = report.stage == TrackerStage::Tracking && picture.width > 0
                              ? camera.focalAt(report.tag.pose.positionMm, HeadTrackingSettings::kMeasuredMm)
                              : std::nullopt;
     if (focalPx)
@@ -312,11 +325,16 @@ void HeadTrackingController::print(const QString& path)
 void HeadTrackingController::restart()
 {
     m_tracker.reset();
+    m_watch.stop();
+    m_withoutTag = 0;
+    m_said = TrackerStage::Opening;
+    m_window.messages().withdraw(MessageBar::Topic::Head);
     m_view.recentre();
     m_window.actions().recentreHead->setVisible(m_settings.isOn);
     if (!m_settings.isOn)
         return;  // the view glides back, see leanNow()
     m_tracker = std::make_unique<Tracker>(m_settings);
+    m_watch.start();
     m_tracker->loop.showPictures(m_isPageOpen);
     m_window.view().setHeadLean([this](double seconds, bool touches) { return leanNow(seconds, touches); });
 }
@@ -324,6 +342,34 @@ void HeadTrackingController::restart()
 Lean HeadTrackingController::leanNow(double seconds, bool touches)
 {
     return m_view.update(m_tracker ? m_tracker->loop.head() : Head{}, secondsNow() + kToTheScreenS, seconds, touches);
+}
+
+/// In the practice room, the user is told once that the camera is lost or that the tag is not seen.
+void HeadTrackingController::watch()
+{
+    const TrackerStage stage = m_tracker->loop.report().stage;
+    m_withoutTag = stage == TrackerStage::NoTag ? m_withoutTag + 1 : 0;
+    if (stage == m_said || m_isPageOpen || (stage == TrackerStage::NoTag && m_withoutTag < kMissedAfter))
+        return;
+    m_said = stage;
+    m_window.messages().withdraw(MessageBar::Topic::Head);
+    if (stage == TrackerStage::NoCamera || stage == TrackerStage::NoTag)
+        say(m_tracker->loop.report());
+}
+
+void HeadTrackingController::say(const core::tracking::TrackerReport& report)
+{
+    m_window.messages().say([this, report] {
+        MessageBar::Message message;
+        message.kind = report.stage == TrackerStage::NoCamera ? MessageBar::Kind::Warning : MessageBar::Kind::News;
+        message.sentence = report.stage == TrackerStage::NoCamera
+                               ? tr("The view does not follow your head: the camera gives no pictures.")
+                               : tr("The view does not follow your head: the tag is not seen.");
+        message.actionText = tr("Show the device");
+        message.action = [this] { m_window.actions().devices->trigger(); };
+        message.topic = MessageBar::Topic::Head;
+        return message;
+    });
 }
 
 void HeadTrackingController::poll()

@@ -45,6 +45,8 @@ private:
     void askWhereToPrint();
     void print(const QString& path);
     void poll();
+    void watch();
+    void say(const core::tracking::TrackerReport& report);
     [[nodiscard]] core::tracking::Lean leanNow(double seconds, bool touches);
 
     ui::shell::MainWindow& m_window;
@@ -52,6 +54,9 @@ private:
     std::unique_ptr<Tracker> m_tracker;
     core::tracking::HeadView m_view;
     QTimer m_poll;
+    QTimer m_watch;                         ///< outside the page
+    core::tracking::TrackerStage m_said{};  ///< that the user was told of last
+    int m_withoutTag = 0;                   ///< times in a row that m_watch found no tag
     int m_polls = 0;
     bool m_isPageOpen = false;
 };

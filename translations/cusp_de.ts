@@ -3016,6 +3016,18 @@
         <extracomment>%1: a number of degrees</extracomment>
         <translation>Der Bildwinkel beträgt %1°. Er wird für diese Kamera gespeichert.</translation>
     </message>
+    <message>
+        <source>The view does not follow your head: the camera gives no pictures.</source>
+        <translation>Die Ansicht folgt Ihrem Kopf nicht: Die Kamera liefert keine Bilder.</translation>
+    </message>
+    <message>
+        <source>The view does not follow your head: the tag is not seen.</source>
+        <translation>Die Ansicht folgt Ihrem Kopf nicht: Die Marke ist nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>Gerät anzeigen</translation>
+    </message>
 </context>
 <context>
     <name>app::PeopleDesk</name>

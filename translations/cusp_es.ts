@@ -3016,6 +3016,18 @@
         <extracomment>%1: a number of degrees</extracomment>
         <translation>El campo de visión es de %1°. Se guarda para esta cámara.</translation>
     </message>
+    <message>
+        <source>The view does not follow your head: the camera gives no pictures.</source>
+        <translation>La vista no sigue su cabeza: la cámara no da imágenes.</translation>
+    </message>
+    <message>
+        <source>The view does not follow your head: the tag is not seen.</source>
+        <translation>La vista no sigue su cabeza: no se ve la marca.</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>Mostrar el dispositivo</translation>
+    </message>
 </context>
 <context>
     <name>app::PeopleDesk</name>

@@ -3003,6 +3003,18 @@
         <extracomment>%1: a number of degrees</extracomment>
         <translation>画角は %1° です。このカメラ用に保存されます。</translation>
     </message>
+    <message>
+        <source>The view does not follow your head: the camera gives no pictures.</source>
+        <translation>視点が頭に追従していません：カメラから画像が届きません。</translation>
+    </message>
+    <message>
+        <source>The view does not follow your head: the tag is not seen.</source>
+        <translation>視点が頭に追従していません：マーカーが見えません。</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>デバイスを表示</translation>
+    </message>
 </context>
 <context>
     <name>app::PeopleDesk</name>

@@ -90,6 +90,8 @@ public:
             return false;
         }
         // Some files have no times, or times that stand still.
+        if (!(picture.timeS >= 0.0 && picture.timeS < kLongestS))
+            picture.timeS = m_lastS + kUsualStepS;
         picture.timeS = m_pictures == 0.0 ? picture.timeS : std::max(picture.timeS, m_lastS + kLeastStepS);
         m_lastS = picture.timeS;
         ++m_pictures;
@@ -108,6 +110,8 @@ private:
     }
 
     static constexpr double kLeastStepS = 0.001;
+    static constexpr double kUsualStepS = 1.0 / 30.0;
+    static constexpr double kLongestS = 1e6;
     std::unique_ptr<Reader> m_reader;
     std::string m_name;
     double m_lastS = 0.0;
@@ -223,8 +227,7 @@ Result<std::unique_ptr<PictureSource>> openVideo(const std::string& path)
     if (!fs::exists(path, ignored))
         return unexpected(ErrorCode::FileMissing, Words{"There is no file %1.", {noted(path)}});
     if (fs::is_directory(path, ignored))
-        return unexpected(ErrorCode::WrongKind, Words{"%1 is a folder. A folder of images is opened with %2.",
-                                                      {noted(path), noted("--images")}});
+        return unexpected(ErrorCode::WrongKind, Words{"%1 is a folder, not a video.", {noted(path)}});
     if (access(path.c_str(), R_OK) != 0)
         return unexpected(ErrorCode::FileUnreadable, Words{"The file %1 cannot be read.", {noted(path)}});
     const Library* const from = library();

@@ -72,6 +72,7 @@ Result<TagFrame> TagTracker::look(const PictureView& picture)
         if (seen.empty() && follows)
             seen = searchRegion(picture, *m_last);  // small tags are not found in a whole picture
     }
+    m_sameTags = std::max(m_sameTags, seen.empty() ? 0 : 1);
     frame.sameTags = m_sameTags;
     sortTags(seen);
     frame.findMs = msSince(begun);

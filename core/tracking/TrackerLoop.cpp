@@ -18,6 +18,7 @@ using namespace std::chrono_literals;
 constexpr auto kTryAgain = 1s;
 constexpr auto kNap = 50ms;  ///< so that the thread can be ended meanwhile
 constexpr double kWindowS = 1.0;
+constexpr double kMovesMm = 1.0;  ///< more than noise: the head moves
 
 double secondsOf(Clock::time_point time)
 {
@@ -67,11 +68,15 @@ void TrackerLoop::tick(std::chrono::microseconds /*dt*/)
     }
     const auto got = m_source->next(m_picture);
     if (!got) {
-        if (got.error().code != ErrorCode::WrongKind)  // an image of a folder that is none is passed over
+        if (got.error().code == ErrorCode::WrongKind)  // an image of a folder that is none is passed over
+            return;
+        if (m_source->isLive()) {
             lose(got.error());
-        return;
+            return;
+        }
     }
-    if (!*got) {
+    // A video that is cut off ends where it is.
+    if (!got || !*got) {
         m_hasEnded = true;
         const std::lock_guard lock(m_mutex);
         m_report.stage = TrackerStage::Ended;
@@ -154,7 +159,8 @@ void TrackerLoop::note(const TagFrame& frame, double latencyMs)
     m_report.poseMs = median(std::move(pose));
     m_report.latencyMs = m_source->isLive() ? median(std::move(latency)) : 0.0;
     m_report.seenShare = seen / static_cast<double>(m_lastSecond.size());
-    m_report.jitterMm = seen > 0.0 ? std::sqrt(spread / seen) : 0.0;
+    const double jitterMm = seen > 0.0 ? std::sqrt(spread / seen) : 0.0;
+    m_report.jitterMm = jitterMm < kMovesMm ? jitterMm : 0.0;
     if (!frame.tags.empty())
         m_report.tag = frame.tags.front();
 }

@@ -32,9 +32,10 @@ struct TrackerReport
     double poseMs = 0.0;
     double latencyMs = 0.0;  ///< from the picture to the pose; 0 for a video
     double seenShare = 0.0;  ///< of the pictures of the last second
-    double jitterMm = 0.0;   ///< root mean square of the filtered position around its mean, last second
-    PosedTag tag;            ///< as seen last
-    Picture picture;         ///< the last one; empty unless it was asked for
+    /// Root mean square of the filtered position around its mean, last second. 0 while the head moves.
+    double jitterMm = 0.0;
+    PosedTag tag;     ///< as seen last
+    Picture picture;  ///< the last one; empty unless it was asked for
 };
 
 }  // namespace core::tracking

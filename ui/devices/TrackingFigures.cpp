@@ -70,7 +70,7 @@ void TrackingFigures::setReport(const core::tracking::TrackerReport& report)
         m_values.at(Latency)->setText(text::number(report.latencyMs, 0), ms);
     else
         m_values.at(Latency)->setText(kNoFigure);
-    if (report.seenShare > 0.0)
+    if (report.jitterMm > 0.0)
         m_values.at(Jitter)->setText(text::number(report.jitterMm, 2), QStringLiteral("mm"));
     else
         m_values.at(Jitter)->setText(kNoFigure);

@@ -29,9 +29,10 @@ public:
     /// an attempt that was taken up or discarded, and that a grade is not kept, or an attempt while it is made, once it
     /// is. What cannot be read of the school is over once something can, and that a preset was kept when another is
     /// refused. What is said of a lesson's course stays in the practice room, and what could not be read for a page is
-    /// over when another is opened, or it is read again. What is said of a device is over when its state is another.
+    /// over when another is opened, or it is read again. What is said of a device, or of
+    /// head tracking, is over when its state is another.
     /// What somebody has typed is for nobody else.
-    enum class Topic { General, Tooth, Unfinished, Lesson, Keeping, Journal, Preset, School, Page, Device };
+    enum class Topic { General, Tooth, Unfinished, Lesson, Keeping, Journal, Preset, School, Page, Device, Head };
     struct Choice
     {
         QString text;

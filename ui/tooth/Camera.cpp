@@ -66,6 +66,7 @@ void Camera::lookAs(const Camera& other)
     m_towardsMm = other.m_towardsMm;
     m_azimuthDeg = other.m_azimuthDeg;
     m_elevationDeg = other.m_elevationDeg;
+    m_lean = other.m_lean;
     m_distanceMm = other.m_distanceMm;
     m_wantedMm = other.m_wantedMm;
     m_fitted = false;
@@ -84,12 +85,13 @@ core::session::Sight Camera::sight() const
 
 double Camera::azimuthDeg() const
 {
-    return std::remainder(m_azimuthDeg + m_lean.yawDeg, 360.0);
+    const glm::dvec3 back = axes().back;
+    return glm::degrees(std::atan2(back.x, -back.y));
 }
 
 double Camera::elevationDeg() const
 {
-    return std::clamp(m_elevationDeg + m_lean.pitchDeg, kLowestDeg, kHighestDeg);
+    return glm::degrees(std::asin(std::clamp(axes().back.z, -1.0, 1.0)));
 }
 
 void Camera::lookDownAt(glm::dvec3 placeMm)
@@ -160,32 +162,33 @@ double Camera::fittingMm() const
     return m_radiusMm / std::sin(std::atan(narrower));
 }
 
-/// The eye before it leans aside from the middle of the screen.
-glm::dvec3 Camera::straightEyeMm() const
-{
-    const double azimuth = glm::radians(azimuthDeg());
-    const double elevation = glm::radians(elevationDeg());
-    return m_lookAtMm + distanceMm() * glm::dvec3(std::sin(azimuth) * std::cos(elevation),
-                                                  -std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
-}
-
+/// The axes turn with the lean: as if the head moved round a tooth that stays.
 Camera::Axes Camera::axes() const
 {
-    const glm::dvec3 forward = glm::normalize(m_lookAtMm - straightEyeMm());
-    const glm::dvec3 right(rightOnTooth(), 0.0);
-    return {right, glm::cross(right, forward)};
+    const double azimuth = glm::radians(m_azimuthDeg);
+    const double elevation = glm::radians(m_elevationDeg);
+    const glm::dvec3 right(std::cos(azimuth), std::sin(azimuth), 0.0);
+    const glm::dvec3 back(std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
+                          std::sin(elevation));
+    const double yaw = glm::radians(m_lean.yawDeg);
+    const double pitch = glm::radians(m_lean.pitchDeg);
+    const glm::dvec3 up = glm::cross(back, right);
+    const glm::dvec3 aside = std::cos(yaw) * back + std::sin(yaw) * right;
+    return {std::cos(yaw) * right - std::sin(yaw) * back, std::cos(pitch) * up - std::sin(pitch) * aside,
+            std::cos(pitch) * aside + std::sin(pitch) * up};
 }
 
 glm::dvec3 Camera::eyeMm() const
 {
     const Axes screen = axes();
-    return straightEyeMm() + distanceMm() * (m_lean.rightShare * screen.right + m_lean.upShare * screen.up);
+    return m_lookAtMm + distanceMm() * (screen.back + m_lean.rightShare * screen.right + m_lean.upShare * screen.up);
 }
 
 glm::dmat4 Camera::view() const
 {
-    const glm::dvec3 aside = eyeMm() - straightEyeMm();
-    return glm::lookAt(eyeMm(), m_lookAtMm + aside, glm::dvec3(0.0, 0.0, 1.0));
+    const Axes screen = axes();
+    const glm::dvec3 eye = eyeMm();
+    return glm::lookAt(eye, eye - screen.back, screen.up);
 }
 
 glm::dmat4 Camera::projection() const
@@ -219,14 +222,13 @@ glm::dvec2 Camera::pixelOf(glm::dvec3 pointMm) const
 
 glm::dvec2 Camera::rightOnTooth() const
 {
-    const double azimuth = glm::radians(azimuthDeg());
-    return {std::cos(azimuth), std::sin(azimuth)};
+    return glm::normalize(glm::dvec2(axes().right));
 }
 
 glm::dvec2 Camera::awayOnTooth() const
 {
-    const double azimuth = glm::radians(azimuthDeg());
-    return {-std::sin(azimuth), std::cos(azimuth)};
+    const glm::dvec2 right = rightOnTooth();
+    return {-right.y, right.x};
 }
 
 }  // namespace ui::tooth

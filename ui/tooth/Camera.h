@@ -53,7 +53,8 @@ public:
     /// `towardsMm` keeps its place in the picture (nothing: the middle of the picture does); further, the crown comes
     /// back to it.
     void zoom(double steps, const std::optional<glm::dvec3>& towardsMm = {});
-    /// Turns and moves the eye in addition, as the user's head moves; all else stays relative to the place without it.
+    /// Turns the eye about the axes of the screen in addition, as the user's head moves, and moves it. All else stays
+    /// relative to the place without it.
     void lean(const core::tracking::Lean& lean) { m_lean = lean; }
     /// Lets the distance follow the zoom for a time. True while it still moves.
     bool advance(double seconds);
@@ -77,14 +78,14 @@ public:
     [[nodiscard]] glm::dvec2 awayOnTooth() const;
 
 private:
-    /// Unit vectors that point right and up on the screen, tooth frame.
+    /// Unit vectors that point right and up on the screen, and from the screen to the eye; tooth frame.
     struct Axes
     {
         glm::dvec3 right;
         glm::dvec3 up;
+        glm::dvec3 back;
     };
     [[nodiscard]] Axes axes() const;
-    [[nodiscard]] glm::dvec3 straightEyeMm() const;
     void keepInBounds();
     void moveTo(double distanceMm);
     void fit();
