@@ -277,6 +277,22 @@ private slots:
         QVERIFY(!button->isEnabled());
     }
 
+    void theFieldOfViewIsMeasuredWhileTheTagIsSeen()
+    {
+        QSignalSpy wanted(&card(), &HeadTrackingCard::fieldOfViewRequested);
+        auto* const button = child<QPushButton>("measureFieldOfView");
+        QVERIFY(!button->isEnabled());
+        HeadTrackingSettings settings;
+        settings.isOn = true;
+        card().setSettings(settings);
+        card().setTracking(at(TrackerStage::Tracking));
+        QVERIFY(button->isEnabled());
+        button->click();
+        QCOMPARE(wanted.count(), 1);
+        card().setTracking(at(TrackerStage::NoTag));
+        QVERIFY(!button->isEnabled());
+    }
+
     void theTagIsPrintedBySomebodyElse()
     {
         QSignalSpy printed(&card(), &HeadTrackingCard::printRequested);
@@ -310,8 +326,9 @@ private slots:
         child<QDoubleSpinBox>("tagEdge")->setValue(60.0);
         child<QDoubleSpinBox>("fieldOfView")->setValue(55.0);
         child<QDoubleSpinBox>("gain")->setValue(1.5);
-        QCOMPARE(changed.count(), 6);
-        settings = {true, 0, {}, 1920, 1080, 3, 60.0, 55.0, 1.5, true};
+        choose(*child<QComboBox>("wayOfView"), 1);
+        QCOMPARE(changed.count(), 7);
+        settings = {true, 0, {}, 1920, 1080, 3, 60.0, 55.0, 1.5, true, true};
         QVERIFY(changed.back().front().value<HeadTrackingSettings>() == settings);
         QVERIFY(card().settings() == settings);
     }
