@@ -333,7 +333,8 @@ void DeviceController::say(const Device& device, bool isReady)
         });
 }
 
-/// Outside the page, a device that waits for the user says so once. Another message may be an offer: it is not covered.
+/// Shows a message when the device waits for the user and the page of devices is closed. Does not cover a message about
+/// something else: the call is repeated when that is closed.
 void DeviceController::askForUser(const Device& device, const DeviceReport& report)
 {
     const bool waits = report.stage == DeviceStage::Homing || report.stage == DeviceStage::NeedsFirmware ||

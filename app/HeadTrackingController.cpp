@@ -11,6 +11,7 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "app/HeadTrackingStore.h"
 #include "core/base/WholeFile.h"
 #include "core/tracking/PictureSource.h"
 #include "core/tracking/TagCells.h"
@@ -20,7 +21,6 @@
 #include "ui/devices/TagSheet.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/FileDialog.h"
-#include "ui/shell/Memory.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/text/FaultWords.h"
 #include "ui/tooth/ToothView.h"
@@ -34,98 +34,18 @@ using core::tracking::TrackerStage;
 using ui::devices::DevicesPage;
 using ui::devices::HeadTrackingCard;
 using ui::devices::HeadTrackingSettings;
-using ui::shell::memory;
 using ui::shell::MessageBar;
 
 constexpr int kShowMs = 40;
 constexpr int kWatchMs = 500;
-constexpr int kMissedAfter = 10;        ///< of those, a tag that is not seen is mentioned
-constexpr int kCamerasEvery = 25;       ///< of those, cameras are looked for
+constexpr int kMissedAfter = 10;        ///< watches in a row without the tag, until the user is told
+constexpr int kCamerasEvery = 25;       ///< polls between two searches for cameras
 constexpr double kToTheScreenS = 0.02;  ///< from drawing a frame until it is seen
 constexpr std::chrono::milliseconds kTrackerBeat{10};
 
-const QString kOnKey = QStringLiteral("head/on");
-const QString kCameraKey = QStringLiteral("head/camera");
-const QString kVideoKey = QStringLiteral("head/video");
-const QString kWidthKey = QStringLiteral("head/width");
-const QString kHeightKey = QStringLiteral("head/height");
-const QString kTagKey = QStringLiteral("head/tag");
-const QString kTagMmKey = QStringLiteral("head/tag_mm");
-const QString kFovKey = QStringLiteral("head/fov_deg");
-const QString kGainKey = QStringLiteral("head/gain");
-const QString kMirroredKey = QStringLiteral("head/mirrored");
-const QString kWindowKey = QStringLiteral("head/window");
-
-/// A number as it was stored, if it is one within its range.
-template <class T>
-void recallNumber(const QSettings& stored, const QString& key, T low, T high, T& value)
-{
-    bool isNumber = false;
-    const double number = stored.value(key).toDouble(&isNumber);
-    if (isNumber && number >= static_cast<double>(low) && number <= static_cast<double>(high))
-        value = static_cast<T>(number);
-}
-
-/// Each camera, and each video, has a field of view of its own.
-QString fovKeyOf(const HeadTrackingSettings& settings)
-{
-    QString source = settings.video;
-    if (source.isEmpty()) {
-        source = QString::number(settings.camera);
-        for (const core::tracking::CameraInfo& camera : core::tracking::cameras())
-            if (camera.number == settings.camera && !camera.name.empty())
-                source = QString::fromStdString(camera.name);
-    }
-    // A slash would make a group of the settings file.
-    return kFovKey + u'/' + source.replace(u'/', u'_').replace(u'\\', u'_');
-}
-
-double recalledFovDeg(const HeadTrackingSettings& settings)
-{
-    double fovDeg = HeadTrackingSettings{}.fovDeg;
-    recallNumber(memory(), fovKeyOf(settings), HeadTrackingSettings::kLeastFovDeg, HeadTrackingSettings::kMostFovDeg,
-                 fovDeg);
-    return fovDeg;
-}
-
-HeadTrackingSettings recalledSettings()
-{
-    const QSettings stored = memory();
-    HeadTrackingSettings settings;
-    settings.isOn = ui::shell::recalled(stored, kOnKey, false);
-    recallNumber(stored, kCameraKey, 0, 1000, settings.camera);
-    settings.video = stored.value(kVideoKey).toString();
-    recallNumber(stored, kWidthKey, 160, 7680, settings.width);
-    recallNumber(stored, kHeightKey, 120, 4320, settings.height);
-    recallNumber(stored, kTagKey, 0, HeadTrackingSettings::kMostTagId, settings.tagId);
-    recallNumber(stored, kTagMmKey, HeadTrackingSettings::kLeastTagMm, HeadTrackingSettings::kMostTagMm,
-                 settings.tagMm);
-    settings.fovDeg = recalledFovDeg(settings);
-    recallNumber(stored, kGainKey, HeadTrackingSettings::kLeastGain, HeadTrackingSettings::kMostGain, settings.gain);
-    settings.mirrored = ui::shell::recalled(stored, kMirroredKey, true);
-    settings.isWindow = ui::shell::recalled(stored, kWindowKey, false);
-    return settings;
-}
-
-void remember(const HeadTrackingSettings& settings)
-{
-    QSettings stored = memory();
-    stored.setValue(kOnKey, settings.isOn);
-    stored.setValue(kCameraKey, settings.camera);
-    stored.setValue(kVideoKey, settings.video);
-    stored.setValue(kWidthKey, settings.width);
-    stored.setValue(kHeightKey, settings.height);
-    stored.setValue(kTagKey, settings.tagId);
-    stored.setValue(kTagMmKey, settings.tagMm);
-    stored.setValue(fovKeyOf(settings), settings.fovDeg);
-    stored.setValue(kGainKey, settings.gain);
-    stored.setValue(kMirroredKey, settings.mirrored);
-    stored.setValue(kWindowKey, settings.isWindow);
-}
-
 core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
 {
-    // A pipe would let the window wait for whoever writes into it.
+    // Reading a pipe waits for its writer, and the window would wait for the thread that reads.
     if (!settings.video.isEmpty() && QFileInfo(settings.video).exists() && !QFileInfo(settings.video).isFile())
         return [path = settings.video.toStdString()]() -> core::Result<std::unique_ptr<core::tracking::PictureSource>> {
             return core::unexpected(
@@ -172,7 +92,7 @@ HeadTrackingController::Tracker::Tracker(const HeadTrackingSettings& settings)
 }
 
 HeadTrackingController::HeadTrackingController(ui::shell::MainWindow& window)
-    : m_window(window), m_settings(recalledSettings())
+    : m_window(window), m_settings(storedHeadTracking())
 {
     HeadTrackingCard& card = m_window.devicesPage().headTracking();
     card.setInBuild(core::tracking::hasTagDetector());
@@ -228,8 +148,8 @@ void HeadTrackingController::change(const HeadTrackingSettings& settings)
     const bool isOtherFov = m_settings.fovDeg != settings.fovDeg;
     m_settings = settings;
     if (isOtherSource && !isOtherFov)
-        m_settings.fovDeg = recalledFovDeg(m_settings);
-    remember(m_settings);
+        m_settings.fovDeg = storedFieldOfViewDeg(m_settings);
+    storeHeadTracking(m_settings);
     showSettings();
     if (isNew)
         restart();

@@ -14,8 +14,8 @@
 
 namespace app {
 
-/// Turns the view as the user's head moves, while they want that: runs the tracker in a thread of its own, gives its
-/// head to the view of the tooth, and shows it on the page of devices. Remembers the settings on this computer. Ui
+/// Runs head tracking while the user has it turned on: starts the tracker in its own thread, turns the view of the
+/// tooth with the position of the head, shows the tracker's report on the page of devices and stores the settings. Ui
 /// thread.
 class HeadTrackingController final : public QObject
 {

@@ -125,7 +125,7 @@ void drawClutter(Canvas& canvas, std::uint64_t seed)
         drawPatches(canvas, rng, place());
     for (int n = 0; n < 3; ++n)
         drawLetters(canvas, rng, place());
-    for (int n = 0; n < 20; ++n) {  // edges and cables
+    for (int n = 0; n < 20; ++n) {  // long bars, as shelves and cables are
         const double turn = rng.uniform(0.0, 3.2);
         fill(canvas, place(), turned(turn, rng.uniform(20, 200)), turned(turn + 1.57, rng.uniform(0.6, 4.0)), grey());
     }

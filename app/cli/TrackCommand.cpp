@@ -100,7 +100,7 @@ double median(std::vector<double>& values)
     return *middle;
 }
 
-/// What all pictures together had.
+/// Counts and times of all pictures.
 class Summary
 {
 public:
@@ -163,7 +163,7 @@ core::Result<TrackerSettings> settingsFrom(const QCommandLineParser& parser)
             return tl::unexpected(id.error());
         settings.id = static_cast<int>(*id);
     }
-    // Nobody waits for the pictures of a file.
+    // Pictures of a file may take as long as they need.
     settings.isThorough = !parser.isSet(QStringLiteral("camera"));
     if (const auto checked = check(settings); !checked)
         return tl::unexpected(checked.error());

@@ -11,10 +11,10 @@
 
 namespace core::tracking {
 
-/// Where the head is, after the filter.
+/// Filtered position and orientation of the head.
 struct Head
 {
-    bool isSeen = false;  ///< by the last picture
+    bool isSeen = false;  ///< in the last picture
     double seenS = 0.0;   ///< time of the last picture that it was accepted from; 0: never
     Pose pose;            ///< of the tag, camera frame, smooth
     Pose raw;             ///< the same as measured

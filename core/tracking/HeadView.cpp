@@ -19,7 +19,7 @@ constexpr double kMostWindowDeg = 40.0;
 constexpr double kMostStep = 0.0175;  ///< a frame, of the distance: a degree
 constexpr double kLeastMm = 1.0;
 
-/// Soft dead zone: half-heartedly near zero, parallel to the identity from there on.
+/// Soft dead zone: changes little near zero, and by as much as its input far from zero.
 double calmed(double deg)
 {
     return deg - kDeadDeg * std::tanh(deg / kDeadDeg);

@@ -19,7 +19,7 @@ struct HeadViewSettings
     bool operator==(const HeadViewSettings&) const = default;
 };
 
-/// Turns the place of the head into that of the view, frame by frame: relative to where the head was at recentre().
+/// Computes in each frame how the view turns, from the position of the head relative to that at recentre().
 ///
 /// Without a tag, the view stays, and after a second glides back; with one it glides to the head. It never turns by
 /// more than a degree a frame. Ui thread.
@@ -36,7 +36,7 @@ public:
     /// @param holds    the bur touches the tooth: a tag that is lost moves nothing
     const Lean& update(const Head& head, double nowS, double seconds, bool holds);
     [[nodiscard]] const Lean& lean() const { return m_lean; }
-    /// Nothing moves any more without a tag.
+    /// The view is where the mouse left it.
     [[nodiscard]] bool isAtRest() const { return m_lean == Lean{}; }
 
 private:

@@ -3,7 +3,7 @@
 
 namespace core::tracking {
 
-/// How the view leaves the place that the mouse gave it.
+/// Turn and shift of the view by the head, relative to the view that the mouse chose.
 struct Lean
 {
     double yawDeg = 0.0;    ///< the eye goes to the right

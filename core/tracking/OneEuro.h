@@ -20,7 +20,7 @@ public:
 
     explicit OneEuro(const Settings& settings) : m_settings(settings) {}
 
-    /// Begins anew at a value.
+    /// Resets the filter to a value.
     void restart(double value)
     {
         m_raw = m_value = value;
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] double value() const { return m_value; }
     [[nodiscard]] double speed() const { return m_speed; }  ///< units a second
 
-    /// Share of a step that a first-order low-pass filter follows in a time.
+    /// Share of a step by which a first-order low-pass filter moves in a time.
     [[nodiscard]] static double share(double cutoffHz, double seconds)
     {
         const double turns = 2.0 * std::numbers::pi * cutoffHz * seconds;

@@ -8,7 +8,7 @@
 
 namespace core::tracking {
 
-/// Grey picture that belongs to somebody else: rows of bytes, top row first, `stride` bytes from row to row.
+/// View of a grey picture, whose pixels another object owns. Rows are stored from the top, `stride` bytes apart.
 struct PictureView
 {
     const std::uint8_t* pixels = nullptr;

@@ -36,7 +36,7 @@ inline lab::PrintedTag tagSomewhere(core::Rng& rng, double distanceMm, double ti
     return tagBefore(distanceMm, offset, tiltDeg, tiltTo, rng.uniform(-30.0, 30.0));
 }
 
-/// A value that a share of them stay under.
+/// Returns the value that a share of the values is below.
 inline double percentile(std::vector<double> values, double share)
 {
     if (values.empty())

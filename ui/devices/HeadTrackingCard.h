@@ -31,7 +31,7 @@ class HeadTrackingCard : public QWidget
 public:
     explicit HeadTrackingCard(QWidget* parent);
 
-    /// Whether this program was built with head tracking. It is at first.
+    /// Sets whether this program was built with head tracking. The default is true.
     void setInBuild(bool isInBuild);
     void setTracking(core::tracking::TrackerReport report);
     void setCameras(const std::vector<core::tracking::CameraInfo>& cameras);

@@ -26,7 +26,7 @@ public:
     void setPicture(const core::tracking::Picture& picture, const std::optional<Corners>& tag);
     /// Shows words in place of a picture.
     void setWords(const QString& words);
-    /// Whether the picture looks like a mirror. It does at first.
+    /// Sets whether the picture looks like a mirror. The default is true.
     void setMirrored(bool isMirrored);
 
     [[nodiscard]] bool hasPicture() const { return !m_picture.isNull(); }

@@ -162,7 +162,7 @@ double Camera::fittingMm() const
     return m_radiusMm / std::sin(std::atan(narrower));
 }
 
-/// The axes turn with the lean: as if the head moved round a tooth that stays.
+/// Turned by the lean, as if the head moved around a tooth that does not move.
 Camera::Axes Camera::axes() const
 {
     const double azimuth = glm::radians(m_azimuthDeg);

@@ -53,8 +53,8 @@ public:
     /// `towardsMm` keeps its place in the picture (nothing: the middle of the picture does); further, the crown comes
     /// back to it.
     void zoom(double steps, const std::optional<glm::dvec3>& towardsMm = {});
-    /// Turns the eye about the axes of the screen in addition, as the user's head moves, and moves it. All else stays
-    /// relative to the place without it.
+    /// Sets how far the user's head turns the eye about the axes of the screen, and moves it. The other functions
+    /// change the view without the lean.
     void lean(const core::tracking::Lean& lean) { m_lean = lean; }
     /// Lets the distance follow the zoom for a time. True while it still moves.
     bool advance(double seconds);

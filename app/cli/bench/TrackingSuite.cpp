@@ -83,8 +83,8 @@ struct Tally
     std::vector<double> ms;
     int pictures = 0;
     int lost = 0;
-    int flipped = 0;        ///< the pose with the smaller error is the wrong one of two
-    int flippedByHead = 0;  ///< so is the one that the filter chose
+    int flipped = 0;        ///< pictures in which the pose with the smaller error is the wrong one of two
+    int flippedByHead = 0;  ///< pictures in which HeadFilter chose the wrong one of two
 };
 
 lab::TagScene sceneOf(const lab::PrintedTag& tag, std::uint64_t seed)

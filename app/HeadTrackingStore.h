@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/devices/HeadTrackingSettings.h"
+
+namespace app {
+
+/// Settings of head tracking, as this computer stores them. A value that is missing or out of range is the default one.
+[[nodiscard]] ui::devices::HeadTrackingSettings storedHeadTracking();
+void storeHeadTracking(const ui::devices::HeadTrackingSettings& settings);
+
+/// Field of view that is stored for the camera or the video of these settings, degrees.
+[[nodiscard]] double storedFieldOfViewDeg(const ui::devices::HeadTrackingSettings& settings);
+
+}  // namespace app
