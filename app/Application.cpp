@@ -2120,10 +2120,24 @@ void Application::resumeUnfinished()
         return;
     const int load = ++m_loading;
     m_window->showBusy(tr("Resuming the attempt …"));
-    if (const std::string lesson = limitedLessonOf(m_unfinished->recording); !lesson.empty())
-        whereAllowed(lesson, [this, load] { rebuildUnfinished(load); });
-    else
+    const std::string lesson = limitedLessonOf(m_unfinished->recording);
+    if (lesson.empty()) {
         rebuildUnfinished(load);
+        return;
+    }
+    askWhetherAllowed(lesson, [this, load](bool may) {
+        if (load != m_loading)
+            return;
+        if (may) {
+            rebuildUnfinished(load);
+            return;
+        }
+        // The list of lessons may be read after this, and would offer the attempt again.
+        m_unfinished.reset();
+        m_window->forgetUnfinished();
+        m_window->stopBusy();
+        m_window->showMessage(ui::study::usedUpWords());
+    });
 }
 
 void Application::rebuildUnfinished(int load)
@@ -2170,6 +2184,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
     m_window->resumeClock(recordedS, workedS);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
+    m_window->forgetUnfinished();  // it is offered again where the list of lessons was read meanwhile
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);
     if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
         static_cast<void>(attempt.release());  // the session owns it now
