@@ -19,9 +19,10 @@ using core::tracking::CameraModel;
 constexpr int kCameraFormat = 1;
 constexpr qint64 kMostBytes = 64 * 1024;
 
-tl::unexpected<core::Error> calibrationFault(ErrorCode code, const QString& path, const std::string& what)
+/// @param sentence  with %1 for the path
+tl::unexpected<core::Error> calibrationFault(ErrorCode code, const char* sentence, const QString& path)
 {
-    return core::unexpected(code, path.toStdString() + ": " + what);
+    return core::unexpected(code, core::Words{sentence, {core::noted(path.toStdString())}});
 }
 
 }  // namespace
@@ -30,15 +31,15 @@ core::Result<CameraModel> readCameraCalibration(const QString& path)
 {
     QFile file(path);
     if (!file.exists())
-        return calibrationFault(ErrorCode::FileMissing, path, "there is no such file");
+        return calibrationFault(ErrorCode::FileMissing, "There is no file %1.", path);
     if (!file.open(QIODevice::ReadOnly))
-        return calibrationFault(ErrorCode::FileUnreadable, path, "the file cannot be read");
+        return calibrationFault(ErrorCode::FileUnreadable, "The file %1 cannot be read.", path);
     const QByteArray bytes = file.read(kMostBytes + 1);
     if (bytes.size() > kMostBytes)
-        return calibrationFault(ErrorCode::FileTooLarge, path, "the file is too large for a calibration");
+        return calibrationFault(ErrorCode::FileTooLarge, "The file %1 is too large for a calibration.", path);
     const QJsonObject root = QJsonDocument::fromJson(bytes).object();
     if (root[QStringLiteral("format")].toInt() != kCameraFormat || !root.contains(QStringLiteral("fx")))
-        return calibrationFault(ErrorCode::BadStructure, path, "this is no calibration of a camera");
+        return calibrationFault(ErrorCode::BadStructure, "%1 is no calibration of a camera.", path);
     bool isSound = true;
     const auto number = [&](const char* key) {
         const QJsonValue value = root[QLatin1String(key)];
@@ -59,9 +60,11 @@ core::Result<CameraModel> readCameraCalibration(const QString& path)
         }
     }
     if (!isSound)
-        return calibrationFault(ErrorCode::BadStructure, path, "a value is missing or is not a number");
+        return calibrationFault(ErrorCode::BadStructure, "%1: a value is missing or is not a number.", path);
     if (const auto checked = camera.check(); !checked)
-        return calibrationFault(checked.error().code, path, checked.error().detail);
+        return core::unexpected(
+            checked.error().code,
+            core::Words{"%1: %2", {core::noted(path.toStdString()), core::wordsOf(checked.error())}});
     return camera;
 }
 

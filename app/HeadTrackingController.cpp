@@ -9,8 +9,10 @@
 
 #include <QDesktopServices>
 #include <QFileInfo>
+#include <QThreadPool>
 #include <QUrl>
 
+#include "app/CameraCalibration.h"
 #include "app/HeadTrackingStore.h"
 #include "core/base/WholeFile.h"
 #include "core/tracking/PictureSource.h"
@@ -45,8 +47,11 @@ constexpr std::chrono::milliseconds kTrackerBeat{10};
 
 core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
 {
+    const QFileInfo file(settings.video);
+    if (!settings.video.isEmpty() && file.isDir())
+        return [path = settings.video.toStdString()] { return core::tracking::openFolder(path); };
     // Reading a pipe waits for its writer, and the window would wait for the thread that reads.
-    if (!settings.video.isEmpty() && QFileInfo(settings.video).exists() && !QFileInfo(settings.video).isFile())
+    if (!settings.video.isEmpty() && file.exists() && !file.isFile())
         return [path = settings.video.toStdString()]() -> core::Result<std::unique_ptr<core::tracking::PictureSource>> {
             return core::unexpected(
                 core::ErrorCode::WrongKind,
@@ -54,16 +59,18 @@ core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
         };
     if (!settings.video.isEmpty())
         return [path = settings.video.toStdString()] { return core::tracking::openVideo(path); };
-    const core::tracking::CameraWish wish{settings.width, settings.height, 30.0};
+    const core::tracking::CameraWish wish{settings.width, settings.height, static_cast<double>(settings.hz)};
     return [number = settings.camera, wish] { return core::tracking::openCamera(number, wish); };
 }
 
-core::tracking::TrackerSettings trackerSettings(const HeadTrackingSettings& settings)
+core::tracking::TrackerSettings trackerSettings(const HeadTrackingSettings& settings,
+                                                const std::optional<core::tracking::CameraModel>& calibration)
 {
     core::tracking::TrackerSettings wanted;
     wanted.id = settings.tagId;
     wanted.tagMm = settings.tagMm;
     wanted.fovDeg = settings.fovDeg;
+    wanted.calibration = calibration;
     return wanted;
 }
 
@@ -84,8 +91,9 @@ double secondsNow()
 
 }  // namespace
 
-HeadTrackingController::Tracker::Tracker(const HeadTrackingSettings& settings)
-    : loop(sourceOf(settings), trackerSettings(settings)), thread(loop, kTrackerBeat, LoopThread::Urgency::Normal)
+HeadTrackingController::Tracker::Tracker(core::tracking::TrackerLoop::Open open,
+                                         const core::tracking::TrackerSettings& settings)
+    : loop(std::move(open), settings), thread(loop, kTrackerBeat, LoopThread::Urgency::Normal)
 {
     // The servo and the view come first.
     thread.start(QThread::LowPriority);
@@ -97,7 +105,7 @@ HeadTrackingController::HeadTrackingController(ui::shell::MainWindow& window)
     HeadTrackingCard& card = m_window.devicesPage().headTracking();
     card.setInBuild(core::tracking::hasTagDetector());
     m_settings.isOn = m_settings.isOn && core::tracking::hasTagDetector();
-    card.setSettings(m_settings);
+    readCalibration();
     showSettings();
     connectPage();
     m_poll.setInterval(kShowMs);
@@ -145,14 +153,40 @@ void HeadTrackingController::change(const HeadTrackingSettings& settings)
 {
     const bool isNew = concernsTracker(m_settings, settings);
     const bool isOtherSource = m_settings.camera != settings.camera || m_settings.video != settings.video;
-    const bool isOtherFov = m_settings.fovDeg != settings.fovDeg;
+    const bool isOtherLens = m_settings.fovDeg != settings.fovDeg || m_settings.calibration != settings.calibration;
     m_settings = settings;
-    if (isOtherSource && !isOtherFov)
-        m_settings.fovDeg = storedFieldOfViewDeg(m_settings);
+    if (isOtherSource && !isOtherLens)
+        recallLens(m_settings);
+    readCalibration();
     storeHeadTracking(m_settings);
     showSettings();
     if (isNew)
         restart();
+}
+
+/// Where it cannot be used, the user is told, and the field of view counts.
+void HeadTrackingController::readCalibration()
+{
+    m_calibration.reset();
+    if (m_settings.calibration.isEmpty())
+        return;
+    auto read = readCameraCalibration(m_settings.calibration);
+    if (read) {
+        m_calibration = *read;
+        m_settings.fovDeg = std::clamp(std::round(read->fieldOfViewDeg()), HeadTrackingSettings::kLeastFovDeg,
+                                       HeadTrackingSettings::kMostFovDeg);
+        return;
+    }
+    m_window.messages().say([name = QFileInfo(m_settings.calibration).fileName(), error = read.error()] {
+        return MessageBar::Message{MessageBar::Kind::Warning,
+                                   //: %1: the name of a file
+                                   tr("The calibration %1 cannot be used. The field of view counts.").arg(name),
+                                   ui::text::faultWords(core::wordsOf(error)),
+                                   {},
+                                   {},
+                                   MessageBar::Topic::Page};
+    });
+    m_settings.calibration.clear();
 }
 
 void HeadTrackingController::showSettings()
@@ -244,8 +278,11 @@ void HeadTrackingController::print(const QString& path)
 
 void HeadTrackingController::restart()
 {
-    m_tracker.reset();
     m_watch.stop();
+    // A camera that has just stopped sending can keep its thread waiting for two seconds, and the window need not.
+    if (m_tracker && !m_settings.isOn)
+        QThreadPool::globalInstance()->start([ended = std::shared_ptr<Tracker>(std::move(m_tracker))] {});
+    m_tracker.reset();
     m_withoutTag = 0;
     m_said = TrackerStage::Opening;
     m_window.messages().withdraw(MessageBar::Topic::Head);
@@ -253,7 +290,7 @@ void HeadTrackingController::restart()
     m_window.actions().recentreHead->setVisible(m_settings.isOn);
     if (!m_settings.isOn)
         return;  // the view glides back, see leanNow()
-    m_tracker = std::make_unique<Tracker>(m_settings);
+    m_tracker = std::make_unique<Tracker>(sourceOf(m_settings), trackerSettings(m_settings, m_calibration));
     m_watch.start();
     m_tracker->loop.showPictures(m_isPageOpen);
     m_window.view().setHeadLean([this](double seconds, bool touches) { return leanNow(seconds, touches); });

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QObject>
 #include <QTimer>
 
 #include "app/LoopThread.h"
+#include "core/tracking/CameraModel.h"
 #include "core/tracking/HeadView.h"
 #include "core/tracking/TrackerLoop.h"
 #include "ui/devices/HeadTrackingSettings.h"
@@ -32,13 +34,14 @@ private:
     /// A tracker and the thread that it runs in.
     struct Tracker
     {
-        explicit Tracker(const ui::devices::HeadTrackingSettings& settings);
+        Tracker(core::tracking::TrackerLoop::Open open, const core::tracking::TrackerSettings& settings);
         core::tracking::TrackerLoop loop;
         LoopThread thread;  ///< last: it uses the loop
     };
     void connectPage();
     void turn(bool on);
     void change(const ui::devices::HeadTrackingSettings& settings);
+    void readCalibration();
     void restart();
     void showSettings();
     void measureFieldOfView();
@@ -51,6 +54,7 @@ private:
 
     ui::shell::MainWindow& m_window;
     ui::devices::HeadTrackingSettings m_settings;
+    std::optional<core::tracking::CameraModel> m_calibration;  ///< what HeadTrackingSettings::calibration names
     std::unique_ptr<Tracker> m_tracker;
     core::tracking::HeadView m_view;
     QTimer m_poll;

@@ -15,9 +15,11 @@ const QString kCameraKey = QStringLiteral("head/camera");
 const QString kVideoKey = QStringLiteral("head/video");
 const QString kWidthKey = QStringLiteral("head/width");
 const QString kHeightKey = QStringLiteral("head/height");
+const QString kHzKey = QStringLiteral("head/hz");
 const QString kTagKey = QStringLiteral("head/tag");
 const QString kTagMmKey = QStringLiteral("head/tag_mm");
 const QString kFovKey = QStringLiteral("head/fov_deg");
+const QString kCalibrationKey = QStringLiteral("head/calibration");
 const QString kGainKey = QStringLiteral("head/gain");
 const QString kMirroredKey = QStringLiteral("head/mirrored");
 const QString kWindowKey = QStringLiteral("head/window");
@@ -32,8 +34,8 @@ void recallNumber(const QSettings& stored, const QString& key, T low, T high, T&
         value = static_cast<T>(number);
 }
 
-/// Each camera, and each video, has a field of view of its own.
-QString fovKeyOf(const HeadTrackingSettings& settings)
+/// Each camera, and each video, has a lens of its own.
+QString lensKeyOf(const QString& key, const HeadTrackingSettings& settings)
 {
     QString source = settings.video;
     if (source.isEmpty()) {
@@ -43,17 +45,18 @@ QString fovKeyOf(const HeadTrackingSettings& settings)
                 source = QString::fromStdString(camera.name);
     }
     // A slash would make a group of the settings file.
-    return kFovKey + u'/' + source.replace(u'/', u'_').replace(u'\\', u'_');
+    return key + u'/' + source.replace(u'/', u'_').replace(u'\\', u'_');
 }
 
 }  // namespace
 
-double storedFieldOfViewDeg(const HeadTrackingSettings& settings)
+void recallLens(HeadTrackingSettings& settings)
 {
-    double fovDeg = HeadTrackingSettings{}.fovDeg;
-    recallNumber(memory(), fovKeyOf(settings), HeadTrackingSettings::kLeastFovDeg, HeadTrackingSettings::kMostFovDeg,
-                 fovDeg);
-    return fovDeg;
+    const QSettings stored = memory();
+    settings.fovDeg = HeadTrackingSettings{}.fovDeg;
+    recallNumber(stored, lensKeyOf(kFovKey, settings), HeadTrackingSettings::kLeastFovDeg,
+                 HeadTrackingSettings::kMostFovDeg, settings.fovDeg);
+    settings.calibration = stored.value(lensKeyOf(kCalibrationKey, settings)).toString();
 }
 
 HeadTrackingSettings storedHeadTracking()
@@ -65,10 +68,11 @@ HeadTrackingSettings storedHeadTracking()
     settings.video = stored.value(kVideoKey).toString();
     recallNumber(stored, kWidthKey, 160, 7680, settings.width);
     recallNumber(stored, kHeightKey, 120, 4320, settings.height);
+    recallNumber(stored, kHzKey, 1, 240, settings.hz);
     recallNumber(stored, kTagKey, 0, HeadTrackingSettings::kMostTagId, settings.tagId);
     recallNumber(stored, kTagMmKey, HeadTrackingSettings::kLeastTagMm, HeadTrackingSettings::kMostTagMm,
                  settings.tagMm);
-    settings.fovDeg = storedFieldOfViewDeg(settings);
+    recallLens(settings);
     recallNumber(stored, kGainKey, HeadTrackingSettings::kLeastGain, HeadTrackingSettings::kMostGain, settings.gain);
     settings.mirrored = ui::shell::recalled(stored, kMirroredKey, true);
     settings.isWindow = ui::shell::recalled(stored, kWindowKey, false);
@@ -83,9 +87,11 @@ void storeHeadTracking(const HeadTrackingSettings& settings)
     stored.setValue(kVideoKey, settings.video);
     stored.setValue(kWidthKey, settings.width);
     stored.setValue(kHeightKey, settings.height);
+    stored.setValue(kHzKey, settings.hz);
     stored.setValue(kTagKey, settings.tagId);
     stored.setValue(kTagMmKey, settings.tagMm);
-    stored.setValue(fovKeyOf(settings), settings.fovDeg);
+    stored.setValue(lensKeyOf(kFovKey, settings), settings.fovDeg);
+    stored.setValue(lensKeyOf(kCalibrationKey, settings), settings.calibration);
     stored.setValue(kGainKey, settings.gain);
     stored.setValue(kMirroredKey, settings.mirrored);
     stored.setValue(kWindowKey, settings.isWindow);

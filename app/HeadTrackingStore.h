@@ -9,7 +9,7 @@ namespace app {
 [[nodiscard]] ui::devices::HeadTrackingSettings storedHeadTracking();
 void storeHeadTracking(const ui::devices::HeadTrackingSettings& settings);
 
-/// Field of view that is stored for the camera or the video of these settings, degrees.
-[[nodiscard]] double storedFieldOfViewDeg(const ui::devices::HeadTrackingSettings& settings);
+/// Gives the settings the field of view and the calibration that are stored for their camera or video.
+void recallLens(ui::devices::HeadTrackingSettings& settings);
 
 }  // namespace app

@@ -1742,6 +1742,38 @@
         <source>The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate the camera at this size.</source>
         <translation>Die Kalibrierung gilt für Bilder von %1 x %2 Pixeln, und diese haben %3 x %4. Kalibrieren Sie die Kamera bei dieser Größe.</translation>
     </message>
+    <message>
+        <source>The file %1 is too large for a calibration.</source>
+        <translation>Die Datei %1 ist zu groß für eine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1 is no calibration of a camera.</source>
+        <translation>%1 ist keine Kalibrierung einer Kamera.</translation>
+    </message>
+    <message>
+        <source>%1: a value is missing or is not a number.</source>
+        <translation>%1: Ein Wert fehlt oder ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The size of the pictures must be 1 to 16384 pixels a side.</source>
+        <translation>Die Bilder müssen auf jeder Seite 1 bis 16384 Pixel haben.</translation>
+    </message>
+    <message>
+        <source>The optical centre of a camera must lie within its pictures.</source>
+        <translation>Die optische Mitte einer Kamera muss in ihren Bildern liegen.</translation>
+    </message>
+    <message>
+        <source>The coefficients of a lens must lie between -5 and 5.</source>
+        <translation>Die Koeffizienten eines Objektivs müssen zwischen -5 und 5 liegen.</translation>
+    </message>
+    <message>
+        <source>The focal length of a camera must be 0.1 to 20 times the width of its pictures.</source>
+        <translation>Die Brennweite einer Kamera muss das 0,1- bis 20-Fache der Breite ihrer Bilder sein.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -3027,6 +3059,11 @@
     <message>
         <source>Show the device</source>
         <translation>Gerät anzeigen</translation>
+    </message>
+    <message>
+        <source>The calibration %1 cannot be used. The field of view counts.</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>Die Kalibrierung %1 kann nicht verwendet werden. Es gilt der Bildwinkel.</translation>
     </message>
 </context>
 <context>
@@ -4600,14 +4637,41 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Measure the field of view</source>
         <translation>Bildwinkel messen</translation>
     </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Its lens</source>
+        <translation>Ihr Objektiv</translation>
+    </message>
+    <message>
+        <source>By its field of view</source>
+        <translation>Nach dem Bildwinkel</translation>
+    </message>
+    <message>
+        <source>A calibration file …</source>
+        <translation>Eine Kalibrierdatei …</translation>
+    </message>
+    <message>
+        <source>A folder of images …</source>
+        <translation>Ein Ordner mit Bildern …</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Ordner mit Bildern wählen</translation>
+    </message>
+    <message>
+        <source>Choose a calibration of the camera</source>
+        <translation>Kalibrierung der Kamera wählen</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json);;All files (*)</source>
+        <translation>Kalibrierungen (*.json);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::TrackingText</name>
-    <message>
-        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1.</source>
-        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
-        <translation>Wenden Sie sich der Kamera zu, sodass die ganze Marke mit ihrem weißen Rand im Bild ist. Die Marke muss die Nummer %1 haben.</translation>
-    </message>
     <message>
         <source>Not available: head tracking is left out of this program.</source>
         <translation>Nicht verfügbar: Dieses Programm enthält keine Kopfverfolgung.</translation>
@@ -4618,24 +4682,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Aus.</translation>
     </message>
     <message>
-        <source>The video is being opened.</source>
-        <translation>Das Video wird geöffnet.</translation>
-    </message>
-    <message>
         <source>The camera is being opened.</source>
         <translation>Die Kamera wird geöffnet.</translation>
     </message>
     <message>
-        <source>The video cannot be played.</source>
-        <translation>Das Video kann nicht abgespielt werden.</translation>
-    </message>
-    <message>
         <source>The camera sends no pictures.</source>
         <translation>Die Kamera sendet keine Bilder.</translation>
-    </message>
-    <message>
-        <source>The video is over.</source>
-        <translation>Das Video ist zu Ende.</translation>
     </message>
     <message>
         <source>The pictures are dark.</source>
@@ -4676,16 +4728,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1 Cusp versucht es von selbst wieder. Inzwischen dreht die Maus die Ansicht.</translation>
     </message>
     <message>
-        <source>To play it again, turn “Follow my head” off and on.</source>
-        <translation>Um es noch einmal abzuspielen, schalten Sie „Meinem Kopf folgen“ aus und wieder ein.</translation>
-    </message>
-    <message>
         <source>Turn on more light, and check that no cover is in front of the camera.</source>
         <translation>Schalten Sie mehr Licht ein und prüfen Sie, dass keine Abdeckung vor der Kamera ist.</translation>
-    </message>
-    <message>
-        <source>Choose another video, or a camera.</source>
-        <translation>Wählen Sie ein anderes Video oder eine Kamera.</translation>
     </message>
     <message>
         <source>Unplug the camera and plug it in again, or choose another one.</source>
@@ -4698,6 +4742,44 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
         <translation>Setzen Sie sich wie beim Präparieren, schauen Sie auf den Bildschirm und drücken Sie „Hier ist geradeaus“.</translation>
+    </message>
+    <message>
+        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1. A lamp or a window behind you makes it too dark.</source>
+        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
+        <translation>Wenden Sie sich der Kamera zu, sodass die ganze Marke mit ihrem weißen Rand im Bild ist. Die Marke muss die Nummer %1 haben. Eine Lampe oder ein Fenster hinter Ihnen macht sie zu dunkel.</translation>
+    </message>
+    <message>
+        <source>The pictures are being opened.</source>
+        <translation>Die Bilder werden geöffnet.</translation>
+    </message>
+    <message>
+        <source>The pictures cannot be read.</source>
+        <translation>Die Bilder können nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The last picture has been shown.</source>
+        <translation>Das letzte Bild wurde gezeigt.</translation>
+    </message>
+    <message>
+        <source>To see the pictures again, turn “Follow my head” off and on.</source>
+        <translation>Um die Bilder noch einmal zu sehen, schalten Sie „Meinem Kopf folgen“ aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>Choose other pictures, or a camera.</source>
+        <translation>Wählen Sie andere Bilder oder eine Kamera.</translation>
+    </message>
+    <message>
+        <source>The pictures are nearly white.</source>
+        <translation>Die Bilder sind fast weiß.</translation>
+    </message>
+    <message>
+        <source>Turn the camera away from lamps and windows, or lower its exposure.</source>
+        <translation>Drehen Sie die Kamera von Lampen und Fenstern weg oder verringern Sie ihre Belichtung.</translation>
+    </message>
+    <message>
+        <source>The camera gives %1 pictures a second, not %2: in little light it exposes for longer. Turn on more light, or choose smaller pictures.</source>
+        <extracomment>%1 and %2: numbers</extracomment>
+        <translation>Die Kamera liefert %1 Bilder in der Sekunde statt %2: Bei wenig Licht belichtet sie länger. Schalten Sie mehr Licht ein oder wählen Sie kleinere Bilder.</translation>
     </message>
 </context>
 <context>

@@ -1742,6 +1742,38 @@
         <source>The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate the camera at this size.</source>
         <translation>La calibración es para imágenes de %1 x %2 píxeles, y estas tienen %3 x %4. Calibre la cámara con este tamaño.</translation>
     </message>
+    <message>
+        <source>The file %1 is too large for a calibration.</source>
+        <translation>El archivo %1 es demasiado grande para una calibración.</translation>
+    </message>
+    <message>
+        <source>%1 is no calibration of a camera.</source>
+        <translation>%1 no es una calibración de una cámara.</translation>
+    </message>
+    <message>
+        <source>%1: a value is missing or is not a number.</source>
+        <translation>%1: falta un valor o no es un número.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The size of the pictures must be 1 to 16384 pixels a side.</source>
+        <translation>Las imágenes deben tener de 1 a 16384 píxeles por lado.</translation>
+    </message>
+    <message>
+        <source>The optical centre of a camera must lie within its pictures.</source>
+        <translation>El centro óptico de una cámara debe estar dentro de sus imágenes.</translation>
+    </message>
+    <message>
+        <source>The coefficients of a lens must lie between -5 and 5.</source>
+        <translation>Los coeficientes de un objetivo deben estar entre -5 y 5.</translation>
+    </message>
+    <message>
+        <source>The focal length of a camera must be 0.1 to 20 times the width of its pictures.</source>
+        <translation>La distancia focal de una cámara debe ser de 0,1 a 20 veces la anchura de sus imágenes.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -3027,6 +3059,11 @@
     <message>
         <source>Show the device</source>
         <translation>Mostrar el dispositivo</translation>
+    </message>
+    <message>
+        <source>The calibration %1 cannot be used. The field of view counts.</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>La calibración %1 no se puede usar. Vale el campo de visión.</translation>
     </message>
 </context>
 <context>
@@ -4600,14 +4637,41 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Measure the field of view</source>
         <translation>Medir el campo de visión</translation>
     </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>Its lens</source>
+        <translation>Su objetivo</translation>
+    </message>
+    <message>
+        <source>By its field of view</source>
+        <translation>Por su campo de visión</translation>
+    </message>
+    <message>
+        <source>A calibration file …</source>
+        <translation>Un archivo de calibración …</translation>
+    </message>
+    <message>
+        <source>A folder of images …</source>
+        <translation>Una carpeta de imágenes …</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Elegir una carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>Choose a calibration of the camera</source>
+        <translation>Elegir una calibración de la cámara</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json);;All files (*)</source>
+        <translation>Calibraciones (*.json);;Todos los archivos (*)</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::TrackingText</name>
-    <message>
-        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1.</source>
-        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
-        <translation>Gírese hacia la cámara para que el marcador entero y su borde blanco estén en la imagen. El marcador debe tener el número %1.</translation>
-    </message>
     <message>
         <source>Not available: head tracking is left out of this program.</source>
         <translation>No disponible: este programa no incluye el seguimiento de la cabeza.</translation>
@@ -4618,24 +4682,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Desactivado.</translation>
     </message>
     <message>
-        <source>The video is being opened.</source>
-        <translation>Se está abriendo el vídeo.</translation>
-    </message>
-    <message>
         <source>The camera is being opened.</source>
         <translation>Se está abriendo la cámara.</translation>
     </message>
     <message>
-        <source>The video cannot be played.</source>
-        <translation>No se puede reproducir el vídeo.</translation>
-    </message>
-    <message>
         <source>The camera sends no pictures.</source>
         <translation>La cámara no envía imágenes.</translation>
-    </message>
-    <message>
-        <source>The video is over.</source>
-        <translation>El vídeo ha terminado.</translation>
     </message>
     <message>
         <source>The pictures are dark.</source>
@@ -4676,16 +4728,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1 Cusp lo vuelve a intentar por sí solo. Mientras tanto, el ratón gira la vista.</translation>
     </message>
     <message>
-        <source>To play it again, turn “Follow my head” off and on.</source>
-        <translation>Para reproducirlo de nuevo, desactive y active «Seguir mi cabeza».</translation>
-    </message>
-    <message>
         <source>Turn on more light, and check that no cover is in front of the camera.</source>
         <translation>Encienda más luz y compruebe que la cámara no esté tapada.</translation>
-    </message>
-    <message>
-        <source>Choose another video, or a camera.</source>
-        <translation>Elija otro vídeo o una cámara.</translation>
     </message>
     <message>
         <source>Unplug the camera and plug it in again, or choose another one.</source>
@@ -4698,6 +4742,44 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
         <translation>Siéntese como cuando talla, mire la pantalla y pulse «El centro está aquí».</translation>
+    </message>
+    <message>
+        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1. A lamp or a window behind you makes it too dark.</source>
+        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
+        <translation>Gírese hacia la cámara para que el marcador entero y su borde blanco estén en la imagen. El marcador debe tener el número %1. Una lámpara o una ventana detrás de usted lo oscurece demasiado.</translation>
+    </message>
+    <message>
+        <source>The pictures are being opened.</source>
+        <translation>Se están abriendo las imágenes.</translation>
+    </message>
+    <message>
+        <source>The pictures cannot be read.</source>
+        <translation>No se pueden leer las imágenes.</translation>
+    </message>
+    <message>
+        <source>The last picture has been shown.</source>
+        <translation>Se ha mostrado la última imagen.</translation>
+    </message>
+    <message>
+        <source>To see the pictures again, turn “Follow my head” off and on.</source>
+        <translation>Para ver las imágenes de nuevo, desactive y active «Seguir mi cabeza».</translation>
+    </message>
+    <message>
+        <source>Choose other pictures, or a camera.</source>
+        <translation>Elija otras imágenes o una cámara.</translation>
+    </message>
+    <message>
+        <source>The pictures are nearly white.</source>
+        <translation>Las imágenes están casi blancas.</translation>
+    </message>
+    <message>
+        <source>Turn the camera away from lamps and windows, or lower its exposure.</source>
+        <translation>Aparte la cámara de lámparas y ventanas o reduzca su exposición.</translation>
+    </message>
+    <message>
+        <source>The camera gives %1 pictures a second, not %2: in little light it exposes for longer. Turn on more light, or choose smaller pictures.</source>
+        <extracomment>%1 and %2: numbers</extracomment>
+        <translation>La cámara da %1 imágenes por segundo en lugar de %2: con poca luz expone durante más tiempo. Encienda más luz o elija imágenes más pequeñas.</translation>
     </message>
 </context>
 <context>

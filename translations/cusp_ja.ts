@@ -1740,6 +1740,38 @@
         <source>The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate the camera at this size.</source>
         <translation>この較正は %1 x %2 画素の画像用ですが、この画像は %3 x %4 画素です。この大きさでカメラを較正してください。</translation>
     </message>
+    <message>
+        <source>The file %1 is too large for a calibration.</source>
+        <translation>ファイル %1 は校正としては大きすぎます。</translation>
+    </message>
+    <message>
+        <source>%1 is no calibration of a camera.</source>
+        <translation>%1 はカメラの校正ではありません。</translation>
+    </message>
+    <message>
+        <source>%1: a value is missing or is not a number.</source>
+        <translation>%1: 値がないか、数値ではありません。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The size of the pictures must be 1 to 16384 pixels a side.</source>
+        <translation>映像の一辺は 1 から 16384 ピクセルでなければなりません。</translation>
+    </message>
+    <message>
+        <source>The optical centre of a camera must lie within its pictures.</source>
+        <translation>カメラの光学中心は映像の中になければなりません。</translation>
+    </message>
+    <message>
+        <source>The coefficients of a lens must lie between -5 and 5.</source>
+        <translation>レンズの係数は -5 から 5 の間でなければなりません。</translation>
+    </message>
+    <message>
+        <source>The focal length of a camera must be 0.1 to 20 times the width of its pictures.</source>
+        <translation>カメラの焦点距離は映像の幅の 0.1 から 20 倍でなければなりません。</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -3014,6 +3046,11 @@
     <message>
         <source>Show the device</source>
         <translation>デバイスを表示</translation>
+    </message>
+    <message>
+        <source>The calibration %1 cannot be used. The field of view counts.</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>校正 %1 は使えません。画角の値を使います。</translation>
     </message>
 </context>
 <context>
@@ -4577,14 +4614,41 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Measure the field of view</source>
         <translation>画角を測定</translation>
     </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>毎秒の枚数</translation>
+    </message>
+    <message>
+        <source>Its lens</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>By its field of view</source>
+        <translation>画角による</translation>
+    </message>
+    <message>
+        <source>A calibration file …</source>
+        <translation>校正ファイル …</translation>
+    </message>
+    <message>
+        <source>A folder of images …</source>
+        <translation>画像のフォルダー …</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>画像のフォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>Choose a calibration of the camera</source>
+        <translation>カメラの校正を選ぶ</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json);;All files (*)</source>
+        <translation>校正 (*.json);;すべてのファイル (*)</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::TrackingText</name>
-    <message>
-        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1.</source>
-        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
-        <translation>マーカー全体と白い縁が映像に入るように、カメラの方を向いてください。マーカーの番号は %1 でなければなりません。</translation>
-    </message>
     <message>
         <source>Not available: head tracking is left out of this program.</source>
         <translation>利用できません：このプログラムにヘッドトラッキングは含まれていません。</translation>
@@ -4595,24 +4659,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>オフ。</translation>
     </message>
     <message>
-        <source>The video is being opened.</source>
-        <translation>動画を開いています。</translation>
-    </message>
-    <message>
         <source>The camera is being opened.</source>
         <translation>カメラを開いています。</translation>
     </message>
     <message>
-        <source>The video cannot be played.</source>
-        <translation>動画を再生できません。</translation>
-    </message>
-    <message>
         <source>The camera sends no pictures.</source>
         <translation>カメラから映像が届きません。</translation>
-    </message>
-    <message>
-        <source>The video is over.</source>
-        <translation>動画は終わりました。</translation>
     </message>
     <message>
         <source>The pictures are dark.</source>
@@ -4653,16 +4705,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1Cusp は自動でもう一度試します。その間はマウスで視点を回せます。</translation>
     </message>
     <message>
-        <source>To play it again, turn “Follow my head” off and on.</source>
-        <translation>もう一度再生するには、「頭の動きに従う」をオフにしてからオンにしてください。</translation>
-    </message>
-    <message>
         <source>Turn on more light, and check that no cover is in front of the camera.</source>
         <translation>照明を明るくし、カメラにカバーが付いていないか確かめてください。</translation>
-    </message>
-    <message>
-        <source>Choose another video, or a camera.</source>
-        <translation>別の動画かカメラを選んでください。</translation>
     </message>
     <message>
         <source>Unplug the camera and plug it in again, or choose another one.</source>
@@ -4675,6 +4719,44 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.</source>
         <translation>切削するときの姿勢で座り、画面を見て、「ここを正面にする」を押してください。</translation>
+    </message>
+    <message>
+        <source>Turn to the camera so that the whole tag and its white border are in the picture. The tag must have the number %1. A lamp or a window behind you makes it too dark.</source>
+        <extracomment>%1: a number; the button &quot;Print the tag …&quot; is on the same page</extracomment>
+        <translation>マーカー全体と白い縁が映像に入るように、カメラの方を向いてください。マーカーの番号は %1 でなければなりません。後ろに照明や窓があると、マーカーが暗くなりすぎます。</translation>
+    </message>
+    <message>
+        <source>The pictures are being opened.</source>
+        <translation>映像を開いています。</translation>
+    </message>
+    <message>
+        <source>The pictures cannot be read.</source>
+        <translation>映像を読み込めません。</translation>
+    </message>
+    <message>
+        <source>The last picture has been shown.</source>
+        <translation>最後の画像まで表示しました。</translation>
+    </message>
+    <message>
+        <source>To see the pictures again, turn “Follow my head” off and on.</source>
+        <translation>もう一度見るには、「頭の動きに従う」をオフにしてからオンにしてください。</translation>
+    </message>
+    <message>
+        <source>Choose other pictures, or a camera.</source>
+        <translation>別の映像かカメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>The pictures are nearly white.</source>
+        <translation>映像がほとんど真っ白です。</translation>
+    </message>
+    <message>
+        <source>Turn the camera away from lamps and windows, or lower its exposure.</source>
+        <translation>カメラを照明や窓から離れた方へ向けるか、露出を下げてください。</translation>
+    </message>
+    <message>
+        <source>The camera gives %1 pictures a second, not %2: in little light it exposes for longer. Turn on more light, or choose smaller pictures.</source>
+        <extracomment>%1 and %2: numbers</extracomment>
+        <translation>カメラの映像は毎秒 %2 枚ではなく %1 枚です。暗いと露光時間が長くなります。照明を明るくするか、小さいサイズを選んでください。</translation>
     </message>
 </context>
 <context>

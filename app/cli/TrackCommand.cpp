@@ -4,15 +4,19 @@
 #include <optional>
 #include <vector>
 
+#include <QDir>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryFile>
 
 #include "app/CameraCalibration.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/StopSignal.h"
 #include "app/cli/TrackParts.h"
+#include "core/base/Median.h"
 #include "core/tracking/PictureSource.h"
 #include "core/tracking/TagTracker.h"
 
@@ -91,15 +95,6 @@ void printFrameText(const Picture& picture, const TagFrame& frame)
     printText((frame.tags.empty() ? line + QStringLiteral(" no tag") : line.chopped(1)) + u'\n');
 }
 
-double median(std::vector<double>& values)
-{
-    if (values.empty())
-        return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Counts and times of all pictures.
 class Summary
 {
@@ -119,8 +114,8 @@ public:
                                  "its last place: %4 (medians)\n")
                       .arg(m_pictures)
                       .arg(m_found)
-                      .arg(median(m_searchMs), 0, 'f', 2)
-                      .arg(median(m_followMs), 0, 'f', 2),
+                      .arg(core::median(m_searchMs), 0, 'f', 2)
+                      .arg(core::median(m_followMs), 0, 'f', 2),
                   stderr);
     }
 
@@ -215,6 +210,16 @@ int track(PictureSource& source, TagTracker& tracker, qint64 most, bool isJson)
     return unread == 0 ? kDone : kFailed;
 }
 
+/// So that nobody shows a board to the camera for minutes in vain.
+core::Status checkWritable(const QString& path)
+{
+    const QString folder = QFileInfo(path).absolutePath();
+    QDir().mkpath(folder);
+    if (QFileInfo(path).isDir() || !QTemporaryFile(folder + QStringLiteral("/calibration-XXXXXX")).open())
+        return core::unexpected(core::ErrorCode::FileUnwritable, path.toStdString() + " cannot be written");
+    return {};
+}
+
 void addTrackOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(QStringLiteral(
@@ -271,9 +276,12 @@ int trackCommand(const QStringList& arguments)
     auto settings = settingsFrom(parser);
     if (!settings)
         return wrong(settings.error());
-    if (has("calibrate") && (has("calibration") || has("print")))
-        return wrongUsage(QStringLiteral("--calibrate makes a calibration from pictures; leave out --calibration and "
-                                         "--print"));
+    for (const char* name : {"calibration", "calibrate", "all-ids", "tag-size", "fov", "frames", "json"})
+        if (has("print") && has(name))
+            return wrongUsage(QStringLiteral("--print writes a sheet, and takes --id alone; leave out --%1")
+                                  .arg(QLatin1String(name)));
+    if (has("calibrate") && has("calibration"))
+        return wrongUsage(QStringLiteral("--calibrate makes a calibration from pictures; leave out --calibration"));
     bool isNumber = true;
     const double distanceMm = has("at") ? parser.value(QStringLiteral("at")).toDouble(&isNumber) : 0.0;
     if (has("at") && !(isNumber && distanceMm >= kNearestMm && distanceMm <= kFarthestMm))
@@ -296,6 +304,8 @@ int trackCommand(const QStringList& arguments)
     if (!source)
         return failed(source.error());
     if (has("calibrate")) {
+        if (const auto writable = checkWritable(parser.value(QStringLiteral("calibrate"))); !writable)
+            return failed(writable.error());
         const CalibrationWish wish{parser.value(QStringLiteral("calibrate")), *most, has("json")};
         return has("at") ? calibrateByDistance(**source, *settings, distanceMm, wish)
                          : calibrateByBoard(**source, wish);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/TrackParts.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/StopSignal.h"
+#include "core/base/Median.h"
 #include "core/base/WholeFile.h"
 #include "core/tracking/BoardCalibration.h"
 #include "core/tracking/TagCells.h"
@@ -162,9 +162,7 @@ int calibrateByDistance(PictureSource& source, const TrackerSettings& settings, 
         return failed({core::ErrorCode::BadStructure,
                        "Tag " + std::to_string(settings.id.value_or(0)) +
                            " was not found in the pictures. Hold it upright before the camera, in good light."});
-    const auto middle = focalPx.begin() + static_cast<std::ptrdiff_t>(focalPx.size() / 2);
-    std::nth_element(focalPx.begin(), middle, focalPx.end());
-    camera.focalPx = glm::dvec2(*middle);
+    camera.focalPx = glm::dvec2(core::median(focalPx));
     return writeAndSay(camera, wish, {{QStringLiteral("pictures"), static_cast<int>(focalPx.size())}});
 }
 

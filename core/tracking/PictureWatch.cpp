@@ -8,7 +8,8 @@ namespace core::tracking {
 namespace {
 
 constexpr int kSamplesASide = 64;
-constexpr int kDarkMean = 8;       ///< grey levels
+constexpr int kDarkMean = 8;  ///< grey levels
+constexpr int kBrightMean = 240;
 constexpr int kTroubleAfter = 30;  ///< pictures in a row: a second. Not even a dark room gives two pictures alike
 
 }  // namespace
@@ -31,8 +32,11 @@ PictureTrouble PictureWatch::take(const PictureView& picture)
     m_same = digest == m_last ? m_same + 1 : 0;
     m_last = digest;
     m_dark = sum < kDarkMean * count ? m_dark + 1 : 0;
+    m_bright = sum > kBrightMean * count ? m_bright + 1 : 0;
     if (m_dark >= kTroubleAfter)
         return PictureTrouble::Dark;
+    if (m_bright >= kTroubleAfter)
+        return PictureTrouble::Bright;
     return m_same >= kTroubleAfter ? PictureTrouble::Frozen : PictureTrouble::None;
 }
 

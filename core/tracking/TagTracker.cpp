@@ -17,6 +17,7 @@ constexpr double kGrowth = 0.6;  ///< of the region, on every side, as a share o
 constexpr int kWholeEvery = 30;  ///< of the pictures, one is searched whole although the tag is followed
 constexpr int kFineEvery = 3;    ///< of the searches, one looks for small tags too
 constexpr int kFineDecimation = 2;
+constexpr int kAllEvery = 9;  ///< of the searches, one uses every pixel: a small tag that is tilted by 45 degrees
 constexpr double kSmallEdgePx = 80.0;  ///< smaller tags are followed with every pixel, which halves the noise of depth
 constexpr int kAllDecimation = 1;
 constexpr int kTilePx = 4;  ///< AprilTag finds the local contrast in squares of so many of the pixels that it searches
@@ -105,8 +106,12 @@ std::vector<SeenTag> TagTracker::search(const PictureView& picture)
     if (!m_settings.id)
         return m_detector.find(picture, {kAllDecimation, m_settings.refinesEdges});
     auto seen = m_detector.find(picture, {m_settings.searchDecimation, m_settings.refinesEdges});
-    const int fine = m_settings.isThorough ? kAllDecimation : kFineDecimation;
-    if (seen.empty() && fine < m_settings.searchDecimation && (m_settings.isThorough || ++m_searches % kFineEvery == 0))
+    if (!seen.empty())
+        return seen;
+    ++m_searches;
+    const bool usesAll = m_settings.isThorough || m_searches % kAllEvery == 0;
+    const int fine = usesAll ? kAllDecimation : kFineDecimation;
+    if (fine < m_settings.searchDecimation && (usesAll || m_searches % kFineEvery == 0))
         seen = m_detector.find(picture, {fine, m_settings.refinesEdges});
     return seen;
 }

@@ -9,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/Median.h"
+
 namespace core::tracking {
 namespace {
 
@@ -23,15 +25,6 @@ constexpr double kMovesMm = 1.0;  ///< more than noise: the head moves
 double secondsOf(Clock::time_point time)
 {
     return std::chrono::duration<double>(time.time_since_epoch()).count();
-}
-
-double median(std::vector<double> values)
-{
-    if (values.empty())
-        return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 }  // namespace

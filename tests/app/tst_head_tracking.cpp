@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Head tracking in the whole program, with a video in the place of the camera.
 #include <QCheckBox>
+#include <QDir>
 #include <QFile>
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/CameraCalibration.h"
 #include "tests/app/PrintedScene.h"
 #include "tests/app/ProgramWindow.h"
 #include "tests/support/OpenGlMain.h"
@@ -29,12 +31,13 @@ constexpr int kHz = 30;
 constexpr double kAwayMm = 100.0;  ///< to the user's left, which is the camera's right
 constexpr double kFarMm = 400.0;
 
-/// A head that is in the middle for two seconds, goes aside in one, and stays there for six.
-QByteArray videoOfAHead()
+constexpr int kSteps = 12;
+
+/// A head that goes aside.
+std::vector<Picture> headThatGoesAside()
 {
     const support::PrintCamera camera(core::tracking::CameraModel::withFieldOfView(kWide, kHigh, 60.0));
     const support::TagPrint print{core::tracking::cellsOf(kTagId)};
-    constexpr int kSteps = 12;
     std::vector<Picture> pictures;
     for (int n = 0; n <= kSteps; ++n) {
         core::tracking::Pose pose;
@@ -42,6 +45,13 @@ QByteArray videoOfAHead()
         pose.rotation = glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(20.0), glm::dvec3(1.0, 0.0, 0.0)));
         pictures.push_back(camera.take(pose, print));
     }
+    return pictures;
+}
+
+/// One that is in the middle for two seconds, goes aside in one, and stays there for six.
+QByteArray videoOfAHead()
+{
+    const std::vector<Picture> pictures = headThatGoesAside();
     constexpr int kPictures = 9 * kHz;
     const support::Avi avi(kWide, kHigh, kPictures);
     QByteArray bytes = avi.header();
@@ -49,6 +59,15 @@ QByteArray videoOfAHead()
         bytes +=
             avi.picture(pictures.at(static_cast<std::size_t>(std::clamp((n - 2 * kHz) * kSteps / kHz, 0, kSteps))));
     return bytes;
+}
+
+/// The same as images.
+QList<QByteArray> picturesOfAHead()
+{
+    QList<QByteArray> images;
+    for (const Picture& picture : headThatGoesAside())
+        images << support::pgmOf(picture);
+    return images;
 }
 
 }  // namespace
@@ -151,6 +170,62 @@ private slots:
         QCOMPARE(card().settings().fovDeg, measuredDeg);
     }
 
+    void aFolderOfImagesStandsInForTheCamera()
+    {
+        start();
+        const QString folder = m_folder->filePath("pictures");
+        QVERIFY(QDir().mkpath(folder));
+        const QList<QByteArray> pictures = picturesOfAHead();
+        for (int n = 0; n < 6 * kHz; ++n) {
+            QFile file(folder + QStringLiteral("/%1.pgm").arg(n, 4, 10, QChar('0')));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            QVERIFY(file.write(pictures.at(std::clamp(n - kHz, 0, static_cast<int>(pictures.size()) - 1))) > 0);
+        }
+        const double straightDeg = azimuthDeg();
+        use({.isOn = true, .video = folder, .tagId = kTagId});
+        WAIT_FOR(azimuthDeg() < straightDeg - 20.0);
+        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 0.1);  // the last image has been shown
+    }
+
+    void aCalibrationIsStoredForTheCamera()
+    {
+        start();
+        const QString path = m_folder->filePath("camera.json");
+        auto camera = core::tracking::CameraModel::withFieldOfView(kWide, kHigh, 50.0);
+        QVERIFY(app::writeCameraCalibration(path, camera));
+        use({.isOn = true, .video = m_video, .tagId = kTagId, .calibration = path});
+        QCOMPARE(card().settings().fovDeg, 50.0);
+        HeadTrackingSettings other = card().settings();
+        other.video.clear();
+        other.camera = 998;
+        use(other);
+        QCOMPARE(card().settings().calibration, QString());
+        other = card().settings();
+        other.video = m_video;
+        use(other);
+        QCOMPARE(card().settings().calibration, path);
+
+        // One that is for pictures of another size is told on the page, and one that is none is not taken.
+        camera = core::tracking::CameraModel::withFieldOfView(640, 480, 50.0);
+        QVERIFY(app::writeCameraCalibration(path, camera));
+        actions().devices->trigger();
+        waitForPage<ui::devices::DevicesPage>();
+        other.tagMm = 51.0;
+        other.calibration = path;
+        use(other);
+        WAIT_FOR(card().state().report.stage == TrackerStage::NoCamera);
+        QCOMPARE(card().state().report.error.code, core::ErrorCode::OutOfRange);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{");
+        file.close();
+        other.tagMm = 52.0;
+        use(other);
+        QCOMPARE(card().settings().calibration, QString());
+        WAIT_FOR(card().state().report.stage == TrackerStage::Tracking);
+        QVERIFY(!message().isEmpty());
+    }
+
     void aMissingCameraIsSaidAndTheMouseWorks()
     {
         start();
@@ -176,6 +251,7 @@ private slots:
                                           .video = m_video,
                                           .width = 640,
                                           .height = 480,
+                                          .hz = 60,
                                           .tagId = kTagId,
                                           .tagMm = 60.0,
                                           .fovDeg = 70.0,

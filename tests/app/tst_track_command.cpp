@@ -243,6 +243,7 @@ void TestTrackCommand::wrongUsageIsExplained_data()
     QTest::newRow("no pictures") << QStringList{"--images", ".", "--frames", "0"};
     QTest::newRow("a distance without --calibrate") << QStringList{"--images", ".", "--at", "500"};
     QTest::newRow("no distance") << QStringList{"--images", ".", "--calibrate", "x", "--at", "0"};
+    QTest::newRow("a sheet with a field of view") << QStringList{"--print", "x", "--fov", "60"};
     QTest::newRow("two calibrations") << QStringList{"--images", ".", "--calibrate", "x", "--calibration", "x"};
     QTest::newRow("printing pictures") << QStringList{"--images", ".", "--print", "x"};
 }

@@ -33,14 +33,23 @@ private slots:
         for (unsigned n = 0; n < 100; ++n)
             QVERIFY(watch.take(noise(60, n).view()) == PictureTrouble::None);
     }
-    void darkPicturesAreNoticedAfterAWhile()
+    void darkAndBrightPicturesAreNoticedAfterAWhile_data()
     {
+        QTest::addColumn<int>("level");
+        QTest::addColumn<PictureTrouble>("expected");
+        QTest::addRow("dark") << 1 << PictureTrouble::Dark;
+        QTest::addRow("bright") << 250 << PictureTrouble::Bright;
+    }
+    void darkAndBrightPicturesAreNoticedAfterAWhile()
+    {
+        QFETCH(int, level);
+        QFETCH(PictureTrouble, expected);
         PictureWatch watch;
-        QVERIFY(watch.take(noise(1, 0).view()) == PictureTrouble::None);
+        QVERIFY(watch.take(noise(level, 0).view()) == PictureTrouble::None);
         PictureTrouble last = PictureTrouble::None;
         for (unsigned n = 1; n < 60; ++n)
-            last = watch.take(noise(1, n).view());
-        QVERIFY(last == PictureTrouble::Dark);
+            last = watch.take(noise(level, n).view());
+        QVERIFY(last == expected);
         QVERIFY(watch.take(noise(60, 1).view()) == PictureTrouble::None);
     }
     void theSamePictureAgainAndAgainIsFrozen()

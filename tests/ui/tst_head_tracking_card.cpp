@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QScopeGuard>
 #include <QSignalSpy>
@@ -171,7 +172,7 @@ private slots:
         check(at(TrackerStage::NoTag), Sign::Attention);
         check(tracking(), Sign::Ready);
         check(at(TrackerStage::Ended), Sign::Attention);
-        for (const PictureTrouble trouble : {PictureTrouble::Dark, PictureTrouble::Frozen}) {
+        for (const PictureTrouble trouble : {PictureTrouble::Dark, PictureTrouble::Bright, PictureTrouble::Frozen}) {
             TrackerReport report = at(TrackerStage::NoTag);
             report.trouble = trouble;
             check(report, Sign::Attention);
@@ -307,6 +308,7 @@ private slots:
         settings.camera = 2;
         settings.width = 640;
         settings.height = 480;
+        settings.hz = 60;
         settings.tagId = 17;
         settings.tagMm = 42.5;
         settings.fovDeg = 70.0;
@@ -317,18 +319,28 @@ private slots:
         QCOMPARE(camera().currentData().toInt(), 2);
         QCOMPARE(child<QComboBox>("pictureSize")->currentData().toSize(), QSize(640, 480));
         QCOMPARE(child<QSpinBox>("tagNumber")->value(), 17);
+        QCOMPARE(child<QComboBox>("pictureRate")->currentData().toInt(), 60);
         for (const auto& [name, value] : {std::pair("tagEdge", 42.5), {"fieldOfView", 70.0}, {"gain", 3.0}})
             QCOMPARE(child<QDoubleSpinBox>(name)->value(), value);
 
         choose(camera(), 0);
         choose(*child<QComboBox>("pictureSize"), 2);
+        choose(*child<QComboBox>("pictureRate"), 0);
         child<QSpinBox>("tagNumber")->setValue(3);
         child<QDoubleSpinBox>("tagEdge")->setValue(60.0);
         child<QDoubleSpinBox>("fieldOfView")->setValue(55.0);
         child<QDoubleSpinBox>("gain")->setValue(1.5);
         choose(*child<QComboBox>("wayOfView"), 1);
-        QCOMPARE(changed.count(), 7);
-        settings = {true, 0, {}, 1920, 1080, 3, 60.0, 55.0, 1.5, true, true};
+        QCOMPARE(changed.count(), 8);
+        settings.camera = 0;
+        settings.width = 1920;
+        settings.height = 1080;
+        settings.hz = 15;
+        settings.tagId = 3;
+        settings.tagMm = 60.0;
+        settings.fovDeg = 55.0;
+        settings.gain = 1.5;
+        settings.isWindow = true;
         QVERIFY(changed.back().front().value<HeadTrackingSettings>() == settings);
         QVERIFY(card().settings() == settings);
     }
@@ -363,19 +375,68 @@ private slots:
         QCOMPARE(changed.count(), 0);
     }
 
-    void aVideoStandsInForACamera()
+    void aCalibrationTakesThePlaceOfTheFieldOfView()
     {
         QSignalSpy changed(&card(), &HeadTrackingCard::settingsChanged);
-        choose(camera(), camera().count() - 1);
+        turnOn();
+        card().setTracking(at(TrackerStage::Tracking));
+        auto& lens = *child<QComboBox>("lens");
+        choose(lens, lens.count() - 1);
+        auto* dialog = child<QFileDialog>();
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(changed.count(), 0);
+        emit dialog->fileSelected("/tmp/camera.json");
+        dialog->close();
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(card().settings().calibration, QString("/tmp/camera.json"));
+        QCOMPARE(lens.currentText(), QString("camera.json"));
+        QVERIFY(!child<QDoubleSpinBox>("fieldOfView")->isEnabled());
+        QVERIFY(!child<QPushButton>("measureFieldOfView")->isEnabled());
+        choose(lens, 0);
+        QCOMPARE(card().settings().calibration, QString());
+        QVERIFY(child<QDoubleSpinBox>("fieldOfView")->isEnabled());
+        QVERIFY(child<QPushButton>("measureFieldOfView")->isEnabled());
+    }
+
+    void aSlowCameraIsSaid()
+    {
+        turnOn();
+        TrackerReport report = tracking();
+        card().setTracking(report);
+        const QString help = textOf("deviceHelp");
+        report.hz = 14.0;
+        card().setTracking(report);
+        QVERIFY(textOf("deviceHelp") != help);
+        QVERIFY(textOf("deviceHelp").contains("14"));
+        // A video has the rate that it was taken with.
+        HeadTrackingSettings video = card().settings();
+        video.video = "/tmp/head.mp4";
+        card().setSettings(video);
+        QCOMPARE(textOf("deviceHelp"), help);
+    }
+
+    void aVideoOrAFolderStandsInForACamera_data()
+    {
+        QTest::addColumn<int>("fromTheEnd");
+        QTest::addColumn<QString>("path");
+        QTest::addRow("video") << 2 << "/tmp/head.mp4";
+        QTest::addRow("folder") << 1 << "/tmp/head-pictures";
+    }
+    void aVideoOrAFolderStandsInForACamera()
+    {
+        QFETCH(int, fromTheEnd);
+        QFETCH(QString, path);
+        QSignalSpy changed(&card(), &HeadTrackingCard::settingsChanged);
+        choose(camera(), camera().count() - fromTheEnd);
         auto* dialog = child<QFileDialog>();
         QVERIFY(dialog != nullptr);
         QCOMPARE(camera().currentData().toInt(), 0);
         QCOMPARE(changed.count(), 0);
-        emit dialog->fileSelected("/tmp/head.mp4");
+        emit dialog->fileSelected(path);
         dialog->close();
         QCOMPARE(changed.count(), 1);
-        QCOMPARE(card().settings().video, QString("/tmp/head.mp4"));
-        QCOMPARE(camera().currentText(), QString("head.mp4"));
+        QCOMPARE(card().settings().video, path);
+        QCOMPARE(camera().currentText(), QFileInfo(path).fileName());
         QVERIFY(!child<QComboBox>("pictureSize")->isEnabled());
         choose(camera(), 1);
         QCOMPARE(card().settings().video, QString());

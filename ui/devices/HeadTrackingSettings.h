@@ -20,12 +20,14 @@ struct HeadTrackingSettings
 
     bool isOn = false;
     int camera = 0;    ///< as in core::tracking::CameraInfo
-    QString video;     ///< path of a file that stands in for the camera; empty: none does
+    QString video{};   ///< path of a video, or of a folder of images, that stands in for the camera; empty: none does
     int width = 1280;  ///< of the camera's pictures
     int height = 720;
+    int hz = 30;  ///< pictures a second that the camera is asked for
     int tagId = 0;
     double tagMm = 50.0;    ///< edge of the black square
     double fovDeg = 60.0;   ///< horizontal field of view
+    QString calibration{};  ///< path of a calibration of the camera's lens; empty: fovDeg counts
     double gain = 2.0;      ///< degrees of the view for one of the head
     bool isWindow = false;  ///< the screen is a window before the tooth, which does not turn
     bool mirrored = true;   ///< the picture on the page looks like a mirror

@@ -29,8 +29,15 @@ using Settings = HeadTrackingSettings;
 // What the entries of the list of cameras stand for, if not for the number of a camera.
 constexpr int kThisVideo = -1;
 constexpr int kAnotherVideo = -2;
+constexpr int kAnotherFolder = -3;
+
+// Entries of the list of lenses.
+constexpr int kByFieldOfView = 0;
+constexpr int kThisCalibration = 1;
+constexpr int kAnotherCalibration = 2;
 
 constexpr std::array<QSize, 3> kSizes{QSize(640, 480), QSize(1280, 720), QSize(1920, 1080)};
+constexpr std::array<int, 3> kRates{15, 30, 60};
 constexpr double kGainStep = 0.5;
 constexpr int kColumns = 4;
 constexpr int kNarrowColumns = 2;
@@ -44,7 +51,7 @@ QLabel* quietLabel(QWidget* parent)
 
 TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     : QFrame(parent), m_grid(new QGridLayout(this)), m_camera(study::choiceInput({}, this)),
-      m_size(study::choiceInput({}, this)),
+      m_size(study::choiceInput({}, this)), m_rate(study::choiceInput({}, this)), m_lens(study::choiceInput({}, this)),
       m_fov(study::numberInput(Settings::kLeastFovDeg, Settings::kMostFovDeg, 0, QStringLiteral("°"), {}, this)),
       m_tagId(study::countInput(0, Settings::kMostTagId, this)),
       m_tagMm(study::numberInput(Settings::kLeastTagMm, Settings::kMostTagMm, 1, QStringLiteral("mm"), {}, this)),
@@ -56,6 +63,9 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     m_camera->setObjectName(QStringLiteral("camera"));
     m_camera->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_size->setObjectName(QStringLiteral("pictureSize"));
+    m_rate->setObjectName(QStringLiteral("pictureRate"));
+    m_lens->setObjectName(QStringLiteral("lens"));
+    m_lens->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_fov->setObjectName(QStringLiteral("fieldOfView"));
     m_tagId->setObjectName(QStringLiteral("tagNumber"));
     m_tagId->setFixedWidth(study::kInputPx);
@@ -70,14 +80,17 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
         number->setKeyboardTracking(false);  // each change begins the tracking anew
     for (const QSize& size : kSizes)
         m_size->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+    for (const int hz : kRates)
+        m_rate->addItem(QString::number(hz), hz);
 
     m_grid->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace2);
     m_grid->setHorizontalSpacing(kSpace4);
     m_grid->setVerticalSpacing(kSpace1);
     for (QWidget* input :
-         {static_cast<QWidget*>(m_camera), static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_fov),
-          static_cast<QWidget*>(m_tagId), static_cast<QWidget*>(m_tagMm), static_cast<QWidget*>(m_way),
-          static_cast<QWidget*>(m_gain), static_cast<QWidget*>(m_print), static_cast<QWidget*>(m_measure)})
+         {static_cast<QWidget*>(m_camera), static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_rate),
+          static_cast<QWidget*>(m_lens), static_cast<QWidget*>(m_fov), static_cast<QWidget*>(m_measure),
+          static_cast<QWidget*>(m_print), static_cast<QWidget*>(m_tagId), static_cast<QWidget*>(m_tagMm),
+          static_cast<QWidget*>(m_way), static_cast<QWidget*>(m_gain)})
         m_cells.push_back({quietLabel(this), input, input == m_camera ? 2 : 1});
     setNarrow(false);
 
@@ -94,6 +107,9 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
                 settings.width = chosen.width();
                 settings.height = chosen.height();
             }));
+    connect(m_rate, &QComboBox::activated, this,
+            applies([](Settings& settings, int entry) { settings.hz = kRates.at(static_cast<std::size_t>(entry)); }));
+    connect(m_lens, &QComboBox::activated, this, &TrackingSetupCard::takeLens);
     connect(m_fov, &QDoubleSpinBox::valueChanged, this,
             applies([](Settings& settings, double value) { settings.fovDeg = value; }));
     connect(m_tagId, &QSpinBox::valueChanged, this,
@@ -118,6 +134,8 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
         };
         name(m_camera, tr("Camera"));
         name(m_size, tr("Size of its pictures"));
+        name(m_rate, tr("Pictures a second"));
+        name(m_lens, tr("Its lens"));
         name(m_fov, tr("Its field of view, sideways"));
         m_fov->setToolTip(tr("60° fits most cameras. The data sheet of the camera has the exact number."));
         name(m_tagId, tr("Number of the tag"));
@@ -137,6 +155,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
         m_measure->setAccessibleDescription(m_measure->accessibleName());
         m_measure->setAccessibleName(m_measure->text());
         listCameras();
+        listLenses();
     });
     setSettings(m_settings);
 }
@@ -177,8 +196,13 @@ void TrackingSetupCard::setSettings(const HeadTrackingSettings& settings)
 {
     m_settings = settings;
     listCameras();
+    listLenses();
     m_size->setCurrentIndex(m_size->findData(QSize(settings.width, settings.height)));
-    m_size->setEnabled(settings.video.isEmpty());
+    m_rate->setCurrentIndex(m_rate->findData(settings.hz));
+    for (QComboBox* ofCamera : {m_size, m_rate})
+        ofCamera->setEnabled(settings.video.isEmpty());
+    m_fov->setEnabled(settings.calibration.isEmpty());
+    setSeen(m_isSeen);
     m_way->setCurrentIndex(settings.isWindow ? 1 : 0);
     for (auto [input, value] :
          {std::pair(m_fov, settings.fovDeg), {m_tagMm, settings.tagMm}, {m_gain, settings.gain}}) {
@@ -191,7 +215,8 @@ void TrackingSetupCard::setSettings(const HeadTrackingSettings& settings)
 
 void TrackingSetupCard::setSeen(bool isSeen)
 {
-    m_measure->setEnabled(isSeen);
+    m_isSeen = isSeen;
+    m_measure->setEnabled(isSeen && m_settings.calibration.isEmpty());
 }
 
 void TrackingSetupCard::listCameras()
@@ -217,6 +242,7 @@ void TrackingSetupCard::listCameras()
     if (!m_settings.video.isEmpty())
         m_camera->addItem(QFileInfo(m_settings.video).fileName(), kThisVideo);
     m_camera->addItem(tr("A video file …"), kAnotherVideo);
+    m_camera->addItem(tr("A folder of images …"), kAnotherFolder);
     m_camera->setCurrentIndex(m_camera->findData(m_settings.video.isEmpty() ? m_settings.camera : kThisVideo));
 }
 
@@ -225,9 +251,9 @@ void TrackingSetupCard::takeCamera(int entry)
     const int camera = m_camera->itemData(entry).toInt();
     if (camera == kThisVideo)
         return;
-    if (camera == kAnotherVideo) {
+    if (camera == kAnotherVideo || camera == kAnotherFolder) {
         listCameras();
-        chooseVideo();
+        choosePictures(camera == kAnotherFolder);
         return;
     }
     HeadTrackingSettings settings = m_settings;
@@ -236,15 +262,54 @@ void TrackingSetupCard::takeCamera(int entry)
     change(settings);
 }
 
-void TrackingSetupCard::chooseVideo()
+void TrackingSetupCard::choosePictures(bool isFolder)
 {
-    const QString folder = m_settings.video.isEmpty() ? QDir::homePath() : QFileInfo(m_settings.video).absolutePath();
-    auto* dialog = new FileDialog(this, tr("Choose a video file"), folder,
-                                  tr("Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)"));
-    dialog->setFileMode(QFileDialog::ExistingFile);
+    const QString from = m_settings.video.isEmpty() ? QDir::homePath() : QFileInfo(m_settings.video).absolutePath();
+    auto* dialog = isFolder ? new FileDialog(this, tr("Choose a folder of images"), from)
+                            : new FileDialog(this, tr("Choose a video file"), from,
+                                             tr("Videos (*.mp4 *.mkv *.avi *.mov *.webm *.ogv);;All files (*)"));
+    dialog->setFileMode(isFolder ? QFileDialog::Directory : QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         HeadTrackingSettings settings = m_settings;
         settings.video = path;
+        change(settings);
+    });
+    dialog->open();
+}
+
+void TrackingSetupCard::listLenses()
+{
+    m_lens->clear();
+    m_lens->addItem(tr("By its field of view"), kByFieldOfView);
+    if (!m_settings.calibration.isEmpty())
+        m_lens->addItem(QFileInfo(m_settings.calibration).fileName(), kThisCalibration);
+    m_lens->addItem(tr("A calibration file …"), kAnotherCalibration);
+    m_lens->setCurrentIndex(m_settings.calibration.isEmpty() ? 0 : 1);
+}
+
+void TrackingSetupCard::takeLens(int entry)
+{
+    const int lens = m_lens->itemData(entry).toInt();
+    if (lens == kByFieldOfView) {
+        HeadTrackingSettings settings = m_settings;
+        settings.calibration.clear();
+        change(settings);
+    } else if (lens == kAnotherCalibration) {
+        listLenses();
+        chooseCalibration();
+    }
+}
+
+void TrackingSetupCard::chooseCalibration()
+{
+    const QString from =
+        m_settings.calibration.isEmpty() ? QDir::homePath() : QFileInfo(m_settings.calibration).absolutePath();
+    auto* dialog = new FileDialog(this, tr("Choose a calibration of the camera"), from,
+                                  tr("Calibrations (*.json);;All files (*)"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        HeadTrackingSettings settings = m_settings;
+        settings.calibration = path;
         change(settings);
     });
     dialog->open();

@@ -46,8 +46,11 @@ private:
         int columns;
     };
     void listCameras();
+    void listLenses();
     void takeCamera(int entry);
-    void chooseVideo();
+    void takeLens(int entry);
+    void choosePictures(bool isFolder);
+    void chooseCalibration();
     void change(const HeadTrackingSettings& settings);
 
     std::vector<core::tracking::CameraInfo> m_cameras;
@@ -56,6 +59,8 @@ private:
     std::vector<Cell> m_cells;
     QComboBox* m_camera;
     QComboBox* m_size;
+    QComboBox* m_rate;
+    QComboBox* m_lens;
     QDoubleSpinBox* m_fov;
     QSpinBox* m_tagId;
     QDoubleSpinBox* m_tagMm;
@@ -63,6 +68,7 @@ private:
     QComboBox* m_way;
     QPushButton* m_print;
     QPushButton* m_measure;
+    bool m_isSeen = false;
 };
 
 }  // namespace ui::devices

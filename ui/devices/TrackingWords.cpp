@@ -21,11 +21,18 @@ bool isVideo(const TrackingState& state)
     return !state.settings.video.isEmpty();
 }
 
+/// A camera that exposes for longer than it should, as cameras do in little light.
+bool isSlow(const TrackingState& state)
+{
+    constexpr double kEnough = 0.7;
+    return !isVideo(state) && state.report.hz > 0.0 && state.report.hz < kEnough * state.settings.hz;
+}
+
 QString helpWithoutTag(const TrackingState& state)
 {
     //: %1: a number; the button "Print the tag …" is on the same page
     return TrackingText::tr("Turn to the camera so that the whole tag and its white border are in the picture. The tag "
-                            "must have the number %1.")
+                            "must have the number %1. A lamp or a window behind you makes it too dark.")
         .arg(state.settings.tagId);
 }
 
@@ -59,19 +66,21 @@ QString stateWords(const TrackingState& state)
         return TrackingText::tr("Off.");
     switch (state.report.stage) {
     case TrackerStage::Opening:
-        return isVideo(state) ? TrackingText::tr("The video is being opened.")
+        return isVideo(state) ? TrackingText::tr("The pictures are being opened.")
                               : TrackingText::tr("The camera is being opened.");
     case TrackerStage::NoCamera:
-        return isVideo(state) ? TrackingText::tr("The video cannot be played.")
+        return isVideo(state) ? TrackingText::tr("The pictures cannot be read.")
                               : TrackingText::tr("The camera sends no pictures.");
     case TrackerStage::Ended:
-        return TrackingText::tr("The video is over.");
+        return TrackingText::tr("The last picture has been shown.");
     case TrackerStage::NoTag:
     case TrackerStage::Tracking:
         break;
     }
     if (state.report.trouble == PictureTrouble::Dark)
         return TrackingText::tr("The pictures are dark.");
+    if (state.report.trouble == PictureTrouble::Bright)
+        return TrackingText::tr("The pictures are nearly white.");
     if (state.report.trouble == PictureTrouble::Frozen)
         return TrackingText::tr("The pictures do not change.");
     if (state.report.sameTags > 1)
@@ -98,20 +107,28 @@ QString helpWords(const TrackingState& state)
         return TrackingText::tr("%1 Cusp tries again by itself. The mouse turns the view meanwhile.")
             .arg(text::faultWords(core::wordsOf(state.report.error)));
     case TrackerStage::Ended:
-        return TrackingText::tr("To play it again, turn “Follow my head” off and on.");
+        return TrackingText::tr("To see the pictures again, turn “Follow my head” off and on.");
     case TrackerStage::NoTag:
     case TrackerStage::Tracking:
         break;
     }
     if (state.report.trouble == PictureTrouble::Dark)
         return TrackingText::tr("Turn on more light, and check that no cover is in front of the camera.");
+    if (state.report.trouble == PictureTrouble::Bright)
+        return TrackingText::tr("Turn the camera away from lamps and windows, or lower its exposure.");
     if (state.report.trouble == PictureTrouble::Frozen)
-        return isVideo(state) ? TrackingText::tr("Choose another video, or a camera.")
+        return isVideo(state) ? TrackingText::tr("Choose other pictures, or a camera.")
                               : TrackingText::tr("Unplug the camera and plug it in again, or choose another one.");
     if (state.report.sameTags > 1)
         return TrackingText::tr("The view follows the largest one. Take the others out of the picture.");
     if (state.report.stage == TrackerStage::NoTag)
         return helpWithoutTag(state);
+    if (isSlow(state))
+        //: %1 and %2: numbers
+        return TrackingText::tr("The camera gives %1 pictures a second, not %2: in little light it exposes for longer. "
+                                "Turn on more light, or choose smaller pictures.")
+            .arg(qRound(state.report.hz))
+            .arg(state.settings.hz);
     return TrackingText::tr("Sit as you do when you drill, look at the screen, and press “Straight ahead is here”.");
 }
 

@@ -105,6 +105,13 @@ namespace {
     QT_TRANSLATE_NOOP("Fault", "Camera %1 gives no more pictures. Check that it is plugged in."),
     QT_TRANSLATE_NOOP("Fault", "There is no file %1."), QT_TRANSLATE_NOOP("Fault", "The file %1 cannot be read."),
     QT_TRANSLATE_NOOP("Fault", "%1 is no video, or of a kind that cannot be read here."),
+    QT_TRANSLATE_NOOP("Fault", "The file %1 is too large for a calibration."),
+    QT_TRANSLATE_NOOP("Fault", "%1 is no calibration of a camera."),
+    QT_TRANSLATE_NOOP("Fault", "%1: a value is missing or is not a number."), QT_TRANSLATE_NOOP("Fault", "%1: %2"),
+    QT_TRANSLATE_NOOP("Fault", "The size of the pictures must be 1 to 16384 pixels a side."),
+    QT_TRANSLATE_NOOP("Fault", "The optical centre of a camera must lie within its pictures."),
+    QT_TRANSLATE_NOOP("Fault", "The coefficients of a lens must lie between -5 and 5."),
+    QT_TRANSLATE_NOOP("Fault", "The focal length of a camera must be 0.1 to 20 times the width of its pictures."),
     QT_TRANSLATE_NOOP("Fault", "The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate "
                                "the camera at this size."),
     QT_TRANSLATE_NOOP("Fault", "There is no handpiece '%1'; choose one of %2."),
