@@ -39,6 +39,7 @@
 #include "lessons/LessonReader.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/devices/DeviceKind.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/render/WholeSurface.h"
 #include "ui/shell/Memory.h"
@@ -1281,7 +1282,10 @@ void Application::watchAttempt()
         tellNumbers();
         if (m_links.servo.latest().cutting) {
             ++m_cutIn[m_window->view().settings().presentation.stereo];
-            ++m_cutWith[m_devices->inUse()];
+            const QString hand = m_devices->inUse();
+            ++m_cutWith[hand == QLatin1String(ui::devices::kPointer)
+                            ? QString::fromLatin1(ui::tooth::idOf(m_window->view().pushedWith()))
+                            : hand];
         }
     }
     if (m_replay || !m_assignment.lesson)

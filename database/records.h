@@ -41,12 +41,13 @@ struct AttemptRecord
     std::string scoreSheetJson;  ///< the whole explanation, so that an old score stays readable
     std::string stateHash;       ///< 16 hex digits of the tooth's state
     std::string recordingHash;   ///< database::digestOf the recording's bytes; empty if it was not kept
-    std::string device;          ///< "pointer", "simulated" ...
-    std::string method;          ///< of contact
-    int grid = 0;                ///< columns along a side of the tooth
-    std::string viewMode;        ///< "flat", "anaglyph" ...
-    std::string seed;            ///< of what the lesson drew by chance
-    std::string preset;          ///< "natural v1"
+    /// "mouse", "pen", "keyboard", "gamepad", "falcon", "simulated"; "pointer" before the first four were told apart.
+    std::string device;
+    std::string method;    ///< of contact
+    int grid = 0;          ///< columns along a side of the tooth
+    std::string viewMode;  ///< "flat", "anaglyph" ...
+    std::string seed;      ///< of what the lesson drew by chance
+    std::string preset;    ///< "natural v1"
     std::string presetHash;
     std::string program;  ///< version of Cusp
     int meanForceMn = 0;  ///< while cutting, millinewtons

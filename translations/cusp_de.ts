@@ -7266,6 +7266,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Rubric: content %1</source>
         <translation>Bewertungsschema: Inhalt %1</translation>
     </message>
+    <message>
+        <source>mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>pen</source>
+        <translation>Stift</translation>
+    </message>
+    <message>
+        <source>keyboard</source>
+        <translation>Tastatur</translation>
+    </message>
+    <message>
+        <source>gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>

@@ -7266,6 +7266,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Rubric: content %1</source>
         <translation>Rúbrica: contenido %1</translation>
     </message>
+    <message>
+        <source>mouse</source>
+        <translation>ratón</translation>
+    </message>
+    <message>
+        <source>pen</source>
+        <translation>lápiz</translation>
+    </message>
+    <message>
+        <source>keyboard</source>
+        <translation>teclado</translation>
+    </message>
+    <message>
+        <source>gamepad</source>
+        <translation>mando de juego</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>

@@ -7215,6 +7215,22 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Rubric: content %1</source>
         <translation>評価基準：内容%1</translation>
     </message>
+    <message>
+        <source>mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>pen</source>
+        <translation>ペン</translation>
+    </message>
+    <message>
+        <source>keyboard</source>
+        <translation>キーボード</translation>
+    </message>
+    <message>
+        <source>gamepad</source>
+        <translation>ゲームパッド</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>

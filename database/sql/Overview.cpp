@@ -205,15 +205,22 @@ LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair
 /// nothing of them, however many others its students meet in their other classes; and who teaches is told of his own.
 QString amongThem(const Who& who)
 {
+    // Before mouse, pen, keyboard and gamepad were told apart, nearly everybody used a mouse.
+    const auto handIn = [](const QString& attempts) {
+        return QStringLiteral("CASE %1.device WHEN 'pointer' THEN 'mouse' ELSE %1.device END").arg(attempts);
+    };
     return QStringLiteral(
                " AND p.role = 'student' AND p.disabled = 0 AND a.person_id IN (SELECT e.person_id FROM enrolments e "
                "WHERE e.class_id IN (SELECT his.class_id FROM enrolments his JOIN enrolments theirs ON "
                "theirs.class_id = his.class_id JOIN people one ON one.id = theirs.person_id WHERE his.person_id = ? "
-               "AND one.role = 'student' AND one.disabled = 0%1 GROUP BY his.class_id HAVING COUNT(*) >= %2))")
+               "AND one.role = 'student' AND one.disabled = 0%1 GROUP BY his.class_id HAVING COUNT(*) >= %2)) AND "
+               "%3 = COALESCE((SELECT %4 FROM attempts own WHERE own.person_id = ? AND own.lesson_id = ? ORDER BY "
+               "own.finished_utc DESC, own.id DESC LIMIT 1), %3)")
         .arg(who.reach == Reach::Classes
                  ? QStringLiteral(" AND his.class_id IN (SELECT class_id FROM enrolments WHERE person_id = ?)")
                  : QString())
-        .arg(lessons::kFewestPeople);
+        .arg(lessons::kFewestPeople)
+        .arg(handIn(QStringLiteral("a")), handIn(QStringLiteral("own")));
 }
 
 QVariantList valuesOf(const Who& who, const Session& session, PersonId person, const std::string& lessonId)
@@ -221,6 +228,7 @@ QVariantList valuesOf(const Who& who, const Session& session, PersonId person, c
     QVariantList values{text(lessonId), number(person.value)};
     if (who.reach == Reach::Classes)
         values << number(session.person().value);
+    values << number(person.value) << text(lessonId);
     return values;
 }
 

@@ -17,8 +17,8 @@ namespace database::sql {
                                                         const std::string& lessonId);
 
 /// How the classmates of a person, himself among them, do at a lesson, attempt by attempt; empty for fewer than
-/// lessons::kFewestPeople. Of a class with fewer students nobody is among them; who teaches is told of those of his own
-/// classes only.
+/// lessons::kFewestPeople. Attempts with another device than the person's last one are not compared. Of a class with
+/// fewer students nobody is among them; who teaches is told of those of his own classes only.
 [[nodiscard]] core::Result<std::vector<BandPoint>> classBand(const School& school, const Session& session,
                                                              PersonId person, const std::string& lessonId);
 

@@ -355,6 +355,31 @@ private slots:
                  BandPoint{2, 6, 550, 650, 690}));
     }
 
+    /// A mouse is compared with mice, and what was stored before mice were told apart counts as one.
+    void anotherDeviceIsNotCompared_data() { support::addEngines(); }
+    void anotherDeviceIsNotCompared()
+    {
+        COPY_OF(support::populatedSchool, rig);
+        const std::vector<Session> people = sixStudents(rig);
+        const auto add = [&](const Session& who, int tenths, const char* device) {
+            AttemptRecord attempt = SchoolRig::attempt("class1-36", tenths);
+            attempt.device = device;
+            return rig.add(who, attempt);
+        };
+        for (const Session& who : people) {
+            VERIFY_DONE(add(who, 700, "pointer"));
+            VERIFY_DONE(add(who, 500, "falcon"));
+        }
+        const auto median = [&] {
+            return classMedians(rig.school(), rig.student, rig.student.person(), "class1-36").value()->tenths;
+        };
+        QCOMPARE(median(), 500);
+        VERIFY_DONE(add(rig.student, 700, "mouse"));
+        QCOMPARE(median(), 700);
+        VERIFY_DONE(add(rig.student, 900, "pen"));
+        QVERIFY(!classMedians(rig.school(), rig.student, rig.student.person(), "class1-36")->has_value());
+    }
+
     /// One could make out who did what.
     void ofFourPeopleNoBandIsShown_data() { support::addEngines(); }
     void ofFourPeopleNoBandIsShown()

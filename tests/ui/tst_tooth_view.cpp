@@ -25,6 +25,7 @@ using core::terrain::ToothAnatomy;
 using support::near;
 using ui::tooth::Camera;
 using ui::tooth::PointerControl;
+using ui::tooth::PointerKind;
 using ui::tooth::ToothView;
 
 class TestToothView : public QObject
@@ -192,6 +193,42 @@ private slots:
         QVERIFY(near(pointer().pushForceN, 0.5 * PointerControl::kFirstN));
         QVERIFY(send(QEvent::TabletRelease, 0.0, Qt::LeftButton));
         QVERIFY(!pointer().pushing);
+        QVERIFY(m_view->pushedWith() == PointerKind::Pen);
+    }
+
+    void oneFingerTurnsAndTwoZoom()
+    {
+        look(0.0, 60.0);
+        std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        const QPoint at = m_view->rect().center();
+        const double azimuthDeg = m_view->camera().azimuthDeg();
+        QTest::touchEvent(m_view.get(), screen.get()).press(0, at);
+        QTest::touchEvent(m_view.get(), screen.get()).move(0, at + QPoint(60, 0));
+        QVERIFY(m_view->camera().azimuthDeg() != azimuthDeg);
+        QVERIFY(!pointer().pushing);
+        const double turnedDeg = m_view->camera().azimuthDeg();
+        const double distanceMm = m_view->camera().distanceMm();
+        QTest::touchEvent(m_view.get(), screen.get()).stationary(0).press(1, at - QPoint(60, 0));
+        QTest::touchEvent(m_view.get(), screen.get()).move(0, at + QPoint(120, 0)).move(1, at - QPoint(120, 0));
+        QTRY_VERIFY(m_view->camera().distanceMm() < 0.8 * distanceMm);
+        QTest::touchEvent(m_view.get(), screen.get()).release(0, at).release(1, at);
+        QCOMPARE(m_view->camera().azimuthDeg(), turnedDeg);
+        QVERIFY(!pointer().pushing);
+    }
+
+    /// What an attempt was made with is stored with it.
+    void theViewKnowsWhatPushes()
+    {
+        look(0.0, 88.0);
+        const QPoint at = pixelOf({-1.5, 2.0, -2.0});
+        QTest::keyPress(m_view.get(), Qt::Key_PageDown);
+        QVERIFY(m_view->pushedWith() == PointerKind::Keyboard);
+        QTest::keyRelease(m_view.get(), Qt::Key_PageDown);
+        move(at);
+        QVERIFY(m_view->pushedWith() == PointerKind::Keyboard);
+        QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at);
+        QVERIFY(m_view->pushedWith() == PointerKind::Mouse);
+        QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at);
     }
 
     void theBurStaysUnderAPointerThatRests()

@@ -253,8 +253,16 @@ QString noted(const std::string& words)
 
 QString deviceWords(const std::string& device)
 {
-    if (device == "pointer")
+    if (device == "pointer")  // before the kind was stored
         return CardWords::tr("mouse, pen or gamepad");
+    if (device == "mouse")
+        return CardWords::tr("mouse");
+    if (device == "pen")
+        return CardWords::tr("pen");
+    if (device == "keyboard")
+        return CardWords::tr("keyboard");
+    if (device == "gamepad")
+        return CardWords::tr("gamepad");
     if (device == "simulated")
         return CardWords::tr("simulated handpiece");
     if (device == "falcon")

@@ -119,8 +119,13 @@ void Camera::turn(double azimuthDeg, double elevationDeg)
 
 void Camera::zoom(double steps, const std::optional<glm::dvec3>& towardsMm)
 {
+    zoomBy(1.0 / std::pow(kPerNotch, steps), towardsMm);
+}
+
+void Camera::zoomBy(double ratio, const std::optional<glm::dvec3>& towardsMm)
+{
     m_towardsMm = towardsMm.value_or(m_lookAtMm);
-    m_wantedMm *= std::pow(kPerNotch, steps);
+    m_wantedMm /= ratio;
     m_fitted = false;
     keepInBounds();
 }

@@ -18,6 +18,7 @@
 #include <QPainter>
 #include <QScreen>
 #include <QTabletEvent>
+#include <QTouchEvent>
 #include <QWheelEvent>
 
 #include "core/drilling/Bur.h"
@@ -86,6 +87,7 @@ ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
+    setAttribute(Qt::WA_AcceptTouchEvents);
     if (isUsable())
         setCursor(Qt::CrossCursor);
     setMinimumSize(220, 180);
@@ -866,8 +868,14 @@ void ToothView::pushMirror(double millimetres)
     redraw();
 }
 
-/// Mouse and pen. Seen from below, the bur is on the far side of the tooth.
-void ToothView::pushAt(QPointF position)
+void ToothView::push(PointerKind kind)
+{
+    m_pushedWith = kind;
+    m_control.push(true);
+}
+
+/// Seen from below, the bur is on the far side of the tooth.
+void ToothView::pushAt(QPointF position, PointerKind kind)
 {
     pointAt(position);
     const render::Ray ray = rayAt(position);
@@ -875,7 +883,7 @@ void ToothView::pushAt(QPointF position)
         emit pushRefused();
         return;
     }
-    m_control.push(true);
+    push(kind);
     m_control.moveTo(ray, m_servo.anchorMm);
 }
 
@@ -890,7 +898,7 @@ void ToothView::mousePressEvent(QMouseEvent* event)
         m_mirrorHeld = true;
         m_turnedAt = event->position();
     } else if (event->button() == Qt::LeftButton) {
-        pushAt(event->position());
+        pushAt(event->position(), PointerKind::Mouse);
         publishPointer();
     } else if (m_turning == Qt::NoButton &&
                (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton)) {
@@ -898,6 +906,44 @@ void ToothView::mousePressEvent(QMouseEvent* event)
         m_turnedAt = event->position();
     } else {
         SceneWidget::mousePressEvent(event);
+    }
+}
+
+bool ToothView::event(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        // Accepted, or Qt makes mouse events of it, and a finger that turns the view would drill.
+        touch(*static_cast<QTouchEvent*>(event));
+        event->accept();
+        return true;
+    default:
+        return SceneWidget::event(event);
+    }
+}
+
+void ToothView::touch(const QTouchEvent& event)
+{
+    if (event.type() == QEvent::TouchEnd || event.type() == QEvent::TouchCancel) {
+        m_gesture.end();
+        return;
+    }
+    QList<QPointF> fingers;
+    for (const QEventPoint& point : event.points())
+        if (point.state() != QEventPoint::Released)
+            fingers << point.position();
+    const TouchGesture::Step step = m_gesture.move(fingers);
+    if (!step.turnPx.isNull()) {
+        const QPointF by = presentedWay(step.turnPx);
+        turnCamera(-kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
+    }
+    if (step.zoom != 1.0) {
+        m_camera.zoomBy(step.zoom, m_surface ? m_surface->meetTooth(rayAt(step.middlePx)) : std::nullopt);
+        m_control.forgetRay();
+        redraw();
     }
 }
 
@@ -990,7 +1036,7 @@ void ToothView::tabletEvent(QTabletEvent* event)
     const bool takesMirror = m_mirrorHeld || (event->type() == QEvent::TabletPress && isOnMirror(event->position()));
     if (event->type() == QEvent::TabletPress && isTip && !takesMirror) {
         m_buttonIsDown = true;
-        pushAt(event->position());
+        pushAt(event->position(), PointerKind::Pen);
     } else if (event->type() == QEvent::TabletRelease && isTip && !takesMirror) {
         m_buttonIsDown = false;
         m_control.push(false);
@@ -1055,7 +1101,7 @@ void ToothView::keyPressEvent(QKeyEvent* event)
         }
         if (!event->isAutoRepeat()) {
             if (m_camera.elevationDeg() > 0.0)
-                m_control.push(true);
+                push(PointerKind::Keyboard);
             else
                 emit pushRefused();
         }

@@ -24,8 +24,10 @@
 #include "ui/tooth/ExerciseMarks.h"
 #include "ui/tooth/PatchInbox.h"
 #include "ui/tooth/PointerControl.h"
+#include "ui/tooth/PointerKind.h"
 #include "ui/tooth/PoseTrack.h"
 #include "ui/tooth/SceneWidget.h"
+#include "ui/tooth/TouchGesture.h"
 #include "ui/tooth/ViewSettings.h"
 
 namespace ui::tooth {
@@ -69,6 +71,8 @@ public:
     /// True while the bur is pushed or the left button, or the tip of the pen, is down in the view. The button may be
     /// down without a push: a view that loses the focus stops pushing.
     [[nodiscard]] bool isPressed() const { return m_isPressed; }
+    /// What the bur was pressed with last.
+    [[nodiscard]] PointerKind pushedWith() const { return m_pushedWith; }
     /// Nothing is pushed or turned any more, whatever is held down.
     void release();
     /// For the look of the bur only.
@@ -148,6 +152,7 @@ signals:
     void pushRefused();
 
 protected:
+    bool event(QEvent* event) override;
     [[nodiscard]] bool prepareScene(QString& reason) override;
     void releaseScene() override;
     void drawScene(QSize sizePx, int samples) override;
@@ -173,7 +178,9 @@ private:
     void takeAllChanges();
     void moveByKeys(double seconds);
     void stepByKey(int key, double lengthMm);
-    void pushAt(QPointF position);
+    void push(PointerKind kind);
+    void pushAt(QPointF position, PointerKind kind);
+    void touch(const QTouchEvent& event);
     void publishPointer();
     void setButtonDown(bool down);
     void updatePressed();
@@ -225,6 +232,8 @@ private:
     HeadLean m_headLean;
     core::tracking::Lean m_lean;  ///< of m_camera
     PointerControl m_control;
+    PointerKind m_pushedWith = PointerKind::Mouse;
+    TouchGesture m_gesture;
     core::session::PointerInput m_published;
     core::session::ServoState m_servo;
     QPixmap m_gizmo;                        ///< as it was painted last,

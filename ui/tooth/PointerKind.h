@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace ui::tooth {
+
+/// What the user presses the bur onto the tooth with, where no force device moves it.
+enum class PointerKind : std::uint8_t { Mouse, Pen, Keyboard, Gamepad };
+
+/// Name that an attempt is stored with.
+[[nodiscard]] constexpr const char* idOf(PointerKind kind)
+{
+    switch (kind) {
+    case PointerKind::Pen:
+        return "pen";
+    case PointerKind::Keyboard:
+        return "keyboard";
+    case PointerKind::Gamepad:
+        return "gamepad";
+    case PointerKind::Mouse:
+        break;
+    }
+    return "mouse";
+}
+
+}  // namespace ui::tooth
