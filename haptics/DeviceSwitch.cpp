@@ -39,10 +39,24 @@ DeviceSample DeviceSwitch::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
     followSelection();
     if (m_ticksLeft == 0)
-        return m_current->exchange(forceOnHandN);
+        return withPedal(m_current->exchange(forceOnHandN));
     --m_ticksLeft;
     DeviceSample sample = m_current->exchange(glm::dvec3(0.0));
     sample.present = false;
+    return withPedal(sample);
+}
+
+DeviceSample DeviceSwitch::withPedal(DeviceSample sample) noexcept
+{
+    const FootPedal* const pedal = m_pedal.load(std::memory_order_acquire);
+    if (pedal == nullptr)
+        return sample;
+    const std::uint8_t percent = pedal->percent();
+    sample.pedal = percent > 0;
+    // A bur that stops keeps its speed: the recording gets one event, not two.
+    if (percent > 0)
+        m_speedPercent = percent;
+    sample.speedPercent = m_speedPercent;
     return sample;
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "haptics/HapticDevice.h"
+#include "haptics/pedal/FootPedal.h"
 
 namespace haptics {
 
@@ -12,6 +13,8 @@ namespace haptics {
 ///
 /// After a change there is no reading for kPause, and the device before gets a force of zero. So the servo takes the
 /// place of the next device as a new beginning, and the force does not jump.
+///
+/// A foot pedal takes the place of the device's own pedal, and sets the speed of the bur.
 class DeviceSwitch final : public HapticDevice
 {
 public:
@@ -27,6 +30,11 @@ public:
     /// The device that select() was called with last.
     [[nodiscard]] HapticDevice& selected() const noexcept { return *m_selected.load(std::memory_order_acquire); }
 
+    /// Lets this pedal run the bur from now on, whatever the device. Any thread.
+    /// @param pedal  must outlive this; null: the device's own pedal runs the bur, if it has one
+    void setPedal(const FootPedal* pedal) noexcept { m_pedal.store(pedal, std::memory_order_release); }
+    [[nodiscard]] bool hasPedal() const noexcept { return m_pedal.load(std::memory_order_acquire) != nullptr; }
+
     void seeBur(const glm::dvec3& tipMm) noexcept override;
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
     void give(const glm::dvec3& forceN) noexcept override;
@@ -35,11 +43,14 @@ public:
 
 private:
     void followSelection() noexcept;
+    [[nodiscard]] DeviceSample withPedal(DeviceSample sample) noexcept;
 
     std::atomic<HapticDevice*> m_selected;
+    std::atomic<const FootPedal*> m_pedal{nullptr};
     HapticDevice* m_current;  ///< servo thread: the device that moves the bur
     int m_ticksOfPause;
-    int m_ticksLeft = 0;  ///< of the pause
+    int m_ticksLeft = 0;                ///< of the pause
+    std::uint8_t m_speedPercent = 100;  ///< that the pedal asked for last
 };
 
 }  // namespace haptics

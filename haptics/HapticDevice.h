@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <thread>
 
@@ -15,7 +16,8 @@ struct DeviceSample
     glm::vec3 tipInToothMm{0.0F};
     bool present = true;  ///< false: no reading this tick, or none newer than 10 ms; the servo waits 10 ms more for one
     float delayS = 0.0F;  ///< measured, from a reading until the force that answers it acts; 0 if there is none
-    std::optional<bool> pedal{};  ///< true while the pedal is down; empty if there is no pedal
+    std::optional<bool> pedal{};      ///< true while the pedal is down; empty if there is no pedal
+    std::uint8_t speedPercent = 100;  ///< speed of the bur while it turns, 1 to 100: what the pedal asks for
 };
 
 /// Anything a hand can hold, or that plays a hand. Called from the servo thread only, each function once a tick.

@@ -18,7 +18,7 @@ using namespace core::session;
 constexpr int kTicksPerGroup = 8;
 constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::terrain::kMaxGridSide / kTileSide);
 static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
-constexpr std::size_t kMostEventsPerCommand = 6;
+constexpr std::size_t kMostEventsPerCommand = 7;
 
 /// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does (haptics.md 2.2: the
 /// limit falls as one over the delay).
@@ -74,6 +74,7 @@ void ServoLoop::apply(const SwapTooth& swap) noexcept
     if (swap.servo != nullptr) {
         swap.servo->beginAs(m_tick->state());
         swap.servo->setSpring(m_springPercent);
+        swap.servo->setSpeed(m_speedPercent);
         static_cast<void>(swap.servo->swapTooth(swap.tooth, swap.anew, swap.tick));
         static_cast<void>(m_links.retiredServos.tryPush(m_tick.release()));
         m_tick.reset(swap.servo);
@@ -101,6 +102,8 @@ void ServoLoop::apply(const SwapTooth& swap) noexcept
         record({ServoEvent::Kind::Handpiece, 0, glm::vec3(0.0F), handpiece});
     if (m_springPercent != 100)
         record({ServoEvent::Kind::Spring, 0, glm::vec3(0.0F), m_springPercent});
+    if (m_speedPercent != 100)
+        record({ServoEvent::Kind::Speed, 0, glm::vec3(0.0F), m_speedPercent});
 }
 
 void ServoLoop::apply(const SetBur& bur) noexcept
@@ -124,6 +127,15 @@ void ServoLoop::followPedal(const std::optional<bool>& pedal) noexcept
     const bool turns = m_drillIsOn && !m_pedalIsUp;
     if (pedal && turns != m_tick->state().drillOn)
         turnBur(turns);
+}
+
+void ServoLoop::setSpeed(std::uint64_t percent) noexcept
+{
+    if (percent == m_speedPercent || percent < 1 || percent > 100)
+        return;
+    m_speedPercent = percent;
+    m_tick->setSpeed(percent);
+    record({ServoEvent::Kind::Speed, 0, glm::vec3(0.0F), percent});
 }
 
 void ServoLoop::turnBur(bool on) noexcept
@@ -229,6 +241,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     if (m_tick->tooth() != nullptr) {
         if (sample.present)
             watchDelay(sample.delayS, static_cast<double>(step.count()) * 1.0e-6);
+        setSpeed(sample.speedPercent);
         followPedal(sample.pedal);
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,

@@ -49,6 +49,7 @@ private:
     void watchDelay(float delayS, double seconds) noexcept;
     void forgetDelay() noexcept;
     void setSpring(std::uint64_t percent) noexcept;
+    void setSpeed(std::uint64_t percent) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;
     void markDirty(const core::drilling::CutRect& rect) noexcept;
     void sendPatches() noexcept;
@@ -69,6 +70,7 @@ private:
     std::size_t m_nextLate = 0;
     float m_delayS = 0.0F;  ///< longest of late
     std::uint64_t m_springPercent = 100;
+    std::uint64_t m_speedPercent = 100;
     bool m_drillIsOn = false;  ///< switched on by SetDrill
     bool m_pedalIsUp = false;
     std::unique_ptr<const core::guidance::Fixture> m_fixture;  ///< null: the hand goes where it likes

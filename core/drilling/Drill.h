@@ -67,6 +67,9 @@ public:
         m_preset.axialShare = preset.axialShare;
     }
 
+    /// Sets the share of its full speed, 0 to 1, at which the bur turns from now on: what a pedal asks for.
+    void setSpeedShare(double share) noexcept { m_speedShare = share; }
+
     /// Cuts for `seconds` with the bur's tip at `anchor`, drawn towards `device` with `forceN` newtons.
     Cut cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
             double seconds) noexcept;
@@ -74,7 +77,7 @@ public:
     /// Turns a minute of a bur of this radius that is pressed with `forceN`.
     [[nodiscard]] double rpmUnder(double forceN, double radiusMm) const noexcept
     {
-        return m_handpiece.rpmUnder(kCuttingFriction * forceN * radiusMm);
+        return m_speedShare * m_handpiece.rpmUnder(kCuttingFriction * forceN * radiusMm);
     }
 
     /// The bur has left the material: time left over is forgotten, and that it was more than a brush.
@@ -88,6 +91,7 @@ public:
 private:
     settings::HardnessPreset m_preset;
     settings::Handpiece m_handpiece;
+    double m_speedShare = 1.0;
     double m_leftS = 0.0;       ///< time granted and not used, at most one tick's
     double m_lastMmPerS = 0.0;  ///< advance that the last tick's time was spent on
     double m_pressedNS = 0.0;   ///< impulse of this touch, as far as it counts

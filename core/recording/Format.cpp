@@ -198,7 +198,7 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
     std::vector<ServoEvent> events(count);
     for (ServoEvent& event : events) {
         const auto kind = in.take<std::uint8_t>();
-        if (kind > static_cast<std::uint8_t>(ServoEvent::Kind::Number))
+        if (kind > static_cast<std::uint8_t>(ServoEvent::Kind::Speed))
             return std::nullopt;
         event.kind = static_cast<ServoEvent::Kind>(kind);
     }
@@ -222,6 +222,8 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
         if (event.kind == ServoEvent::Kind::Bur && event.value >= drilling::burs().size())
             return std::nullopt;
         if (event.kind == ServoEvent::Kind::Spring && (event.value < 1 || event.value > 100))
+            return std::nullopt;
+        if (event.kind == ServoEvent::Kind::Speed && (event.value < 1 || event.value > 100))
             return std::nullopt;
         if (event.kind == ServoEvent::Kind::Number && !session::unpackNumber(event.value))
             return std::nullopt;

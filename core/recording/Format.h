@@ -17,8 +17,9 @@ namespace core::recording {
 
 using session::ServoEvent;
 
-inline constexpr std::uint32_t kFormatVersion = 6;
-/// What is read as well, and written where nothing in it is newer. 6 has ServoEvent::Kind::Number.
+inline constexpr std::uint32_t kFormatVersion = 7;
+/// Oldest version that is read. A recording is written in the oldest version that has all of its events
+/// (versionWith()).
 inline constexpr std::uint32_t kOldestVersion = 5;
 inline constexpr std::size_t kChunkEvents = 4096;
 inline constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
@@ -31,6 +32,19 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 [[nodiscard]] inline bool isTick(ServoEvent::Kind kind)
 {
     return kind == ServoEvent::Kind::Tick || kind == ServoEvent::Kind::NoDevice;
+}
+
+/// Returns the oldest version that has events of this kind.
+[[nodiscard]] constexpr std::uint32_t versionWith(ServoEvent::Kind kind)
+{
+    switch (kind) {
+    case ServoEvent::Kind::Speed:
+        return 7;
+    case ServoEvent::Kind::Number:
+        return 6;
+    default:
+        return kOldestVersion;
+    }
 }
 
 /// By Zstandard.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/Recording.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <fstream>
@@ -51,6 +52,7 @@ void Recording::append(const ServoEvent& event)
 {
     m_tail.push_back(event);
     m_isRetuned = m_isRetuned || event.kind == ServoEvent::Kind::Number;
+    m_version = std::max(m_version, versionWith(event.kind));
     if (isTick(event.kind)) {
         ++m_ticks;
         m_duration += std::chrono::microseconds(event.dtUs);
@@ -105,7 +107,7 @@ std::string Recording::toBytes() const
 {
     ByteWriter out;
     out.putAll(std::span(kRecordingMagic.data(), kRecordingMagic.size()));
-    out.put(m_isRetuned ? kFormatVersion : kOldestVersion);
+    out.put(std::max(m_version, kOldestVersion));
     putSection(out, Section::Settings, pack(settingsBytes(m_settings)));
     if (!m_lesson.empty())
         putSection(out, Section::Lesson, pack(m_lesson));

@@ -79,6 +79,7 @@ private:
     std::vector<session::ServoEvent> m_tail;
     std::optional<Witness> m_witness;
     bool m_isRetuned = false;
+    std::uint32_t m_version = 0;  ///< of the format that has all of its events; 0: any
     std::uint64_t m_ticks = 0;
     std::chrono::microseconds m_duration{0};
 };

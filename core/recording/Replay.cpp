@@ -65,6 +65,9 @@ bool Replayer::play(const ServoEvent& event)
     case ServoEvent::Kind::Home:
         m_servo->bringHome();
         break;
+    case ServoEvent::Kind::Speed:
+        m_servo->setSpeed(event.value);
+        break;
     case ServoEvent::Kind::Spring:
         m_servo->setSpring(event.value);
         break;

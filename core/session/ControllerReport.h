@@ -53,12 +53,12 @@ struct Controller
     [[nodiscard]] bool isHeld(std::size_t button) const { return (held >> button & 1U) != 0; }
 };
 
-/// What runs the bur: an axis or a button of one kind of controller.
+/// What runs the bur: an axis and a button of one kind of controller. Whichever asks for more counts.
 struct PedalSource
 {
     std::string guid;  ///< empty: no pedal is chosen
     int axis = -1;     ///< -1: none
-    int button = -1;   ///< full speed while it is down; -1: none. Counts where there is no axis
+    int button = -1;   ///< full speed while it is down; -1: none
     settings::PedalSettings shape;
     bool operator==(const PedalSource&) const = default;
 };

@@ -44,6 +44,7 @@ struct ServoEvent
         Resume,     ///< taken up again after the program had ended: with a new servo, on the tooth as it stands
         Handpiece,  ///< value: index into the settings' handpieces
         Number,     ///< value: a number of the settings from now on (ServoNumbers.h, packed)
+        Speed,      ///< value: per cent of its full speed at which the bur turns from now on, while it turns
         Begin,      ///< a new tooth; value: its generation. Ends the recording before it
     };
     Kind kind = Kind::Tick;

@@ -46,6 +46,8 @@ public:
     contact::LiveTooth* swapTooth(contact::LiveTooth* tooth, bool anew, std::uint64_t tick = 0) noexcept;
     void setBur(std::size_t index) noexcept;
     void setDrill(bool on) noexcept { m_state.drillOn = on; }
+    /// Sets the speed of the bur from now on, per cent of its full speed, 1 to 100: what a pedal asks for.
+    void setSpeed(std::uint64_t percent) noexcept { m_drill.setSpeedShare(static_cast<double>(percent) / 100.0); }
     /// Another of the settings' handpieces; nothing where there is none of this number.
     void setHandpiece(std::size_t index) noexcept;
     /// Before the first tooth: hand, bur and drill as another servo leaves them.

@@ -131,7 +131,8 @@ void ControllerInput::followPedal(double seconds)
         pedal = find([this](const Controller& one) { return !m_source.guid.empty() && one.guid == m_source.guid; });
         if (pedal != all.end()) {
             m_instance = pedal->instance;
-            m_shape = PedalShape(m_source.axis >= 0 ? m_source.shape : kButtonShape);
+            m_shape = PedalShape(m_source.shape);
+            m_buttonShape = PedalShape(kButtonShape);
         }
     }
     m_now.percent = pedal == all.end() ? 0 : percentOf(*pedal, seconds);
@@ -141,18 +142,23 @@ void ControllerInput::followPedal(double seconds)
     else if (m_instance < 0)
         m_now.pedal = PedalStage::Missing;
     else
-        m_now.pedal = m_shape.hasRested() ? PedalStage::Ready : PedalStage::WaitsForRest;
+        m_now.pedal = hasRested() ? PedalStage::Ready : PedalStage::WaitsForRest;
+}
+
+bool ControllerInput::hasRested() const
+{
+    return m_source.axis >= 0 ? m_shape.hasRested() : m_buttonShape.hasRested();
 }
 
 int ControllerInput::percentOf(const Controller& pedal, double seconds)
 {
-    if (m_source.axis >= 0) {
-        const auto axis = static_cast<std::size_t>(m_source.axis);
-        return axis < pedal.axes.size() ? m_shape.update(static_cast<double>(pedal.axes[axis]), seconds) : 0;
-    }
-    const auto button = static_cast<std::size_t>(std::max(0, m_source.button));
-    const bool isDown = m_source.button >= 0 && button < pedal.presses.size() && pedal.isHeld(button);
-    return m_shape.update(isDown ? 1.0 : 0.0, seconds);
+    int percent = 0;
+    if (const auto axis = static_cast<std::size_t>(m_source.axis); m_source.axis >= 0 && axis < pedal.axes.size())
+        percent = m_shape.update(static_cast<double>(pedal.axes[axis]), seconds);
+    if (const auto button = static_cast<std::size_t>(m_source.button);
+        m_source.button >= 0 && button < pedal.presses.size())
+        percent = std::max(percent, m_buttonShape.update(pedal.isHeld(button) ? 1.0 : 0.0, seconds));
+    return percent;
 }
 
 void ControllerInput::publish()

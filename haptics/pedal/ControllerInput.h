@@ -46,6 +46,7 @@ private:
     void takeSource();
     void countPresses(const std::vector<core::session::Controller>& before);
     void followPedal(double seconds);
+    [[nodiscard]] bool hasRested() const;
     [[nodiscard]] int percentOf(const core::session::Controller& pedal, double seconds);
     void publish();
 
@@ -61,6 +62,7 @@ private:
     core::session::ControllerReport m_now;
     core::session::PedalSource m_source;
     PedalShape m_shape{{}};
+    PedalShape m_buttonShape{{}};
     int m_instance = -1;  ///< of the pedal; -1: it is not plugged in
 
     std::thread m_thread;  ///< last: it uses the rest

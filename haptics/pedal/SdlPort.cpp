@@ -93,8 +93,8 @@ private:
 
     void readJoystick(Controller& read) const
     {
-        const int axes = std::clamp(SDL_JoystickNumAxes(m_joystick.get()), 0,
-                                    static_cast<int>(core::session::kMostControllerAxes));
+        const int axes =
+            std::clamp(SDL_JoystickNumAxes(m_joystick.get()), 0, static_cast<int>(core::session::kMostControllerAxes));
         for (int axis = 0; axis < axes; ++axis)
             read.axes.push_back(readingOf(SDL_JoystickGetAxis(m_joystick.get(), axis)));
         const int buttons = std::clamp(SDL_JoystickNumButtons(m_joystick.get()), 0,

@@ -268,6 +268,7 @@ private slots:
     {
         std::string bytes = shortJournal();
         const std::vector<ServoEvent> events = eventsOf(recording::attemptFrom(bytes)->recording);
+        constexpr std::size_t kMagicBytes = 8;
         std::size_t kept = 0;
         for (std::size_t at = 0; at < bytes.size(); ++at) {
             for (unsigned bit = 0; bit < 8; ++bit) {
@@ -278,7 +279,9 @@ private slots:
                 if (!read)
                     continue;
                 const std::vector<ServoEvent> part = eventsOf(read->recording);
-                QVERIFY2(part.size() < events.size() && isPrefix(part, events),
+                // The version says only which Cusp wrote it: the events of another that is read are the same.
+                const bool isVersion = at >= kMagicBytes && at < kMagicBytes + sizeof(std::uint32_t);
+                QVERIFY2((isVersion || part.size() < events.size()) && isPrefix(part, events),
                          qPrintable(QString("byte %1, bit %2").arg(at).arg(bit)));
                 ++kept;
             }

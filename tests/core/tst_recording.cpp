@@ -348,7 +348,7 @@ private slots:
         ServoEvent number{ServoEvent::Kind::Number, 0, glm::vec3(0.0F), session::packNumber({9, 1.5F})};
         made.append(number);
         const std::string changed = made.toBytes();
-        QCOMPARE(changed[8], static_cast<char>(recording::kFormatVersion));
+        QCOMPARE(changed[8], static_cast<char>(recording::versionWith(ServoEvent::Kind::Number)));
         const auto read = Recording::fromBytes(changed);
         QVERIFY(support::succeeds(read));
         QVERIFY(read->isRetuned());
@@ -360,6 +360,20 @@ private slots:
             wrong.append(number);
             QVERIFY(support::isRefused(Recording::fromBytes(wrong.toBytes()), ErrorCode::BadStructure));
         }
+    }
+
+    void onlyAPedalNeedsTheVersionWithSpeeds()
+    {
+        Recording made = shortAttempt();
+        made.append({ServoEvent::Kind::Speed, 0, glm::vec3(0.0F), 37});
+        const std::string bytes = made.toBytes();
+        QCOMPARE(bytes[8], static_cast<char>(recording::versionWith(ServoEvent::Kind::Speed)));
+        QCOMPARE(bytes[8], static_cast<char>(recording::kFormatVersion));
+        const auto read = Recording::fromBytes(bytes);
+        QVERIFY(support::succeeds(read));
+        QVERIFY(!read->isRetuned());
+        QCOMPARE(allEvents(*read), allEvents(made));
+        QCOMPARE(read->toBytes(), bytes);
     }
 
     void eventsAreChecked_data()
@@ -375,6 +389,10 @@ private slots:
         row("the only handpiece", {}, ServoEvent::Kind::Handpiece, 0, true);
         row("no such handpiece", {}, ServoEvent::Kind::Handpiece, 1, false);
         row("no such aid", {}, ServoEvent::Kind::Aids, session::kAllAids + 1U, false);
+        row("slowest", {}, ServoEvent::Kind::Speed, 1, true);
+        row("full speed", {}, ServoEvent::Kind::Speed, 100, true);
+        row("no speed", {}, ServoEvent::Kind::Speed, 0, false);
+        row("faster than full speed", {}, ServoEvent::Kind::Speed, 101, false);
         row("undo to this tick", {tick, tick}, ServoEvent::Kind::Restore, 2, true);
         row("undo into the future", {tick, tick}, ServoEvent::Kind::Restore, 3, false);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <array>
 #include <numeric>
 
 #include "core/recording/Replay.h"
@@ -169,6 +170,50 @@ private slots:
         int told = 0;
         made.forEach([&](const ServoEvent& event) { told += event.kind == ServoEvent::Kind::Number ? 1 : 0; });
         QCOMPARE(told, static_cast<int>(session::kServoNumbers) + 1);  // what is no number is not told
+    }
+
+    void aBurAtHalfItsSpeedTurnsAndCutsAtHalfThePace()
+    {
+        ReplayedDrilling full(100);
+        ReplayedDrilling half(100);
+        half.device.pedal = true;
+        half.device.speedPercent = 50;
+        for (support::Rig* rig : {static_cast<support::Rig*>(&full), static_cast<support::Rig*>(&half)})
+            rig->lean(0.0, 0.0, 1.0, 30);  // not so deep that the hand stops
+        const double ratio = removedMm3(half) / removedMm3(full);
+        QVERIFY2(ratio > 0.3 && ratio < 0.7, qPrintable(QString::number(ratio)));
+        for (support::Rig* rig : {static_cast<support::Rig*>(&full), static_cast<support::Rig*>(&half)}) {
+            rig->device.tipMm.z = 5.0F;
+            rig->run(1);
+        }
+        QCOMPARE(half.servo->state().burRpm, 0.5 * full.servo->state().burRpm);
+    }
+
+    /// The recording holds the speed that a pedal asked for, so the replay cuts the same tooth.
+    void aPedalChangesTheSpeed()
+    {
+        ReplayedDrilling rig(100);
+        rig.device.pedal = true;
+        support::RestlessHand hand(35);
+        for (const std::uint8_t percent : std::to_array<std::uint8_t>({100, 60, 61, 5, 5, 80})) {
+            rig.device.speedPercent = percent;
+            rig.follow(hand, 300);
+            rig.device.pedal = false;
+            rig.follow(hand, 50);
+            rig.device.pedal = true;
+        }
+        compareWithLive(rig);
+        rig.send(session::Reload{});
+        rig.follow(hand, 300);
+        compareWithLive(rig);
+        int told = 0;
+        rig.session->recordingSoFar().value().forEach(
+            [&](const ServoEvent& event) { told += event.kind == ServoEvent::Kind::Speed ? 1 : 0; });
+        QCOMPARE(told, 4);
+        // Another attempt begins at the speed of the moment.
+        rig.drill(layeredTooth(64), 2);
+        rig.follow(hand, 300);
+        compareWithLive(rig);
     }
 
     void plainDrilling_data()

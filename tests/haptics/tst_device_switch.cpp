@@ -74,6 +74,30 @@ private slots:
         QCOMPARE(second.exchanges, 0);
     }
 
+    void aFootPedalTakesThePlaceOfTheDevicesOwn()
+    {
+        StubDevice device;
+        haptics::FootPedal pedal;
+        haptics::DeviceSwitch devices(device, 1ms);
+        devices.setPedal(&pedal);
+        QVERIFY(devices.hasPedal());
+        haptics::DeviceSample sample = devices.exchange(kSomeN);
+        QCOMPARE(sample.pedal, std::optional(false));
+        pedal.set(42);
+        sample = devices.exchange(kSomeN);
+        QCOMPARE(sample.pedal, std::optional(true));
+        QCOMPARE(sample.speedPercent, std::uint8_t{42});
+        QVERIFY(sample.tipInToothMm == device.tipMm);
+        pedal.set(0);
+        sample = devices.exchange(kSomeN);
+        QCOMPARE(sample.pedal, std::optional(false));
+        QCOMPARE(sample.speedPercent, std::uint8_t{42});
+        devices.setPedal(nullptr);
+        sample = devices.exchange(kSomeN);
+        QCOMPARE(sample.pedal, std::optional(true));
+        QCOMPARE(sample.speedPercent, std::uint8_t{100});
+    }
+
     void afterAChangeThereIsNoReadingForAWhile_data()
     {
         QTest::addColumn<int>("periodUs");

@@ -6,12 +6,12 @@
 
 #include <QTest>
 
-#include "haptics/pedal/PedalLearner.h"
+#include "core/settings/PedalLearner.h"
 #include "haptics/pedal/PedalShape.h"
 #include "tests/support/Suite.h"
 
+using core::settings::PedalLearner;
 using core::settings::PedalSettings;
-using haptics::PedalLearner;
 using haptics::PedalShape;
 
 namespace {

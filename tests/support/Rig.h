@@ -17,12 +17,13 @@ public:
     bool present = true;
     float delayS = 0.0F;
     std::optional<bool> pedal;
+    std::uint8_t speedPercent = 100;
     glm::dvec3 forceN{0.0};  ///< as last given to the hand
 
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
         forceN = forceOnHandN;
-        return {tipMm, present, delayS, pedal};
+        return {tipMm, present, delayS, pedal, speedPercent};
     }
 };
 

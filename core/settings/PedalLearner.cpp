@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/pedal/PedalLearner.h"
+#include "core/settings/PedalLearner.h"
 
 #include <cmath>
 #include <cstddef>
 
-namespace haptics {
+namespace core::settings {
 namespace {
 
 constexpr double kBackShare = 0.25;    ///< of the travel: nearer to the first reading the pedal counts as released
@@ -63,4 +63,4 @@ std::optional<PedalLearner::Learnt> PedalLearner::update(std::span<const float> 
     return Learnt{moved, axis.before, axis.farthest};
 }
 
-}  // namespace haptics
+}  // namespace core::settings

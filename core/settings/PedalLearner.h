@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace haptics {
+namespace core::settings {
 
 /// Finds the axis of a pedal, and its readings at rest and at full travel, while the user presses the pedal fully and
 /// releases it. Pure.
@@ -43,4 +43,4 @@ private:
     double m_settledS = 0.0;
 };
 
-}  // namespace haptics
+}  // namespace core::settings
