@@ -82,6 +82,40 @@ private slots:
         QVERIFY(pictures::difference(before.copy(first), after.copy(first), 12).pixels > 0);
     }
 
+    void aGamepadMovesTurnsAndPresses()
+    {
+        const auto input = [this] { return m_links->pointer.latest(); };
+        const glm::dvec2 before = input().targetMm;
+        const double azimuthDeg = m_view->camera().azimuthDeg();
+        m_view->setPad({.move = {1.0, 0.0}});
+        QTRY_VERIFY(glm::distance(input().targetMm, before) > 0.5);
+        m_view->setPad({.turn = {1.0, 0.0}});
+        QTRY_VERIFY(std::abs(m_view->camera().azimuthDeg() - azimuthDeg) > 5.0);
+        m_view->setPad({.press = 0.5});
+        QTRY_VERIFY(input().pushing);
+        QTRY_VERIFY(std::abs(input().pushForceN - 0.5 * PointerControl::kFirstN) < 1e-9);
+        QVERIFY(m_view->isPressed());
+        m_view->setPad({.press = 1.0});
+        QTRY_VERIFY(std::abs(input().pushForceN - PointerControl::kFirstN) < 1e-9);
+        m_view->setPad({});
+        QTRY_VERIFY(!input().pushing);
+        // A view that was left is pressed anew, not by a trigger that was held.
+        m_view->setPad({.press = 1.0});
+        QTRY_VERIFY(input().pushing);
+        m_view->release();
+        QTRY_VERIFY(!input().pushing);
+        m_view->setPad({});
+        QVERIFY(QSignalSpy(m_view.get(), &ToothView::frameAdvanced).wait());
+        // From below it does not push.
+        QSignalSpy refused(m_view.get(), &ToothView::pushRefused);
+        m_view->setCamera(0.0, -40.0, 30.0);
+        QTRY_VERIFY(m_view->camera().elevationDeg() < 0.0);
+        m_view->setPad({.press = 1.0});
+        QTRY_COMPARE(refused.count(), 1);
+        QVERIFY(!input().pushing);
+        m_view->setPad({});
+    }
+
     void ignoresPatchesOfAnotherTooth()
     {
         const QImage before = picture();

@@ -67,6 +67,11 @@ constexpr double kFineMmPerS = 0.4;
 constexpr double kSpeedUpAfterS = 0.2;
 constexpr double kSpeedUpForS = 0.8;
 
+// A gamepad with its stick at the end.
+constexpr double kPadMmPerS = 6.0;
+constexpr double kPadDegPerS = 100.0;
+constexpr double kLeastPressure = 0.05;
+
 glm::dvec2 toGlm(QPointF point)
 {
     return {point.x(), point.y()};
@@ -687,6 +692,7 @@ void ToothView::advanceFrame()
     }
     followHead(seconds);
     moveByKeys(seconds);
+    moveByPad(seconds);
     aim();
     publishPointer();
     const double glidingS = m_settings.movesLittle ? kAtOnceS : seconds;
@@ -1182,6 +1188,7 @@ void ToothView::release()
     m_arrows.clear();
     m_mirrorHeld = false;
     m_turning = Qt::NoButton;
+    m_padPushes = false;
     m_control.push(false);
     m_control.lift(false);
     publishPointer();
@@ -1193,6 +1200,32 @@ void ToothView::stepByKey(int key, double lengthMm)
     const glm::dvec2 away = m_camera.awayOnTooth() * lengthMm;
     m_pointerAims = false;
     m_control.moveBy(key == Qt::Key_Left ? -right : key == Qt::Key_Right ? right : key == Qt::Key_Up ? away : -away);
+}
+
+void ToothView::moveByPad(double seconds)
+{
+    if (m_pad.move != glm::dvec2(0.0) && isVisible()) {
+        m_pointerAims = false;
+        m_control.moveBy((m_camera.rightOnTooth() * m_pad.move.x + m_camera.awayOnTooth() * m_pad.move.y) *
+                         (kPadMmPerS * seconds));
+    }
+    if (m_pad.turn != glm::dvec2(0.0))
+        turnCamera(-kPadDegPerS * seconds * m_pad.turn.x, kPadDegPerS * seconds * m_pad.turn.y);
+    const bool isDown = m_pad.press > 0.0 && isVisible();
+    if (isDown && !m_padIsDown) {
+        m_padPushes = m_camera.elevationDeg() > 0.0;
+        if (m_padPushes) {
+            m_pointerAims = false;
+            m_control.push(true);
+        } else {
+            emit pushRefused();
+        }
+    }
+    if (!isDown && std::exchange(m_padPushes, false))
+        m_control.push(false);
+    if (m_padPushes)
+        m_control.setPressure(std::clamp(m_pad.press, kLeastPressure, 1.0));
+    m_padIsDown = isDown;
 }
 
 void ToothView::moveByKeys(double seconds)

@@ -22,6 +22,7 @@
 #include "ui/render/ToothSurface.h"
 #include "ui/tooth/Camera.h"
 #include "ui/tooth/ExerciseMarks.h"
+#include "ui/tooth/PadInput.h"
 #include "ui/tooth/PatchInbox.h"
 #include "ui/tooth/PointerControl.h"
 #include "ui/tooth/PointerKind.h"
@@ -73,6 +74,8 @@ public:
     [[nodiscard]] bool isPressed() const { return m_isPressed; }
     /// What the bur was pressed with last.
     [[nodiscard]] PointerKind pushedWith() const { return m_pushedWith; }
+    /// Sets what a gamepad asks for, until the next call. A push begins anew after release().
+    void setPad(const PadInput& pad) { m_pad = pad; }
     /// Nothing is pushed or turned any more, whatever is held down.
     void release();
     /// For the look of the bur only.
@@ -177,6 +180,7 @@ private:
     void takeChanges(const render::ToothSurface::Changes& changes);
     void takeAllChanges();
     void moveByKeys(double seconds);
+    void moveByPad(double seconds);
     void stepByKey(int key, double lengthMm);
     void push(PointerKind kind);
     void pushAt(QPointF position, PointerKind kind);
@@ -260,6 +264,9 @@ private:
     std::set<int> m_arrows;  ///< held
     double m_arrowsHeldS = 0.0;
     bool m_fine = false;
+    PadInput m_pad;
+    bool m_padIsDown = false;  ///< its trigger pushed in the last frame
+    bool m_padPushes = false;  ///< the push that goes on is the gamepad's
     QTimer m_frame;
     QElapsedTimer m_sinceFrame;
     // Each is valid for a moment, while the value is written beside the bur.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+class QWidget;
+
+/// The arrows of a gamepad, and its button A, in the window: they do what Tab, the arrow keys and the space bar do.
+namespace ui::shell {
+
+enum class PadArrow : std::uint8_t { Up, Down, Left, Right };
+
+/// Goes to the next or previous control; inside a list or a menu that is open, to the next entry. Left and right change
+/// a slider, a number or a choice.
+/// @param window  where the first control is looked for if none has the focus
+void stepByPad(QWidget& window, PadArrow arrow);
+
+/// Presses the control that has the focus.
+void chooseByPad();
+
+}  // namespace ui::shell
