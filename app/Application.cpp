@@ -249,6 +249,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_devices.get(), &DeviceController::simulatedChanged, this, &Application::beginForAnotherHand);
     followHand();
     m_headTracking = std::make_unique<HeadTrackingController>(*m_window);
+    m_pedals = std::make_unique<PedalController>(*m_window, m_bur, [this] { return m_devices->isSimulated(); });
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
     static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
     startLoops();
@@ -262,6 +263,7 @@ Application::~Application()
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
     m_replay.reset();
+    m_pedals.reset();
     m_headTracking.reset();
     m_devices.reset();
     // The window has asked about the work on the table before it let itself be closed.

@@ -21,6 +21,7 @@
 #include "app/HeadTrackingController.h"
 #include "app/Letters.h"
 #include "app/LoopThread.h"
+#include "app/PedalController.h"
 #include "app/PeopleDesk.h"
 #include "app/PresetDesk.h"
 #include "app/ReplayDesk.h"
@@ -222,6 +223,7 @@ private:
     std::unique_ptr<ui::shell::MainWindow> m_window;
     std::unique_ptr<DeviceController> m_devices;
     std::unique_ptr<HeadTrackingController> m_headTracking;
+    std::unique_ptr<PedalController> m_pedals;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
     std::unique_ptr<Letters> m_letters;    ///< null where m_desk is
     std::unique_ptr<PeopleDesk> m_people;  ///< the same

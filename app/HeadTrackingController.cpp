@@ -39,7 +39,7 @@ using ui::devices::HeadTrackingSettings;
 using ui::shell::MessageBar;
 
 constexpr int kShowMs = 40;
-constexpr int kWatchMs = 500;
+constexpr int kTagWatchMs = 500;
 constexpr int kMissedAfter = 10;        ///< watches in a row without the tag, until the user is told
 constexpr int kCamerasEvery = 25;       ///< polls between two searches for cameras
 constexpr double kToTheScreenS = 0.02;  ///< from drawing a frame until it is seen
@@ -110,7 +110,7 @@ HeadTrackingController::HeadTrackingController(ui::shell::MainWindow& window)
     connectPage();
     m_poll.setInterval(kShowMs);
     connect(&m_poll, &QTimer::timeout, this, &HeadTrackingController::poll);
-    m_watch.setInterval(kWatchMs);
+    m_watch.setInterval(kTagWatchMs);
     connect(&m_watch, &QTimer::timeout, this, &HeadTrackingController::watch);
     connect(m_window.actions().recentreHead, &QAction::triggered, this, [this] { m_view.recentre(); });
     restart();

@@ -1774,6 +1774,14 @@
         <source>The focal length of a camera must be 0.1 to 20 times the width of its pictures.</source>
         <translation>Die Brennweite einer Kamera muss das 0,1- bis 20-Fache der Breite ihrer Bilder sein.</translation>
     </message>
+    <message>
+        <source>This program was built without SDL 2: pedals and gamepads are left out.</source>
+        <translation>Dieses Programm wurde ohne SDL 2 gebaut: Pedale und Gamepads fehlen.</translation>
+    </message>
+    <message>
+        <source>Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.</source>
+        <translation>Pedale und Gamepads können nicht gelesen werden (%1). Maus und Tastatur gehen ohne sie.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -4174,6 +4182,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Head tracking</source>
         <translation>Kopfverfolgung</translation>
+    </message>
+    <message>
+        <source>Pedal and gamepad</source>
+        <translation>Pedal und Gamepad</translation>
     </message>
 </context>
 <context>
@@ -10727,6 +10739,303 @@ ungesichert</translation>
         <source>Stop %1 mm</source>
         <extracomment>The depth at which the bur will stop</extracomment>
         <translation>Anschlag %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>app::PedalController</name>
+    <message>
+        <source>The pedal was unplugged, and the bur was stopped. Plug it in again, or switch the drill on to work without it.</source>
+        <translation>Das Pedal wurde abgezogen, und der Bohrer wurde angehalten. Schließen Sie es wieder an, oder schalten Sie den Antrieb ein, um ohne Pedal zu arbeiten.</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>Gerät zeigen</translation>
+    </message>
+    <message>
+        <source>The pedal is plugged in again.</source>
+        <translation>Das Pedal ist wieder angeschlossen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::AxisBars</name>
+    <message>
+        <source>Axes and buttons. No button is pressed.</source>
+        <translation>Achsen und Knöpfe. Kein Knopf ist gedrückt.</translation>
+    </message>
+    <message>
+        <source>Axes and buttons. Pressed: %1</source>
+        <extracomment>%1: names of buttons</extracomment>
+        <translation>Achsen und Knöpfe. Gedrückt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ControllerButtonsCard</name>
+    <message>
+        <source>Sticks, triggers and arrows</source>
+        <extracomment>What sticks, triggers and arrows of a gamepad do</extracomment>
+        <translation>Sticks, Abzüge und Pfeile</translation>
+    </message>
+    <message>
+        <source>Press the button for: %1. Click again for none.</source>
+        <extracomment>%1: &quot;Undo&quot;, or another action</extracomment>
+        <translation>Drücken Sie den Knopf für: %1. Noch ein Klick: keiner.</translation>
+    </message>
+    <message>
+        <source>Buttons. Click one here, then press it on the pedal or gamepad.</source>
+        <translation>Knöpfe. Klicken Sie hier einen an und drücken Sie ihn dann am Pedal oder Gamepad.</translation>
+    </message>
+    <message>
+        <source>Press it …</source>
+        <translation>Drücken …</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <extracomment>No button</extracomment>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: an action; %2: a button</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::Controllers</name>
+    <message>
+        <source>Not part of this program.</source>
+        <translation>Nicht Teil dieses Programms.</translation>
+    </message>
+    <message>
+        <source>Pedals and gamepads cannot be read.</source>
+        <translation>Pedale und Gamepads können nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The pedal is ready.</source>
+        <translation>Das Pedal ist bereit.</translation>
+    </message>
+    <message>
+        <source>The chosen pedal is not plugged in.</source>
+        <translation>Das gewählte Pedal ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+        <source>The pedal is pressed, or it sticks. Release it.</source>
+        <translation>Das Pedal ist gedrückt, oder es klemmt. Lassen Sie es los.</translation>
+    </message>
+    <message>
+        <source>Nothing is plugged in.</source>
+        <translation>Es ist nichts angeschlossen.</translation>
+    </message>
+    <message>
+        <source>This program was built without SDL 2. The mouse and the keyboard work without it.</source>
+        <translation>Dieses Programm wurde ohne SDL 2 gebaut. Maus und Tastatur gehen ohne.</translation>
+    </message>
+    <message>
+        <source>The bur turns while the pedal is pressed, and faster the farther it is pressed.</source>
+        <translation>Der Bohrer dreht sich, solange das Pedal gedrückt ist, und je weiter, desto schneller.</translation>
+    </message>
+    <message>
+        <source>Plug in &quot;%1&quot;. Until then, the bur runs without a pedal.</source>
+        <extracomment>%1: name of a pedal</extracomment>
+        <translation>Schließen Sie „%1“ an. Bis dahin läuft der Bohrer ohne Pedal.</translation>
+    </message>
+    <message>
+        <source>The bur does not start before the pedal has been seen released. If it is released now, teach it again.</source>
+        <translation>Der Bohrer startet erst, wenn das Pedal einmal losgelassen war. Ist es jetzt losgelassen, lernen Sie es neu an.</translation>
+    </message>
+    <message>
+        <source>Plug in a foot pedal or a gamepad. A pedal that acts as a keyboard needs nothing here: let it send Page Down.</source>
+        <translation>Schließen Sie ein Fußpedal oder ein Gamepad an. Ein Pedal, das wie eine Tastatur arbeitet, braucht hier nichts: lassen Sie es Bild-ab senden.</translation>
+    </message>
+    <message>
+        <source>Run the bur</source>
+        <extracomment>What a button does: the bur turns at full speed while it is pressed</extracomment>
+        <translation>Bohrer laufen lassen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <extracomment>What a button does: looks at the tooth from another side</extracomment>
+        <translation>Nächste Ansicht</translation>
+    </message>
+    <message>
+        <source>Next bur</source>
+        <translation>Nächster Bohrer</translation>
+    </message>
+    <message>
+        <source>Finish and grade</source>
+        <translation>Beenden und bewerten</translation>
+    </message>
+    <message>
+        <source>Left stick, sideways</source>
+        <translation>Linker Stick, seitwärts</translation>
+    </message>
+    <message>
+        <source>Left stick, up and down</source>
+        <translation>Linker Stick, auf und ab</translation>
+    </message>
+    <message>
+        <source>Right stick, sideways</source>
+        <translation>Rechter Stick, seitwärts</translation>
+    </message>
+    <message>
+        <source>Right stick, up and down</source>
+        <translation>Rechter Stick, auf und ab</translation>
+    </message>
+    <message>
+        <source>Left trigger</source>
+        <translation>Linker Abzug</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>Rechter Abzug</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <extracomment>Of a pedal; %1: a number</extracomment>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <extracomment>The button in a stick of a gamepad</extracomment>
+        <translation>Linker Stick</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <extracomment>The button in a stick of a gamepad</extracomment>
+        <translation>Rechter Stick</translation>
+    </message>
+    <message>
+        <source>Moves the bur over the tooth</source>
+        <translation>Bewegt den Bohrer über den Zahn</translation>
+    </message>
+    <message>
+        <source>Turns the view</source>
+        <translation>Dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Presses the bur down: the farther, the harder</source>
+        <translation>Drückt den Bohrer an: je weiter, desto fester</translation>
+    </message>
+    <message>
+        <source>Sets the speed of the bur, if it is the pedal</source>
+        <translation>Stellt die Drehzahl des Bohrers ein, wenn er das Pedal ist</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <extracomment>The cross of four arrows on a gamepad</extracomment>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Go through the buttons of the panel, or of the page</source>
+        <translation>Gehen durch die Knöpfe des Bedienfelds oder der Seite</translation>
+    </message>
+    <message>
+        <source>Presses the button that the arrows have gone to</source>
+        <translation>Drückt den Knopf, zu dem die Pfeile gegangen sind</translation>
+    </message>
+    <message>
+        <source>Leads back to the tooth</source>
+        <translation>Führt zurück zum Zahn</translation>
+    </message>
+    <message>
+        <source>Plugged in: %1</source>
+        <extracomment>%1: names of pedals and gamepads</extracomment>
+        <translation>Angeschlossen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PedalCard</name>
+    <message>
+        <source>Pedal or gamepad</source>
+        <translation>Pedal oder Gamepad</translation>
+    </message>
+    <message>
+        <source>The bur turns only while this pedal is pressed</source>
+        <translation>Der Bohrer dreht sich nur, solange dieses Pedal gedrückt ist</translation>
+    </message>
+    <message>
+        <source>Another one of the same kind is plugged in too. The one that was plugged in first counts.</source>
+        <translation>Ein zweites derselben Art ist auch angeschlossen. Es zählt das zuerst angeschlossene.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PedalSetupCard</name>
+    <message>
+        <source>Inverted</source>
+        <extracomment>Of a pedal: the bur runs while it is released</extracomment>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <extracomment>Of a pedal: the part of its travel in which the bur stands</extracomment>
+        <translation>Totbereich</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <extracomment>Of a pedal: 1 is a straight line</extracomment>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>1 is a straight line. With more, slow speeds have more of the travel.</source>
+        <translation>1 ist eine Gerade. Mit mehr haben langsame Drehzahlen mehr vom Weg.</translation>
+    </message>
+    <message>
+        <source>Press the pedal fully and release it.</source>
+        <translation>Drücken Sie das Pedal ganz durch und lassen Sie es los.</translation>
+    </message>
+    <message>
+        <source>No pedal has been taught. The speed of the bur follows its travel once it has.</source>
+        <translation>Es ist kein Pedal angelernt. Danach folgt die Drehzahl des Bohrers seinem Weg.</translation>
+    </message>
+    <message>
+        <source>The speed of the bur follows: %1.</source>
+        <extracomment>%1: &quot;Left trigger&quot; or &quot;Axis 1&quot;</extracomment>
+        <translation>Die Drehzahl des Bohrers folgt: %1.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Teach the pedal</source>
+        <translation>Pedal anlernen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SpeedCurve</name>
+    <message>
+        <source>Speed of the bur over the travel of the pedal</source>
+        <translation>Drehzahl des Bohrers über dem Weg des Pedals</translation>
     </message>
 </context>
 </TS>

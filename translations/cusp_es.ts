@@ -1774,6 +1774,14 @@
         <source>The focal length of a camera must be 0.1 to 20 times the width of its pictures.</source>
         <translation>La distancia focal de una cámara debe ser de 0,1 a 20 veces la anchura de sus imágenes.</translation>
     </message>
+    <message>
+        <source>This program was built without SDL 2: pedals and gamepads are left out.</source>
+        <translation>Este programa se compiló sin SDL 2: faltan los pedales y los mandos.</translation>
+    </message>
+    <message>
+        <source>Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.</source>
+        <translation>No se pueden leer pedales ni mandos (%1). El ratón y el teclado funcionan sin ellos.</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -4174,6 +4182,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Head tracking</source>
         <translation>Seguimiento de la cabeza</translation>
+    </message>
+    <message>
+        <source>Pedal and gamepad</source>
+        <translation>Pedal y mando</translation>
     </message>
 </context>
 <context>
@@ -10727,6 +10739,303 @@ sin guardar</translation>
         <source>Stop %1 mm</source>
         <extracomment>The depth at which the bur will stop</extracomment>
         <translation>Tope %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>app::PedalController</name>
+    <message>
+        <source>The pedal was unplugged, and the bur was stopped. Plug it in again, or switch the drill on to work without it.</source>
+        <translation>Se desconectó el pedal y se detuvo la fresa. Vuelva a conectarlo, o encienda el torno para trabajar sin él.</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>Mostrar el dispositivo</translation>
+    </message>
+    <message>
+        <source>The pedal is plugged in again.</source>
+        <translation>El pedal está conectado de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::AxisBars</name>
+    <message>
+        <source>Axes and buttons. No button is pressed.</source>
+        <translation>Ejes y botones. No hay ningún botón pulsado.</translation>
+    </message>
+    <message>
+        <source>Axes and buttons. Pressed: %1</source>
+        <extracomment>%1: names of buttons</extracomment>
+        <translation>Ejes y botones. Pulsados: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ControllerButtonsCard</name>
+    <message>
+        <source>Sticks, triggers and arrows</source>
+        <extracomment>What sticks, triggers and arrows of a gamepad do</extracomment>
+        <translation>Palancas, gatillos y flechas</translation>
+    </message>
+    <message>
+        <source>Press the button for: %1. Click again for none.</source>
+        <extracomment>%1: &quot;Undo&quot;, or another action</extracomment>
+        <translation>Pulse el botón para: %1. Otro clic: ninguno.</translation>
+    </message>
+    <message>
+        <source>Buttons. Click one here, then press it on the pedal or gamepad.</source>
+        <translation>Botones. Haga clic en uno aquí y púlselo después en el pedal o el mando.</translation>
+    </message>
+    <message>
+        <source>Press it …</source>
+        <translation>Púlselo…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <extracomment>No button</extracomment>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: an action; %2: a button</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::Controllers</name>
+    <message>
+        <source>Not part of this program.</source>
+        <translation>No forma parte de este programa.</translation>
+    </message>
+    <message>
+        <source>Pedals and gamepads cannot be read.</source>
+        <translation>No se pueden leer pedales ni mandos.</translation>
+    </message>
+    <message>
+        <source>The pedal is ready.</source>
+        <translation>El pedal está listo.</translation>
+    </message>
+    <message>
+        <source>The chosen pedal is not plugged in.</source>
+        <translation>El pedal elegido no está conectado.</translation>
+    </message>
+    <message>
+        <source>The pedal is pressed, or it sticks. Release it.</source>
+        <translation>El pedal está pisado o atascado. Suéltelo.</translation>
+    </message>
+    <message>
+        <source>Nothing is plugged in.</source>
+        <translation>No hay nada conectado.</translation>
+    </message>
+    <message>
+        <source>This program was built without SDL 2. The mouse and the keyboard work without it.</source>
+        <translation>Este programa se compiló sin SDL 2. El ratón y el teclado funcionan sin él.</translation>
+    </message>
+    <message>
+        <source>The bur turns while the pedal is pressed, and faster the farther it is pressed.</source>
+        <translation>La fresa gira mientras se pisa el pedal, y más deprisa cuanto más se pisa.</translation>
+    </message>
+    <message>
+        <source>Plug in &quot;%1&quot;. Until then, the bur runs without a pedal.</source>
+        <extracomment>%1: name of a pedal</extracomment>
+        <translation>Conecte «%1». Hasta entonces, la fresa funciona sin pedal.</translation>
+    </message>
+    <message>
+        <source>The bur does not start before the pedal has been seen released. If it is released now, teach it again.</source>
+        <translation>La fresa no arranca hasta que el pedal se haya soltado una vez. Si ahora está suelto, enséñelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Plug in a foot pedal or a gamepad. A pedal that acts as a keyboard needs nothing here: let it send Page Down.</source>
+        <translation>Conecte un pedal o un mando. Un pedal que actúa como teclado no necesita nada aquí: haga que envíe Av Pág.</translation>
+    </message>
+    <message>
+        <source>Run the bur</source>
+        <extracomment>What a button does: the bur turns at full speed while it is pressed</extracomment>
+        <translation>Hacer girar la fresa</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Espejo</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <extracomment>What a button does: looks at the tooth from another side</extracomment>
+        <translation>Vista siguiente</translation>
+    </message>
+    <message>
+        <source>Next bur</source>
+        <translation>Fresa siguiente</translation>
+    </message>
+    <message>
+        <source>Finish and grade</source>
+        <translation>Terminar y calificar</translation>
+    </message>
+    <message>
+        <source>Left stick, sideways</source>
+        <translation>Palanca izquierda, lateral</translation>
+    </message>
+    <message>
+        <source>Left stick, up and down</source>
+        <translation>Palanca izquierda, vertical</translation>
+    </message>
+    <message>
+        <source>Right stick, sideways</source>
+        <translation>Palanca derecha, lateral</translation>
+    </message>
+    <message>
+        <source>Right stick, up and down</source>
+        <translation>Palanca derecha, vertical</translation>
+    </message>
+    <message>
+        <source>Left trigger</source>
+        <translation>Gatillo izquierdo</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>Gatillo derecho</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <extracomment>Of a pedal; %1: a number</extracomment>
+        <translation>Eje %1</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>Guía</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>Menú</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <extracomment>The button in a stick of a gamepad</extracomment>
+        <translation>Palanca izquierda</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <extracomment>The button in a stick of a gamepad</extracomment>
+        <translation>Palanca derecha</translation>
+    </message>
+    <message>
+        <source>Moves the bur over the tooth</source>
+        <translation>Mueve la fresa sobre el diente</translation>
+    </message>
+    <message>
+        <source>Turns the view</source>
+        <translation>Gira la vista</translation>
+    </message>
+    <message>
+        <source>Presses the bur down: the farther, the harder</source>
+        <translation>Aprieta la fresa: cuanto más, más fuerte</translation>
+    </message>
+    <message>
+        <source>Sets the speed of the bur, if it is the pedal</source>
+        <translation>Fija la velocidad de la fresa, si hace de pedal</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <extracomment>The cross of four arrows on a gamepad</extracomment>
+        <translation>Flechas</translation>
+    </message>
+    <message>
+        <source>Go through the buttons of the panel, or of the page</source>
+        <translation>Recorren los botones del panel o de la página</translation>
+    </message>
+    <message>
+        <source>Presses the button that the arrows have gone to</source>
+        <translation>Pulsa el botón al que han llegado las flechas</translation>
+    </message>
+    <message>
+        <source>Leads back to the tooth</source>
+        <translation>Lleva de vuelta al diente</translation>
+    </message>
+    <message>
+        <source>Plugged in: %1</source>
+        <extracomment>%1: names of pedals and gamepads</extracomment>
+        <translation>Conectado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PedalCard</name>
+    <message>
+        <source>Pedal or gamepad</source>
+        <translation>Pedal o mando</translation>
+    </message>
+    <message>
+        <source>The bur turns only while this pedal is pressed</source>
+        <translation>La fresa gira solo mientras se pisa este pedal</translation>
+    </message>
+    <message>
+        <source>Another one of the same kind is plugged in too. The one that was plugged in first counts.</source>
+        <translation>Hay otro del mismo tipo conectado. Cuenta el que se conectó primero.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PedalSetupCard</name>
+    <message>
+        <source>Inverted</source>
+        <extracomment>Of a pedal: the bur runs while it is released</extracomment>
+        <translation>Invertido</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <extracomment>Of a pedal: the part of its travel in which the bur stands</extracomment>
+        <translation>Zona muerta</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <extracomment>Of a pedal: 1 is a straight line</extracomment>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>1 is a straight line. With more, slow speeds have more of the travel.</source>
+        <translation>1 es una recta. Con más, las velocidades lentas ocupan más recorrido.</translation>
+    </message>
+    <message>
+        <source>Press the pedal fully and release it.</source>
+        <translation>Pise el pedal a fondo y suéltelo.</translation>
+    </message>
+    <message>
+        <source>No pedal has been taught. The speed of the bur follows its travel once it has.</source>
+        <translation>No se ha enseñado ningún pedal. Después, la velocidad de la fresa seguirá su recorrido.</translation>
+    </message>
+    <message>
+        <source>The speed of the bur follows: %1.</source>
+        <extracomment>%1: &quot;Left trigger&quot; or &quot;Axis 1&quot;</extracomment>
+        <translation>La velocidad de la fresa sigue a: %1.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Teach the pedal</source>
+        <translation>Enseñar el pedal</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SpeedCurve</name>
+    <message>
+        <source>Speed of the bur over the travel of the pedal</source>
+        <translation>Velocidad de la fresa según el recorrido del pedal</translation>
     </message>
 </context>
 </TS>

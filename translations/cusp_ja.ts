@@ -1772,6 +1772,14 @@
         <source>The focal length of a camera must be 0.1 to 20 times the width of its pictures.</source>
         <translation>カメラの焦点距離は映像の幅の 0.1 から 20 倍でなければなりません。</translation>
     </message>
+    <message>
+        <source>This program was built without SDL 2: pedals and gamepads are left out.</source>
+        <translation>このプログラムは SDL 2 なしで作られました。ペダルとゲームパッドは使えません。</translation>
+    </message>
+    <message>
+        <source>Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.</source>
+        <translation>ペダルとゲームパッドを読み取れません（%1）。マウスとキーボードはそのまま使えます。</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -4152,6 +4160,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Head tracking</source>
         <translation>ヘッドトラッキング</translation>
+    </message>
+    <message>
+        <source>Pedal and gamepad</source>
+        <translation>ペダルとゲームパッド</translation>
     </message>
 </context>
 <context>
@@ -10658,6 +10670,303 @@ unsaved</source>
         <source>Stop %1 mm</source>
         <extracomment>The depth at which the bur will stop</extracomment>
         <translation>ストップ %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>app::PedalController</name>
+    <message>
+        <source>The pedal was unplugged, and the bur was stopped. Plug it in again, or switch the drill on to work without it.</source>
+        <translation>ペダルが外れたので、バーを止めました。もう一度接続するか、ドリルを入れてペダルなしで続けてください。</translation>
+    </message>
+    <message>
+        <source>Show the device</source>
+        <translation>機器を表示</translation>
+    </message>
+    <message>
+        <source>The pedal is plugged in again.</source>
+        <translation>ペダルが再び接続されました。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::AxisBars</name>
+    <message>
+        <source>Axes and buttons. No button is pressed.</source>
+        <translation>軸とボタン。押されているボタンはありません。</translation>
+    </message>
+    <message>
+        <source>Axes and buttons. Pressed: %1</source>
+        <extracomment>%1: names of buttons</extracomment>
+        <translation>軸とボタン。押されているもの: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::ControllerButtonsCard</name>
+    <message>
+        <source>Sticks, triggers and arrows</source>
+        <extracomment>What sticks, triggers and arrows of a gamepad do</extracomment>
+        <translation>スティック、トリガー、矢印</translation>
+    </message>
+    <message>
+        <source>Press the button for: %1. Click again for none.</source>
+        <extracomment>%1: &quot;Undo&quot;, or another action</extracomment>
+        <translation>「%1」のボタンを押してください。もう一度クリックすると、なしになります。</translation>
+    </message>
+    <message>
+        <source>Buttons. Click one here, then press it on the pedal or gamepad.</source>
+        <translation>ボタン。ここで一つクリックしてから、ペダルかゲームパッドで押してください。</translation>
+    </message>
+    <message>
+        <source>Press it …</source>
+        <translation>押してください…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <extracomment>No button</extracomment>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: an action; %2: a button</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::Controllers</name>
+    <message>
+        <source>Not part of this program.</source>
+        <translation>このプログラムには含まれていません。</translation>
+    </message>
+    <message>
+        <source>Pedals and gamepads cannot be read.</source>
+        <translation>ペダルとゲームパッドを読み取れません。</translation>
+    </message>
+    <message>
+        <source>The pedal is ready.</source>
+        <translation>ペダルは使えます。</translation>
+    </message>
+    <message>
+        <source>The chosen pedal is not plugged in.</source>
+        <translation>選んだペダルが接続されていません。</translation>
+    </message>
+    <message>
+        <source>The pedal is pressed, or it sticks. Release it.</source>
+        <translation>ペダルが踏まれているか、引っかかっています。離してください。</translation>
+    </message>
+    <message>
+        <source>Nothing is plugged in.</source>
+        <translation>何も接続されていません。</translation>
+    </message>
+    <message>
+        <source>This program was built without SDL 2. The mouse and the keyboard work without it.</source>
+        <translation>このプログラムは SDL 2 なしで作られました。マウスとキーボードはそのまま使えます。</translation>
+    </message>
+    <message>
+        <source>The bur turns while the pedal is pressed, and faster the farther it is pressed.</source>
+        <translation>ペダルを踏んでいる間だけバーが回り、深く踏むほど速くなります。</translation>
+    </message>
+    <message>
+        <source>Plug in &quot;%1&quot;. Until then, the bur runs without a pedal.</source>
+        <extracomment>%1: name of a pedal</extracomment>
+        <translation>「%1」を接続してください。それまでバーはペダルなしで動きます。</translation>
+    </message>
+    <message>
+        <source>The bur does not start before the pedal has been seen released. If it is released now, teach it again.</source>
+        <translation>ペダルが一度離されるまでバーは動きません。今離しているなら、もう一度覚えさせてください。</translation>
+    </message>
+    <message>
+        <source>Plug in a foot pedal or a gamepad. A pedal that acts as a keyboard needs nothing here: let it send Page Down.</source>
+        <translation>フットペダルかゲームパッドを接続してください。キーボードとして働くペダルには設定は要りません。ページダウンのキーを送るようにしてください。</translation>
+    </message>
+    <message>
+        <source>Run the bur</source>
+        <extracomment>What a button does: the bur turns at full speed while it is pressed</extracomment>
+        <translation>バーを回す</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>ミラー</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <extracomment>What a button does: looks at the tooth from another side</extracomment>
+        <translation>次の視点</translation>
+    </message>
+    <message>
+        <source>Next bur</source>
+        <translation>次のバー</translation>
+    </message>
+    <message>
+        <source>Finish and grade</source>
+        <translation>終えて採点</translation>
+    </message>
+    <message>
+        <source>Left stick, sideways</source>
+        <translation>左スティック、左右</translation>
+    </message>
+    <message>
+        <source>Left stick, up and down</source>
+        <translation>左スティック、上下</translation>
+    </message>
+    <message>
+        <source>Right stick, sideways</source>
+        <translation>右スティック、左右</translation>
+    </message>
+    <message>
+        <source>Right stick, up and down</source>
+        <translation>右スティック、上下</translation>
+    </message>
+    <message>
+        <source>Left trigger</source>
+        <translation>左トリガー</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右トリガー</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <extracomment>Of a pedal; %1: a number</extracomment>
+        <translation>軸 %1</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <extracomment>A button of a gamepad</extracomment>
+        <translation>メニュー</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <extracomment>The button in a stick of a gamepad</extracomment>
+        <translation>左スティック</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <extracomment>The button in a stick of a gamepad</extracomment>
+        <translation>右スティック</translation>
+    </message>
+    <message>
+        <source>Moves the bur over the tooth</source>
+        <translation>バーを歯の上で動かす</translation>
+    </message>
+    <message>
+        <source>Turns the view</source>
+        <translation>視点を回す</translation>
+    </message>
+    <message>
+        <source>Presses the bur down: the farther, the harder</source>
+        <translation>バーを押し付ける。深く引くほど強くなる</translation>
+    </message>
+    <message>
+        <source>Sets the speed of the bur, if it is the pedal</source>
+        <translation>ペダルとして選んだとき、バーの速さを決める</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <extracomment>The cross of four arrows on a gamepad</extracomment>
+        <translation>矢印</translation>
+    </message>
+    <message>
+        <source>Go through the buttons of the panel, or of the page</source>
+        <translation>パネルやページのボタンを移動する</translation>
+    </message>
+    <message>
+        <source>Presses the button that the arrows have gone to</source>
+        <translation>矢印で選んだボタンを押す</translation>
+    </message>
+    <message>
+        <source>Leads back to the tooth</source>
+        <translation>歯に戻る</translation>
+    </message>
+    <message>
+        <source>Plugged in: %1</source>
+        <extracomment>%1: names of pedals and gamepads</extracomment>
+        <translation>接続中: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PedalCard</name>
+    <message>
+        <source>Pedal or gamepad</source>
+        <translation>ペダルまたはゲームパッド</translation>
+    </message>
+    <message>
+        <source>The bur turns only while this pedal is pressed</source>
+        <translation>このペダルを踏んでいる間だけバーを回す</translation>
+    </message>
+    <message>
+        <source>Another one of the same kind is plugged in too. The one that was plugged in first counts.</source>
+        <translation>同じ種類のものがもう一つ接続されています。先に接続したものが使われます。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PedalSetupCard</name>
+    <message>
+        <source>Inverted</source>
+        <extracomment>Of a pedal: the bur runs while it is released</extracomment>
+        <translation>反転</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <extracomment>Of a pedal: the part of its travel in which the bur stands</extracomment>
+        <translation>不感帯</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <extracomment>Of a pedal: 1 is a straight line</extracomment>
+        <translation>カーブ</translation>
+    </message>
+    <message>
+        <source>1 is a straight line. With more, slow speeds have more of the travel.</source>
+        <translation>1 は直線です。大きくすると、遅い速さの範囲が広くなります。</translation>
+    </message>
+    <message>
+        <source>Press the pedal fully and release it.</source>
+        <translation>ペダルをいっぱいに踏んで離してください。</translation>
+    </message>
+    <message>
+        <source>No pedal has been taught. The speed of the bur follows its travel once it has.</source>
+        <translation>まだペダルを覚えさせていません。覚えさせると、バーの速さが踏み込みに従います。</translation>
+    </message>
+    <message>
+        <source>The speed of the bur follows: %1.</source>
+        <extracomment>%1: &quot;Left trigger&quot; or &quot;Axis 1&quot;</extracomment>
+        <translation>バーの速さを決めるもの: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Teach the pedal</source>
+        <translation>ペダルを覚えさせる</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SpeedCurve</name>
+    <message>
+        <source>Speed of the bur over the travel of the pedal</source>
+        <translation>ペダルの踏み込みに対するバーの速さ</translation>
     </message>
 </context>
 </TS>

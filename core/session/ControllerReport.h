@@ -43,8 +43,8 @@ struct Controller
 {
     std::string guid;  ///< 32 hexadecimal digits; the same for two devices of one kind
     std::string name;
-    int instance = -1;       ///< another number each time that it is plugged in
-    bool isGamepad = false;  ///< axes and buttons are those of GamepadAxis and GamepadButton
+    int instance = -1;                   ///< another number each time that it is plugged in
+    bool isGamepad = false;              ///< axes and buttons are those of GamepadAxis and GamepadButton
     std::vector<float> axes;             ///< -1 to 1
     std::uint32_t held = 0;              ///< buttons that are down, a bit each
     std::vector<std::uint32_t> presses;  ///< of each button since it was plugged in
@@ -65,8 +65,8 @@ struct PedalSource
 
 enum class PedalStage : std::uint8_t {
     NotChosen,
-    Missing,        ///< no such controller is plugged in
-    WaitsForRest,   ///< pressed since it was plugged in or chosen: counts as released
+    Missing,       ///< no such controller is plugged in
+    WaitsForRest,  ///< pressed since it was plugged in or chosen: counts as released
     Ready,
 };
 
@@ -75,8 +75,8 @@ struct ControllerReport
     core::Error error{};  ///< why no controller can be read; empty: they are read
     std::vector<Controller> controllers;
     PedalStage pedal = PedalStage::NotChosen;
-    int percent = 0;             ///< speed that the pedal asks of the bur
-    std::uint32_t unplugged = 0; ///< times that the chosen pedal was unplugged
+    int percent = 0;              ///< speed that the pedal asks of the bur
+    std::uint32_t unplugged = 0;  ///< times that the chosen pedal was unplugged
 };
 
 }  // namespace core::session

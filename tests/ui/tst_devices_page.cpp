@@ -109,13 +109,14 @@ private slots:
     {
         m_page->setReport(kArm, at(DeviceStage::Absent));
         const QList<HandList::Row> rows = hands().rows();
-        QCOMPARE(rows.size(), 4);
+        QCOMPARE(rows.size(), 5);
         QCOMPARE(rows.at(0).id, QString("pointer"));
         QCOMPARE(rows.at(1).id, QString("simulated"));
         QCOMPARE(rows.at(2).id, kArm);
         QCOMPARE(rows.at(2).name, QString("Test Arm"));
         QCOMPARE(rows.at(3).id, QString(ui::devices::kHeadTracking));
         QVERIFY(rows.at(3).isApart);
+        QCOMPARE(rows.at(4).id, QString(ui::devices::kPedals));
         QVERIFY(rows.at(2).sign == Sign::Missing);
         QVERIFY(rows.at(2).isChosen);
         QVERIFY(!rows.at(0).isChosen);

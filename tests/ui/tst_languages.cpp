@@ -26,6 +26,7 @@
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
 #include "ui/devices/HeadTrackingCard.h"
+#include "ui/devices/PedalCard.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -249,6 +250,27 @@ private slots:
                 m_window->devicesPage().setChosen(ui::devices::kPointer);
                 actions().devices->trigger();
                 child<ui::devices::HandList>()->selectHand(ui::devices::kHeadTracking);
+            });
+        for (const bool isPluggedIn : {true, false})
+            page(isPluggedIn ? "pedal and gamepad" : "pedal that is missing", [this, isPluggedIn] {
+                core::session::ControllerReport report;
+                report.pedal =
+                    isPluggedIn ? core::session::PedalStage::WaitsForRest : core::session::PedalStage::Missing;
+                if (isPluggedIn) {
+                    core::session::Controller pad;
+                    pad.name = "[···]";
+                    pad.isGamepad = true;
+                    pad.instance = 1;
+                    pad.axes.resize(core::session::kGamepadAxes);
+                    pad.presses.resize(core::session::kGamepadButtons);
+                    report.controllers = {pad, pad};
+                }
+                m_window->devicesPage().pedals().setPedal("[···]", "[···]");
+                m_window->devicesPage().pedals().setReport(report);
+                m_window->devicesPage().setKinds({});
+                m_window->devicesPage().setChosen(ui::devices::kPointer);
+                actions().devices->trigger();
+                child<ui::devices::HandList>()->selectHand(ui::devices::kPedals);
             });
         page("hand", [this] {
             m_window->devicesPage().setKinds({});

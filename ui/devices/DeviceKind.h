@@ -12,6 +12,8 @@ inline constexpr const char* kPointer = "pointer";
 inline constexpr const char* kSimulated = "simulated";
 /// Id of the row for head tracking, which is no hand.
 inline constexpr const char* kHeadTracking = "head tracking";
+/// The same for foot pedals and gamepads.
+inline constexpr const char* kPedals = "pedals";
 
 /// A kind of force device, as the page of devices shows it.
 struct DeviceKind

@@ -20,6 +20,7 @@
 #include "ui/devices/HeadTrackingCard.h"
 #include "ui/devices/HomingMarks.h"
 #include "ui/devices/LiveTest.h"
+#include "ui/devices/PedalCard.h"
 #include "ui/devices/RuleCard.h"
 #include "ui/devices/SetupCard.h"
 #include "ui/shell/Actions.h"
@@ -66,10 +67,11 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     m_firmware = new FirmwareCard(cards);
     m_setup = new SetupCard(cards);
     m_headTracking = new HeadTrackingCard(cards);
+    m_pedals = new PedalCard(cards);
     for (QWidget* part :
          {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_rule), m_homing,
           static_cast<QWidget*>(m_live), static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup),
-          static_cast<QWidget*>(m_headTracking)})
+          static_cast<QWidget*>(m_headTracking), static_cast<QWidget*>(m_pedals)})
         column->addWidget(part);
     column->addStretch(1);
 
@@ -91,6 +93,11 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
         showHands();
         if (shownHand() == QLatin1String(kHeadTracking))
             showHeadTracking();
+    });
+    connect(m_pedals, &PedalCard::stateChanged, this, [this] {
+        showHands();
+        if (shownHand() == QLatin1String(kPedals))
+            showPedals();
     });
     connect(m_setup, &SetupCard::setupChanged, this, [this](const DeviceSetup& setup) {
         if (Device* device = find(shownHand())) {
@@ -247,6 +254,8 @@ QString DevicesPage::handName(const QString& id) const
         return tr("Simulated hand");
     if (id == QLatin1String(kHeadTracking))
         return tr("Head tracking");
+    if (id == QLatin1String(kPedals))
+        return tr("Pedal and gamepad");
     const Device* const device = find(id);
     return device == nullptr ? id : device->kind.name;
 }
@@ -264,6 +273,7 @@ void DevicesPage::showHands()
     const TrackingState& tracking = m_headTracking->state();
     add(QLatin1String(kHeadTracking), stateWords(tracking), signOf(tracking));
     rows.back().isApart = true;
+    add(QLatin1String(kPedals), stateWords(m_pedals->state()), signOf(m_pedals->state()));
     m_hands->setRows(rows);
 }
 
@@ -274,6 +284,8 @@ void DevicesPage::showHand()
     m_name->setText(handName(shownHand()));
     m_headTracking->setVisible(isHeadTracking);
     m_headTracking->followSwitch().setVisible(isHeadTracking);
+    const bool isPedals = shownHand() == QLatin1String(kPedals);
+    m_pedals->setVisible(isPedals);
     if (device != nullptr) {
         m_rule->setKind(device->kind);
         m_firmware->setFile(device->firmware);
@@ -281,6 +293,8 @@ void DevicesPage::showHand()
         showStage(*device);
     } else if (isHeadTracking) {
         showHeadTracking();
+    } else if (isPedals) {
+        showPedals();
     } else {
         const bool isPointer = shownHand() == QLatin1String(kPointer);
         m_sign->setPixmap(signPixmap(Sign::Ready, palette(), kHeadSignPx, devicePixelRatioF()));
@@ -337,6 +351,19 @@ void DevicesPage::showHeadTracking()
     m_help->setText(helpWords(tracking));
 }
 
+void DevicesPage::showPedals()
+{
+    const ControllerState& pedals = m_pedals->state();
+    m_sign->setPixmap(signPixmap(signOf(pedals), palette(), kHeadSignPx, devicePixelRatioF()));
+    m_state->setText(stateWords(pedals));
+    m_help->setText(helpWords(pedals));
+}
+
+bool DevicesPage::isHand(const QString& id) const
+{
+    return id != QLatin1String(kHeadTracking) && id != QLatin1String(kPedals);
+}
+
 /// One button is filled: what is to be done next.
 void DevicesPage::showNextStep()
 {
@@ -346,7 +373,7 @@ void DevicesPage::showNextStep()
     const bool isReady = device == nullptr || device->report.stage == DeviceStage::Ready;
     m_firmware->setIsNextStep(isChosen && device != nullptr && device->report.stage == DeviceStage::NeedsFirmware);
     m_rule->setIsNextStep(isChosen);
-    m_next->setVisible((!isChosen || isReady) && id != QLatin1String(kHeadTracking));
+    m_next->setVisible((!isChosen || isReady) && isHand(id));
     //: The button that leads back to the tooth
     m_next->setText(isChosen ? tr("Practise")
                              //: %1: "Novint Falcon", "Mouse or pen"
@@ -362,6 +389,8 @@ void DevicesPage::takeNextStep()
 {
     if (shownHand() == QLatin1String(kHeadTracking))
         m_headTracking->followSwitch().setFocus();  // a click into a list turns on no camera
+    else if (!isHand(shownHand()))
+        m_pedals->setFocus();
     else if (!m_next->isEnabled())
         return;
     else if (shownHand() == m_chosen)

@@ -21,11 +21,12 @@ class HandList;
 class HeadTrackingCard;
 class HomingMarks;
 class LiveTest;
+class PedalCard;
 class RuleCard;
 class SetupCard;
 
 /// The page on which a hand is chosen and tried: mouse or pen, a simulated hand, or a force device. Head tracking is
-/// turned on here, too.
+/// turned on here, too, and foot pedals and gamepads are set up.
 ///
 /// The page finds and opens nothing itself: the reports of the devices are given to it, and its signals ask for the
 /// rest.
@@ -45,7 +46,7 @@ public:
     /// @param whyNot  why the simulated hand cannot be chosen or left now; empty: it can
     void setSimulatedFixed(const QString& whyNot);
 
-    /// Id of the hand that is shown at the right, or kHeadTracking.
+    /// Id of the hand that is shown at the right, or kHeadTracking or kPedals.
     [[nodiscard]] QString shownHand() const;
     /// Force that the user tries with a button held down, tooth frame; zero if none is.
     [[nodiscard]] glm::dvec3 testForce() const;
@@ -53,7 +54,10 @@ public:
     /// What the page shows of head tracking, and what it asks for.
     [[nodiscard]] HeadTrackingCard& headTracking() { return *m_headTracking; }
 
-    /// "Mouse or pen", "Simulated hand", "Head tracking", or the name of the product.
+    /// The same for foot pedals and gamepads.
+    [[nodiscard]] PedalCard& pedals() { return *m_pedals; }
+
+    /// "Mouse or pen", "Simulated hand", "Head tracking", "Pedal and gamepad", or the name of the product.
     [[nodiscard]] QString handName(const QString& id) const;
 
 signals:
@@ -83,6 +87,8 @@ private:
     void showHand();
     void showStage(const Device& device);
     void showHeadTracking();
+    void showPedals();
+    [[nodiscard]] bool isHand(const QString& id) const;
     void showNextStep();
     void takeNextStep();
     [[nodiscard]] const Device* find(const QString& id) const;
@@ -107,6 +113,7 @@ private:
     FirmwareCard* m_firmware = nullptr;
     SetupCard* m_setup = nullptr;
     HeadTrackingCard* m_headTracking = nullptr;
+    PedalCard* m_pedals = nullptr;
 };
 
 }  // namespace ui::devices

@@ -32,7 +32,20 @@ public:
     /// over when another is opened, or it is read again. What is said of a device, or of
     /// head tracking, is over when its state is another.
     /// What somebody has typed is for nobody else.
-    enum class Topic { General, Tooth, Unfinished, Lesson, Keeping, Journal, Preset, School, Page, Device, Head };
+    enum class Topic {
+        General,
+        Tooth,
+        Unfinished,
+        Lesson,
+        Keeping,
+        Journal,
+        Preset,
+        School,
+        Page,
+        Device,
+        Head,
+        Pedal
+    };
     struct Choice
     {
         QString text;

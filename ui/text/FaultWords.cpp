@@ -96,6 +96,9 @@ namespace {
                                "file of your Falcon's software."),
     QT_TRANSLATE_NOOP("Fault", "The firmware was loaded, but does not answer. Try another firmware file."),
     QT_TRANSLATE_NOOP("Fault", "This program was built without libusb: force devices are left out."),
+    QT_TRANSLATE_NOOP("Fault", "This program was built without SDL 2: pedals and gamepads are left out."),
+    QT_TRANSLATE_NOOP("Fault",
+                      "Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them."),
     QT_TRANSLATE_NOOP("Fault", "Cusp cannot read pictures: its file %1 or a library of OpenCV is missing. Install Cusp "
                                "again. The mouse works without it."),
     QT_TRANSLATE_NOOP("Fault", "There is no camera %1. Plug in a camera, or choose another one."),

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <QFrame>
+
+#include "ui/devices/ControllerSettings.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace ui::devices {
+
+/// Which button of a controller does what. A click on an action, then a press of the button, teaches it.
+class ControllerButtonsCard : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit ControllerButtonsCard(QWidget* parent);
+
+    void setSettings(const ControllerSettings& settings);
+    /// Takes the newest state of the controller that is shown.
+    void setController(const core::session::Controller& controller);
+    /// Ends the teaching without a result.
+    void stopLearning();
+    [[nodiscard]] bool isLearning() const { return m_learning.has_value(); }
+
+signals:
+    void settingsChanged(const ui::devices::ControllerSettings& settings);
+
+private:
+    void clickAction(ControllerAction action, bool isChecked);
+    void assign(int button);
+    void showWords();
+
+    ControllerSettings m_settings;
+    core::session::Controller m_controller;
+    std::optional<ControllerAction> m_learning;
+    QLabel* m_words;
+    std::array<QLabel*, kControllerActions> m_names{};
+    std::array<QPushButton*, kControllerActions> m_buttons{};
+    QLabel* m_layoutTitle;
+    QGridLayout* m_layout;
+    QWidget* m_layoutBox;
+};
+
+}  // namespace ui::devices

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <QMetaType>
+
+#include "core/session/ControllerReport.h"
+
+namespace ui::devices {
+
+/// What a button of a pedal or gamepad does.
+enum class ControllerAction : std::uint8_t { Drill, Undo, Redo, Mirror, Centre, NextView, NextBur, Grade };
+inline constexpr std::size_t kControllerActions = 8;
+inline constexpr int kNoButton = -1;
+inline constexpr int kNoAxis = -1;
+
+/// What the user sets for one kind of controller.
+struct ControllerSettings
+{
+    int axis = kNoAxis;  ///< of the pedal; kNoAxis until it has been learnt
+    core::settings::PedalSettings shape;
+    /// Button of each ControllerAction; kNoButton: none.
+    std::array<int, kControllerActions> buttons{kNoButton, kNoButton, kNoButton, kNoButton,
+                                                kNoButton, kNoButton, kNoButton, kNoButton};
+    bool operator==(const ControllerSettings&) const = default;
+
+    [[nodiscard]] int& buttonOf(ControllerAction action) { return buttons.at(static_cast<std::size_t>(action)); }
+    [[nodiscard]] int buttonOf(ControllerAction action) const { return buttons.at(static_cast<std::size_t>(action)); }
+    /// Returns whether there is an axis or a button that can run the bur.
+    [[nodiscard]] bool canRunBur() const { return axis != kNoAxis || buttonOf(ControllerAction::Drill) != kNoButton; }
+};
+
+/// Returns the settings of a controller that the user has set nothing for. A gamepad has the usual buttons, and its
+/// left trigger as a pedal; anything else has to be learnt.
+[[nodiscard]] inline ControllerSettings firstSettings(bool isGamepad)
+{
+    ControllerSettings settings;
+    if (!isGamepad)
+        return settings;
+    settings.axis = core::session::kLeftTrigger;
+    settings.shape.restReading = 0.0;
+    settings.buttonOf(ControllerAction::Undo) = core::session::kButtonB;
+    settings.buttonOf(ControllerAction::Redo) = core::session::kLeftShoulder;
+    settings.buttonOf(ControllerAction::Mirror) = core::session::kButtonX;
+    settings.buttonOf(ControllerAction::Centre) = core::session::kRightStickButton;
+    settings.buttonOf(ControllerAction::NextView) = core::session::kButtonY;
+    settings.buttonOf(ControllerAction::NextBur) = core::session::kRightShoulder;
+    settings.buttonOf(ControllerAction::Grade) = core::session::kButtonStart;
+    return settings;
+}
+
+}  // namespace ui::devices
+
+Q_DECLARE_METATYPE(ui::devices::ControllerSettings)
