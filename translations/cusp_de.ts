@@ -10972,6 +10972,10 @@ ungesichert</translation>
         <extracomment>%1: names of pedals and gamepads</extracomment>
         <translation>Angeschlossen: %1</translation>
     </message>
+    <message>
+        <source>Teach a pedal by one press: its travel then sets the speed of the bur. A gamepad works as it comes.</source>
+        <translation>Lernen Sie ein Pedal durch einmaliges Drücken an: sein Weg stellt dann die Drehzahl des Bohrers ein. Ein Gamepad geht, wie es ist.</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalCard</name>

@@ -10972,6 +10972,10 @@ sin guardar</translation>
         <extracomment>%1: names of pedals and gamepads</extracomment>
         <translation>Conectado: %1</translation>
     </message>
+    <message>
+        <source>Teach a pedal by one press: its travel then sets the speed of the bur. A gamepad works as it comes.</source>
+        <translation>Enseñe un pedal pisándolo una vez: su recorrido fija entonces la velocidad de la fresa. Un mando funciona tal cual.</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalCard</name>

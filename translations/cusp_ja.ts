@@ -10903,6 +10903,10 @@ unsaved</source>
         <extracomment>%1: names of pedals and gamepads</extracomment>
         <translation>接続中: %1</translation>
     </message>
+    <message>
+        <source>Teach a pedal by one press: its travel then sets the speed of the bur. A gamepad works as it comes.</source>
+        <translation>ペダルを一度踏んで覚えさせると、踏み込みでバーの速さが決まります。ゲームパッドはそのまま使えます。</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalCard</name>

@@ -92,9 +92,16 @@ void AxisBars::paintAxis(QPainter& painter, std::size_t axis) const
     painter.drawRoundedRect(bar, 3.0, 3.0);
     const double raw = static_cast<double>(m_controller.axes[axis]);
     const double reading = std::isfinite(raw) ? std::clamp(raw, -1.0, 1.0) : 0.0;
-    const double x = bar.left() + 0.5 * (reading + 1.0) * bar.width();
+    // A stick rests in the middle of its bar, a trigger at the end.
+    const bool isTrigger = m_controller.isGamepad && axis >= core::session::kLeftTrigger;
+    const double lowest = isTrigger ? 0.0 : -1.0;
+    const double rest = m_controller.isGamepad ? 0.0 : -1.0;
+    const auto xOf = [&](double at) {
+        return bar.left() + 1.0 + std::clamp((at - lowest) / (1.0 - lowest), 0.0, 1.0) * (bar.width() - 2.0);
+    };
     const Tones colours = tones(palette());
-    painter.fillRect(QRectF(bar.left() + 1.0, bar.top() + 1.0, std::max(0.0, x - bar.left() - 1.0), kAxisBarPx - 2.0),
+    const auto [left, right] = std::minmax({xOf(rest), xOf(reading)});
+    painter.fillRect(QRectF(left, bar.top() + 1.0, right - left, kAxisBarPx - 2.0),
                      isPedal ? colours.accent : palette().color(QPalette::PlaceholderText));
 }
 

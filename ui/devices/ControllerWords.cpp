@@ -76,6 +76,9 @@ QString helpWords(const ControllerState& state)
     case PedalStage::NotChosen:
         break;
     }
+    if (!state.report.controllers.empty())
+        return Controllers::tr("Teach a pedal by one press: its travel then sets the speed of the bur. A gamepad works "
+                               "as it comes.");
     return Controllers::tr("Plug in a foot pedal or a gamepad. A pedal that acts as a keyboard needs nothing here: let "
                            "it send Page Down.");
 }

@@ -52,6 +52,7 @@ PedalCard::PedalCard(QWidget* parent)
             tr("Another one of the same kind is plugged in too. The one that was plugged in first counts."));
         showState();
     });
+    showController();
 }
 
 void PedalCard::makeLive()

@@ -64,8 +64,8 @@ PedalSetupCard::PedalSetupCard(QWidget* parent)
     auto* curveCaption = study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
     inputs->addWidget(deadCaption, 0, 0);
     inputs->addWidget(curveCaption, 0, 1);
-    inputs->addWidget(m_deadZone, 1, 0);
-    inputs->addWidget(m_curve, 1, 1);
+    inputs->addWidget(m_deadZone, 1, 0, Qt::AlignLeft);
+    inputs->addWidget(m_curve, 1, 1, Qt::AlignLeft);
     column->addLayout(inputs);
     column->addWidget(m_inverted);
     row->addLayout(column, 1);
