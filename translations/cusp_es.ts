@@ -10961,7 +10961,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>Presses the button that the arrows have gone to</source>
-        <translation>Pulsa el botón al que han llegado las flechas</translation>
+        <translation>Acciona el botón al que han llegado las flechas</translation>
     </message>
     <message>
         <source>Leads back to the tooth</source>

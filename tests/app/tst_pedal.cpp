@@ -104,18 +104,18 @@ private slots:
         start();
         waitForTooth();
         WAIT_FOR(!card().state().report.controllers.empty());
+        const QString whole = removed();
         const glm::dvec3 before = servo().anchorMm;
         pad.setAxis(SDL_CONTROLLER_AXIS_LEFTX, 1.0);
         WAIT_FOR(glm::distance(servo().anchorMm, before) > 0.3);
         pad.setAxis(SDL_CONTROLLER_AXIS_LEFTX, 0.0);
         pad.setAxis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1.0);
-        WAIT_FOR(hasCut());
+        WAIT_FOR(removed() != whole);
         pad.setAxis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1.0);
         waitForStrokeEnd();
         WAIT_FOR(actions().undo->isEnabled());
-        const QString cut = removed();
         tap(pad, SDL_CONTROLLER_BUTTON_B);
-        WAIT_FOR(removed() != cut);
+        WAIT_FOR_VALUE(removed(), whole);
         const double azimuthDeg = window().view().camera().azimuthDeg();
         pad.setAxis(SDL_CONTROLLER_AXIS_RIGHTX, 1.0);
         WAIT_FOR(std::abs(window().view().camera().azimuthDeg() - azimuthDeg) > 10.0);
@@ -127,7 +127,10 @@ private slots:
         tap(pad, SDL_CONTROLLER_BUTTON_X);
         WAIT_FOR(actions().mirror->isChecked() != hasMirror);
         // Through the panel and back.
+        window().activateWindow();
+        WAIT_FOR(window().isActiveWindow());
         window().view().setFocus();
+        WAIT_FOR(window().view().hasFocus());
         tap(pad, SDL_CONTROLLER_BUTTON_DPAD_DOWN);
         WAIT_FOR(QApplication::focusWidget() != nullptr && QApplication::focusWidget() != &window().view());
         tap(pad, SDL_CONTROLLER_BUTTON_BACK);

@@ -494,7 +494,13 @@ private:
     [[nodiscard]] TagPicture& picture() const { return *child<TagPicture>(); }
     [[nodiscard]] QComboBox& camera() const { return *child<QComboBox>("camera"); }
     [[nodiscard]] QString figure(const char* name) const { return child<ui::shell::TabularLabel>(name)->text(); }
-    [[nodiscard]] HandList::Row row() const { return child<HandList>()->rows().back(); }
+    [[nodiscard]] HandList::Row row() const
+    {
+        for (const HandList::Row& one : child<HandList>()->rows())
+            if (one.id == QLatin1String(ui::devices::kHeadTracking))
+                return one;
+        return {};
+    }
     void turnOn() const
     {
         HeadTrackingSettings settings;
