@@ -1216,7 +1216,7 @@ void ToothView::moveByPad(double seconds)
         m_padPushes = m_camera.elevationDeg() > 0.0;
         if (m_padPushes) {
             m_pointerAims = false;
-            m_control.push(true);
+            push(PointerKind::Gamepad);
         } else {
             emit pushRefused();
         }
