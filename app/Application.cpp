@@ -252,6 +252,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     m_pedals = std::make_unique<PedalController>(*m_window, m_bur, [this] { return m_devices->isSimulated(); });
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
     static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
+    m_servo.publishSound(m_links.sound);
     startLoops();
 }
 
@@ -307,6 +308,7 @@ void Application::stopLoops()
     m_followerThread.reset();
     m_servoThread.reset();
     m_sessionThread.reset();
+    m_links.sound.publish({});  // the handpiece runs down
 }
 
 /// Without a database the student can still drill and be graded; only nothing is kept.

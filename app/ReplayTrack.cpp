@@ -254,6 +254,7 @@ void ReplayTrack::publish(std::uint64_t tick)
     if (m_hand)
         state.deviceMm = *m_hand;
     state.toothGeneration = m_generation;
+    publishSound(state, tick);
     m_links.servo.publish();
     const core::history::Removed& removed = m_removed.of(m_shown);
     m_session.removedMm3 = removed.volumesMm3;
@@ -261,6 +262,25 @@ void ReplayTrack::publish(std::uint64_t tick)
     m_session.perforated = removed.perforated;
     m_session.recordedS = tick == m_player->ticks() ? m_lengthS : m_player->secondsAt(tick);
     m_links.session.publish(m_session);
+}
+
+/// Nothing is heard while the replay is paused. Chatter is not heard either: too few moments of the force are stored.
+void ReplayTrack::publishSound(const ServoState& state, std::uint64_t tick)
+{
+    constexpr int kPausedAfter = 5;
+    constexpr double kTickS = 0.001;
+    const std::uint64_t ticks = std::max(tick, m_heardTick) - std::min(tick, m_heardTick);
+    m_heardTick = tick;
+    m_sameTick = ticks == 0 ? m_sameTick + 1 : 0;
+    if (m_sameTick >= kPausedAfter) {
+        m_links.sound.publish({});
+        return;
+    }
+    const auto& handpieces = m_player->recording().settings().handpieces;
+    const std::size_t handpiece = std::min<std::size_t>(state.handpieceIndex, handpieces.size() - 1);
+    core::audio::SoundState sound = m_sound.update(state, handpieces[handpiece], static_cast<double>(ticks) * kTickS);
+    sound.chatter = 0.0F;
+    m_links.sound.publish(sound);
 }
 
 }  // namespace app

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/audio/ServoSound.h"
 #include "core/history/RemovedTally.h"
 #include "core/recording/Player.h"
 #include "core/session/Examiner.h"
@@ -63,6 +64,7 @@ private:
     [[nodiscard]] std::uint64_t shownTick(double seconds, std::uint64_t ready) const;
     void sendPatches(std::uint64_t tick, bool isSettled);
     void publish(std::uint64_t tick);
+    void publishSound(const core::session::ServoState& state, std::uint64_t tick);
 
     std::unique_ptr<core::recording::Player> m_player;
     double m_lengthS;
@@ -87,6 +89,9 @@ private:
     core::history::RemovedTally m_removed;
     std::deque<core::session::TilePatch> m_toSend;
     core::session::SessionState m_session;
+    core::audio::ServoSound m_sound;
+    std::uint64_t m_heardTick = 0;
+    int m_sameTick = 0;  ///< times in a row that m_heardTick was shown
 };
 
 }  // namespace app

@@ -272,6 +272,9 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     out.health |= m_health | (m_springPercent < 100 ? core::session::kLoopIsSlow : 0U) |
                   (glm::dot(m_guideN, m_guideN) > kFeltN * kFeltN ? core::session::kHeldInside : 0U);
     m_stateOut.publish();
+    if (m_soundOut != nullptr)
+        m_soundOut->publish(m_sound.update(state, m_tick->settings().handpieces[state.handpieceIndex],
+                                           static_cast<double>(step.count()) * 1.0e-6));
 }
 
 void ServoLoop::markDirty(const core::drilling::CutRect& rect) noexcept

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/audio/ServoSound.h"
 #include "core/guidance/Fixture.h"
 #include "core/rt/Loop.h"
 #include "core/session/ServoLinks.h"
@@ -27,6 +28,10 @@ public:
     ServoLoop(HapticDevice& device, std::unique_ptr<core::session::ServoTick> tick, core::session::ServoLinks& links,
               core::rt::TripleBuffer<core::session::ServoState>& state, std::chrono::microseconds period);
     ~ServoLoop() override;
+
+    /// Publishes every tick what is heard of the bur. Before the first tick.
+    /// @param sound  must outlive the loop
+    void publishSound(core::rt::TripleBuffer<core::audio::SoundState>& sound) noexcept { m_soundOut = &sound; }
 
     void tick(std::chrono::microseconds dt) noexcept override;
     bool waitForBeat(std::chrono::steady_clock::time_point due) override { return m_device.waitForReading(due); }
@@ -59,6 +64,8 @@ private:
     core::session::ServoLinks& m_links;
     core::rt::TripleBuffer<core::session::ServoState>& m_stateOut;
     std::chrono::microseconds m_period;
+    core::rt::TripleBuffer<core::audio::SoundState>* m_soundOut = nullptr;  ///< null: nobody listens
+    core::audio::ServoSound m_sound;
 
     std::uint64_t m_generation = 0;
     std::uint64_t m_serial = 0;

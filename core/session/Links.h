@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/audio/SoundState.h"
 #include "core/rt/SpscQueue.h"
 #include "core/rt/TripleBuffer.h"
 #include "core/terrain/Tooth.h"
@@ -216,6 +217,7 @@ struct UiLinks
     rt::SpscQueue<TilePatch, 512> patches;       ///< session -> ui
     rt::SpscQueue<SessionCommand, 64> commands;  ///< ui -> session
     rt::TripleBuffer<PointerInput> pointer;      ///< ui -> pointer device
+    rt::TripleBuffer<audio::SoundState> sound;   ///< servo, or a replay -> sound
 };
 
 }  // namespace core::session
