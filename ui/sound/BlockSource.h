@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <QIODevice>
+
+#include "core/audio/Synthesizer.h"
+#include "core/rt/TripleBuffer.h"
+#include "ui/sound/AudioPort.h"
+
+namespace ui::sound {
+
+/// Endless source of samples for an audio output: every few milliseconds it takes the newest state of the servo and
+/// lets the synthesiser make a block of it. Sound thread.
+class BlockSource final : public QIODevice
+{
+    Q_OBJECT
+public:
+    /// Frames between two looks at the state, 5 ms at 48 kHz: a larger buffer does not make the steps coarser.
+    static constexpr std::size_t kBlockFrames = 240;
+
+    /// @param state  must outlive the source, which is its only reader
+    explicit BlockSource(core::rt::TripleBuffer<core::audio::SoundState>& state);
+
+    /// Begins with a format. Nothing is heard of the time before.
+    void begin(const AudioFormat& format);
+    void setVolumes(const core::audio::Volumes& volumes);
+    /// Sets whether the state of the servo is heard; otherwise the handpiece runs down.
+    void setHeard(bool isHeard) { m_isHeard = isHeard; }
+    /// Plays the sample (core::audio::auditionAt) in place of the state, from its beginning.
+    void playSample() { m_sampleFrame = 0; }
+    void stopSample() { m_sampleFrame.reset(); }
+    [[nodiscard]] bool isPlayingSample() const { return m_sampleFrame.has_value(); }
+
+    [[nodiscard]] bool isSequential() const override { return true; }
+    [[nodiscard]] qint64 bytesAvailable() const override;
+
+protected:
+    /// Whole frames only.
+    qint64 readData(char* data, qint64 mostBytes) override;
+    qint64 writeData(const char* data, qint64 bytes) override;
+
+private:
+    [[nodiscard]] core::audio::SoundState next(std::size_t frames);
+
+    core::rt::TripleBuffer<core::audio::SoundState>& m_state;
+    AudioFormat m_format;
+    core::audio::Synthesizer m_synthesizer;
+    core::audio::Volumes m_volumes;
+    std::array<float, kBlockFrames> m_block{};
+    std::optional<std::size_t> m_sampleFrame;  ///< of the sample, next; empty: it is not played
+    bool m_isHeard = false;
+};
+
+}  // namespace ui::sound

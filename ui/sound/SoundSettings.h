@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QMetaType>
+#include <QString>
+
+#include "core/audio/SoundState.h"
+
+namespace ui::sound {
+
+/// What the user sets for sound.
+struct SoundSettings
+{
+    bool isOn = true;
+    core::audio::Volumes volumes;  ///< `isMuted` is unused: see isOn
+    QByteArray output;             ///< id of an audio output; empty: the default output of the system
+    bool operator==(const SoundSettings&) const = default;
+};
+
+/// An audio output of this computer.
+struct OutputInfo
+{
+    QByteArray id;
+    QString name;  ///< as the system calls it
+    bool isDefault = false;
+    bool operator==(const OutputInfo&) const = default;
+};
+
+enum class SoundStage : std::uint8_t {
+    Off,       ///< the user has turned sound off
+    Ready,     ///< there is an output; nothing is to be heard now
+    Playing,   ///< the output takes samples
+    NoOutput,  ///< this computer has no audio output
+    Refused    ///< the output takes none of the formats, or stopped; it is tried again
+};
+
+/// What became of the sound.
+struct SoundReport
+{
+    SoundStage stage = SoundStage::Off;
+    QString output;           ///< name of the output in use
+    bool isFallback = false;  ///< the output that the user has chosen is missing
+    int rateHz = 0;           ///< while playing
+    bool isPlayingSample = false;
+    bool operator==(const SoundReport&) const = default;
+};
+
+}  // namespace ui::sound
+
+Q_DECLARE_METATYPE(ui::sound::SoundSettings)
+Q_DECLARE_METATYPE(ui::sound::SoundReport)
