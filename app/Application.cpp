@@ -250,6 +250,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     followHand();
     m_headTracking = std::make_unique<HeadTrackingController>(*m_window);
     m_pedals = std::make_unique<PedalController>(*m_window, m_bur, [this] { return m_devices->isSimulated(); });
+    m_sound = std::make_unique<SoundController>(*m_window, m_links.sound, options.audioPort);
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
     static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
     m_servo.publishSound(m_links.sound);
@@ -264,6 +265,7 @@ Application::~Application()
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
     m_replay.reset();
+    m_sound.reset();
     m_pedals.reset();
     m_headTracking.reset();
     m_devices.reset();

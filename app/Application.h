@@ -26,6 +26,7 @@
 #include "app/PresetDesk.h"
 #include "app/ReplayDesk.h"
 #include "app/SchoolDesk.h"
+#include "app/SoundController.h"
 #include "app/TourDesk.h"
 #include "app/UnfinishedAttempts.h"
 #include "core/session/Follower.h"
@@ -43,6 +44,7 @@
 #include "lessons/ClassStanding.h"
 #include "ui/render/Presenter.h"
 #include "ui/shell/MainWindow.h"
+#include "ui/sound/QtAudioPort.h"
 #include "ui/study/ScorePage.h"
 
 namespace app {
@@ -66,6 +68,8 @@ struct WindowOptions
     bool simulatedDevice = false;
     /// The force devices that this station can have.
     std::vector<DeviceRow> devices = stationDevices();
+    /// The way to the audio outputs.
+    ui::sound::SoundPlayer::MakePort audioPort = ui::sound::qtAudioPort;
 };
 
 using AnatomyPointer = std::shared_ptr<const core::terrain::ToothAnatomy>;
@@ -224,6 +228,7 @@ private:
     std::unique_ptr<DeviceController> m_devices;
     std::unique_ptr<HeadTrackingController> m_headTracking;
     std::unique_ptr<PedalController> m_pedals;
+    std::unique_ptr<SoundController> m_sound;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
     std::unique_ptr<Letters> m_letters;    ///< null where m_desk is
     std::unique_ptr<PeopleDesk> m_people;  ///< the same

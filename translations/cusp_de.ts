@@ -4187,6 +4187,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Pedal and gamepad</source>
         <translation>Pedal und Gamepad</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -8003,6 +8007,14 @@ ungesichert</translation>
         <source>Make the present position of your head the middle one</source>
         <translation>Die jetzige Haltung des Kopfes zur mittleren machen</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Sound of the handpiece on or off</source>
+        <translation>Ton des Handstücks ein- oder ausschalten</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -11040,6 +11052,113 @@ ungesichert</translation>
     <message>
         <source>Speed of the bur over the travel of the pedal</source>
         <translation>Drehzahl des Bohrers über dem Weg des Pedals</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SoundCard</name>
+    <message>
+        <source>Play sound</source>
+        <translation>Ton abspielen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <extracomment>Volume of a part of the sound: the bur meets the tooth</extracomment>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <extracomment>Volume of a part of the sound: water that cools the bur</extracomment>
+        <translation>Spray</translation>
+    </message>
+    <message>
+        <source>Suction</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>Absaugung</translation>
+    </message>
+    <message>
+        <source>Volume: %1</source>
+        <extracomment>Name of a slider; %1: &quot;Handpiece&quot;, &quot;Cutting&quot;</extracomment>
+        <translation>Lautstärke: %1</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <extracomment>Of sound: loudspeakers or headphones</extracomment>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>Play a sample</source>
+        <translation>Probe abspielen</translation>
+    </message>
+    <message>
+        <source>The turbine runs free, cuts enamel, then dentin</source>
+        <translation>Die Turbine läuft frei, schneidet Schmelz, dann Dentin</translation>
+    </message>
+    <message>
+        <source>As the system is set</source>
+        <extracomment>Audio output</extracomment>
+        <translation>Wie im System eingestellt</translation>
+    </message>
+    <message>
+        <source>The chosen output (missing)</source>
+        <extracomment>Audio output that was chosen before and is not plugged in</extracomment>
+        <translation>Die gewählte Ausgabe (fehlt)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SoundText</name>
+    <message>
+        <source>Off.</source>
+        <extracomment>Of sound</extracomment>
+        <translation>Aus.</translation>
+    </message>
+    <message>
+        <source>Silent: this computer has no audio output.</source>
+        <translation>Stumm: Dieser Computer hat keine Tonausgabe.</translation>
+    </message>
+    <message>
+        <source>Silent: %1 does not play.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>Stumm: %1 spielt nicht.</translation>
+    </message>
+    <message>
+        <source>The chosen output is missing; %1 plays instead.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>Die gewählte Ausgabe fehlt; stattdessen spielt %1.</translation>
+    </message>
+    <message>
+        <source>Plays on %1.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>Spielt auf %1.</translation>
+    </message>
+    <message>
+        <source>Plug in headphones or loudspeakers: the sound then starts without a restart. Everything else works without sound.</source>
+        <translation>Schließen Sie Kopfhörer oder Lautsprecher an: Der Ton beginnt dann ohne Neustart. Alles andere geht auch ohne Ton.</translation>
+    </message>
+    <message>
+        <source>Choose another output, or close the program that uses this one. Cusp tries again every second.</source>
+        <translation>Wählen Sie eine andere Ausgabe, oder schließen Sie das Programm, das diese benutzt. Cusp versucht es jede Sekunde erneut.</translation>
+    </message>
+    <message>
+        <source>Plug the output in again: the sound then returns to it.</source>
+        <translation>Schließen Sie die Ausgabe wieder an: Der Ton kehrt dann zu ihr zurück.</translation>
+    </message>
+    <message>
+        <source>The handpiece drops in pitch under load. Enamel sounds bright, dentin dull. The sound plays while you see the tooth.</source>
+        <translation>Unter Last wird der Ton des Handstücks tiefer. Schmelz klingt hell, Dentin dumpf. Der Ton spielt, solange Sie den Zahn sehen.</translation>
     </message>
 </context>
 </TS>

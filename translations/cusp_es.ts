@@ -4187,6 +4187,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Pedal and gamepad</source>
         <translation>Pedal y mando</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation>Sonido</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -8003,6 +8007,14 @@ sin guardar</translation>
         <source>Make the present position of your head the middle one</source>
         <translation>Tomar la posición actual de la cabeza como la central</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation>Sonido</translation>
+    </message>
+    <message>
+        <source>Sound of the handpiece on or off</source>
+        <translation>Encender o apagar el sonido de la pieza de mano</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -11040,6 +11052,113 @@ sin guardar</translation>
     <message>
         <source>Speed of the bur over the travel of the pedal</source>
         <translation>Velocidad de la fresa según el recorrido del pedal</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SoundCard</name>
+    <message>
+        <source>Play sound</source>
+        <translation>Reproducir sonido</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>Pieza de mano</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <extracomment>Volume of a part of the sound: the bur meets the tooth</extracomment>
+        <translation>Contacto</translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <extracomment>Volume of a part of the sound: water that cools the bur</extracomment>
+        <translation>Espray</translation>
+    </message>
+    <message>
+        <source>Suction</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>Aspiración</translation>
+    </message>
+    <message>
+        <source>Volume: %1</source>
+        <extracomment>Name of a slider; %1: &quot;Handpiece&quot;, &quot;Cutting&quot;</extracomment>
+        <translation>Volumen: %1</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <extracomment>Of sound: loudspeakers or headphones</extracomment>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>Play a sample</source>
+        <translation>Reproducir una muestra</translation>
+    </message>
+    <message>
+        <source>The turbine runs free, cuts enamel, then dentin</source>
+        <translation>La turbina gira libre, corta esmalte y luego dentina</translation>
+    </message>
+    <message>
+        <source>As the system is set</source>
+        <extracomment>Audio output</extracomment>
+        <translation>La del sistema</translation>
+    </message>
+    <message>
+        <source>The chosen output (missing)</source>
+        <extracomment>Audio output that was chosen before and is not plugged in</extracomment>
+        <translation>La salida elegida (falta)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SoundText</name>
+    <message>
+        <source>Off.</source>
+        <extracomment>Of sound</extracomment>
+        <translation>Apagado.</translation>
+    </message>
+    <message>
+        <source>Silent: this computer has no audio output.</source>
+        <translation>En silencio: este ordenador no tiene salida de audio.</translation>
+    </message>
+    <message>
+        <source>Silent: %1 does not play.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>En silencio: %1 no reproduce.</translation>
+    </message>
+    <message>
+        <source>The chosen output is missing; %1 plays instead.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>Falta la salida elegida; en su lugar suena %1.</translation>
+    </message>
+    <message>
+        <source>Plays on %1.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>Suena en %1.</translation>
+    </message>
+    <message>
+        <source>Plug in headphones or loudspeakers: the sound then starts without a restart. Everything else works without sound.</source>
+        <translation>Conecte unos auriculares o altavoces: el sonido empieza sin reiniciar. Todo lo demás funciona sin sonido.</translation>
+    </message>
+    <message>
+        <source>Choose another output, or close the program that uses this one. Cusp tries again every second.</source>
+        <translation>Elija otra salida o cierre el programa que usa esta. Cusp lo intenta de nuevo cada segundo.</translation>
+    </message>
+    <message>
+        <source>Plug the output in again: the sound then returns to it.</source>
+        <translation>Vuelva a conectar la salida: el sonido regresa a ella.</translation>
+    </message>
+    <message>
+        <source>The handpiece drops in pitch under load. Enamel sounds bright, dentin dull. The sound plays while you see the tooth.</source>
+        <translation>La pieza de mano baja de tono con la carga. El esmalte suena brillante; la dentina, apagada. El sonido se oye mientras ve el diente.</translation>
     </message>
 </context>
 </TS>

@@ -4165,6 +4165,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Pedal and gamepad</source>
         <translation>ペダルとゲームパッド</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation>音</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -7952,6 +7956,14 @@ unsaved</source>
         <source>Make the present position of your head the middle one</source>
         <translation>現在の頭の位置を中央の位置にする</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source>Sound of the handpiece on or off</source>
+        <translation>ハンドピースの音をオンまたはオフにする</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -10971,6 +10983,113 @@ unsaved</source>
     <message>
         <source>Speed of the bur over the travel of the pedal</source>
         <translation>ペダルの踏み込みに対するバーの速さ</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SoundCard</name>
+    <message>
+        <source>Play sound</source>
+        <translation>音を鳴らす</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>音量</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>ハンドピース</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>切削</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <extracomment>Volume of a part of the sound: the bur meets the tooth</extracomment>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <extracomment>Volume of a part of the sound: water that cools the bur</extracomment>
+        <translation>スプレー</translation>
+    </message>
+    <message>
+        <source>Suction</source>
+        <extracomment>Volume of a part of the sound</extracomment>
+        <translation>吸引</translation>
+    </message>
+    <message>
+        <source>Volume: %1</source>
+        <extracomment>Name of a slider; %1: &quot;Handpiece&quot;, &quot;Cutting&quot;</extracomment>
+        <translation>音量：%1</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <extracomment>Of sound: loudspeakers or headphones</extracomment>
+        <translation>出力</translation>
+    </message>
+    <message>
+        <source>Play a sample</source>
+        <translation>試聴</translation>
+    </message>
+    <message>
+        <source>The turbine runs free, cuts enamel, then dentin</source>
+        <translation>タービンが空転し、エナメル質、次に象牙質を切削します</translation>
+    </message>
+    <message>
+        <source>As the system is set</source>
+        <extracomment>Audio output</extracomment>
+        <translation>システムの設定に従う</translation>
+    </message>
+    <message>
+        <source>The chosen output (missing)</source>
+        <extracomment>Audio output that was chosen before and is not plugged in</extracomment>
+        <translation>選んだ出力（接続なし）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::SoundText</name>
+    <message>
+        <source>Off.</source>
+        <extracomment>Of sound</extracomment>
+        <translation>オフ。</translation>
+    </message>
+    <message>
+        <source>Silent: this computer has no audio output.</source>
+        <translation>無音：このコンピューターには音声出力がありません。</translation>
+    </message>
+    <message>
+        <source>Silent: %1 does not play.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>無音：%1 で再生できません。</translation>
+    </message>
+    <message>
+        <source>The chosen output is missing; %1 plays instead.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>選んだ出力がありません。代わりに %1 で再生します。</translation>
+    </message>
+    <message>
+        <source>Plays on %1.</source>
+        <extracomment>%1: an audio output, as the system calls it</extracomment>
+        <translation>%1 で再生します。</translation>
+    </message>
+    <message>
+        <source>Plug in headphones or loudspeakers: the sound then starts without a restart. Everything else works without sound.</source>
+        <translation>ヘッドホンかスピーカーを接続すると、再起動せずに音が出ます。ほかの機能は音がなくても使えます。</translation>
+    </message>
+    <message>
+        <source>Choose another output, or close the program that uses this one. Cusp tries again every second.</source>
+        <translation>別の出力を選ぶか、この出力を使っているプログラムを閉じてください。Cusp は毎秒再試行します。</translation>
+    </message>
+    <message>
+        <source>Plug the output in again: the sound then returns to it.</source>
+        <translation>出力を再び接続すると、音はそこに戻ります。</translation>
+    </message>
+    <message>
+        <source>The handpiece drops in pitch under load. Enamel sounds bright, dentin dull. The sound plays while you see the tooth.</source>
+        <translation>負荷がかかるとハンドピースの音が低くなります。エナメル質は明るく、象牙質は鈍く響きます。音は歯が表示されている間だけ鳴ります。</translation>
     </message>
 </context>
 </TS>

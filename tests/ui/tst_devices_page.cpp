@@ -117,6 +117,8 @@ private slots:
         QCOMPARE(rows.at(3).id, QString(ui::devices::kHeadTracking));
         QVERIFY(rows.at(3).isApart);
         QCOMPARE(rows.at(4).id, QString(ui::devices::kPedals));
+        QCOMPARE(rows.at(5).id, QString(ui::devices::kSound));
+        QVERIFY(!rows.at(5).isApart);
         QVERIFY(rows.at(2).sign == Sign::Missing);
         QVERIFY(rows.at(2).isChosen);
         QVERIFY(!rows.at(0).isChosen);

@@ -27,6 +27,7 @@
 #include "ui/devices/HandList.h"
 #include "ui/devices/HeadTrackingCard.h"
 #include "ui/devices/PedalCard.h"
+#include "ui/devices/SoundCard.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -271,6 +272,23 @@ private slots:
                 m_window->devicesPage().setChosen(ui::devices::kPointer);
                 actions().devices->trigger();
                 child<ui::devices::HandList>()->selectHand(ui::devices::kPedals);
+            });
+        for (const auto stage : {ui::sound::SoundStage::Off, ui::sound::SoundStage::NoOutput,
+                                 ui::sound::SoundStage::Refused, ui::sound::SoundStage::Playing})
+            page("sound", [this, stage] {
+                ui::devices::SoundCard& card = m_window->devicesPage().sound();
+                card.setOutputs({});
+                ui::sound::SoundSettings settings;
+                settings.output = "[···]";
+                card.setSettings(settings);
+                ui::sound::SoundReport report;
+                report.stage = stage;
+                report.output = QStringLiteral("[···]");
+                card.setReport(report);
+                m_window->devicesPage().setKinds({});
+                m_window->devicesPage().setChosen(ui::devices::kPointer);
+                actions().devices->trigger();
+                child<ui::devices::HandList>()->selectHand(ui::devices::kSound);
             });
         page("hand", [this] {
             m_window->devicesPage().setKinds({});

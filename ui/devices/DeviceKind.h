@@ -14,6 +14,8 @@ inline constexpr const char* kSimulated = "simulated";
 inline constexpr const char* kHeadTracking = "head tracking";
 /// The same for foot pedals and gamepads.
 inline constexpr const char* kPedals = "pedals";
+/// Id of the row for sound, which is no hand either.
+inline constexpr const char* kSound = "sound";
 
 /// A kind of force device, as the page of devices shows it.
 struct DeviceKind

@@ -23,6 +23,8 @@
 #include "ui/devices/PedalCard.h"
 #include "ui/devices/RuleCard.h"
 #include "ui/devices/SetupCard.h"
+#include "ui/devices/SoundCard.h"
+#include "ui/devices/SoundWords.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
@@ -68,10 +70,11 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     m_setup = new SetupCard(cards);
     m_headTracking = new HeadTrackingCard(cards);
     m_pedals = new PedalCard(cards);
+    m_sound = new SoundCard(cards);
     for (QWidget* part :
          {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_rule), m_homing,
           static_cast<QWidget*>(m_live), static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup),
-          static_cast<QWidget*>(m_headTracking), static_cast<QWidget*>(m_pedals)})
+          static_cast<QWidget*>(m_headTracking), static_cast<QWidget*>(m_pedals), static_cast<QWidget*>(m_sound)})
         column->addWidget(part);
     column->addStretch(1);
 
@@ -98,6 +101,11 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
         showHands();
         if (shownHand() == QLatin1String(kPedals))
             showPedals();
+    });
+    connect(m_sound, &SoundCard::stateChanged, this, [this] {
+        showHands();
+        if (shownHand() == QLatin1String(kSound))
+            showSound();
     });
     connect(m_setup, &SetupCard::setupChanged, this, [this](const DeviceSetup& setup) {
         if (Device* device = find(shownHand())) {
@@ -138,8 +146,10 @@ QWidget* DevicesPage::makeHead()
     m_next->setProperty("kind", "filled");
     row->addWidget(m_next, 0, Qt::AlignTop);
     row->addWidget(&m_headTracking->followSwitch(), 0, Qt::AlignTop);
+    row->addWidget(&m_sound->soundSwitch(), 0, Qt::AlignTop);
     setTabOrder(m_hands, m_next);
     setTabOrder(m_next, &m_headTracking->followSwitch());
+    setTabOrder(&m_headTracking->followSwitch(), &m_sound->soundSwitch());
     return head;
 }
 
@@ -256,6 +266,8 @@ QString DevicesPage::handName(const QString& id) const
         return tr("Head tracking");
     if (id == QLatin1String(kPedals))
         return tr("Pedal and gamepad");
+    if (id == QLatin1String(kSound))
+        return tr("Sound");
     const Device* const device = find(id);
     return device == nullptr ? id : device->kind.name;
 }
@@ -274,6 +286,7 @@ void DevicesPage::showHands()
     add(QLatin1String(kHeadTracking), stateWords(tracking), signOf(tracking));
     rows.back().isApart = true;
     add(QLatin1String(kPedals), stateWords(m_pedals->state()), signOf(m_pedals->state()));
+    add(QLatin1String(kSound), stateWords(m_sound->report()), signOf(m_sound->report()));
     m_hands->setRows(rows);
 }
 
@@ -286,6 +299,9 @@ void DevicesPage::showHand()
     m_headTracking->followSwitch().setVisible(isHeadTracking);
     const bool isPedals = shownHand() == QLatin1String(kPedals);
     m_pedals->setVisible(isPedals);
+    const bool isSound = shownHand() == QLatin1String(kSound);
+    m_sound->setVisible(isSound);
+    m_sound->soundSwitch().setVisible(isSound);
     if (device != nullptr) {
         m_rule->setKind(device->kind);
         m_firmware->setFile(device->firmware);
@@ -295,6 +311,8 @@ void DevicesPage::showHand()
         showHeadTracking();
     } else if (isPedals) {
         showPedals();
+    } else if (isSound) {
+        showSound();
     } else {
         const bool isPointer = shownHand() == QLatin1String(kPointer);
         m_sign->setPixmap(signPixmap(Sign::Ready, palette(), kHeadSignPx, devicePixelRatioF()));
@@ -361,7 +379,23 @@ void DevicesPage::showPedals()
 
 bool DevicesPage::isHand(const QString& id) const
 {
-    return id != QLatin1String(kHeadTracking) && id != QLatin1String(kPedals);
+    return id != QLatin1String(kHeadTracking) && id != QLatin1String(kPedals) && id != QLatin1String(kSound);
+}
+
+void DevicesPage::showSound()
+{
+    const sound::SoundReport& report = m_sound->report();
+    m_sign->setPixmap(signPixmap(signOf(report), palette(), kHeadSignPx, devicePixelRatioF()));
+    m_state->setText(stateWords(report));
+    m_help->setText(helpWords(report));
+}
+
+/// The check box that stands in for the button of a hand; null if a hand is shown.
+QCheckBox* DevicesPage::shownSwitch() const
+{
+    if (shownHand() == QLatin1String(kHeadTracking))
+        return &m_headTracking->followSwitch();
+    return shownHand() == QLatin1String(kSound) ? &m_sound->soundSwitch() : nullptr;
 }
 
 /// One button is filled: what is to be done next.
@@ -387,8 +421,8 @@ void DevicesPage::showNextStep()
 
 void DevicesPage::takeNextStep()
 {
-    if (shownHand() == QLatin1String(kHeadTracking))
-        m_headTracking->followSwitch().setFocus();  // a click into a list turns on no camera
+    if (QCheckBox* const onOrOff = shownSwitch())
+        onOrOff->setFocus();  // a click into a list turns on no camera
     else if (!isHand(shownHand()))
         m_pedals->setFocus();
     else if (!m_next->isEnabled())

@@ -10,6 +10,7 @@
 #include "ui/devices/DeviceKind.h"
 #include "ui/shell/Page.h"
 
+class QCheckBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -24,9 +25,10 @@ class LiveTest;
 class PedalCard;
 class RuleCard;
 class SetupCard;
+class SoundCard;
 
-/// The page on which a hand is chosen and tried: mouse or pen, a simulated hand, or a force device. Head tracking is
-/// turned on here, too, and foot pedals and gamepads are set up.
+/// The page on which a hand is chosen and tried: mouse or pen, a simulated hand, or a force device. Head tracking, foot
+/// pedals, gamepads and sound are set up here, too.
 ///
 /// The page finds and opens nothing itself: the reports of the devices are given to it, and its signals ask for the
 /// rest.
@@ -46,7 +48,7 @@ public:
     /// @param whyNot  why the simulated hand cannot be chosen or left now; empty: it can
     void setSimulatedFixed(const QString& whyNot);
 
-    /// Id of the hand that is shown at the right, or kHeadTracking or kPedals.
+    /// Id of the hand that is shown at the right, kHeadTracking, kPedals or kSound.
     [[nodiscard]] QString shownHand() const;
     /// Force that the user tries with a button held down, tooth frame; zero if none is.
     [[nodiscard]] glm::dvec3 testForce() const;
@@ -56,8 +58,10 @@ public:
 
     /// The same for foot pedals and gamepads.
     [[nodiscard]] PedalCard& pedals() { return *m_pedals; }
+    /// The same for sound.
+    [[nodiscard]] SoundCard& sound() { return *m_sound; }
 
-    /// "Mouse or pen", "Simulated hand", "Head tracking", "Pedal and gamepad", or the name of the product.
+    /// "Mouse or pen", "Simulated hand", "Head tracking", "Pedal and gamepad", "Sound", or the name of the product.
     [[nodiscard]] QString handName(const QString& id) const;
 
 signals:
@@ -89,6 +93,8 @@ private:
     void showHeadTracking();
     void showPedals();
     [[nodiscard]] bool isHand(const QString& id) const;
+    void showSound();
+    [[nodiscard]] QCheckBox* shownSwitch() const;
     void showNextStep();
     void takeNextStep();
     [[nodiscard]] const Device* find(const QString& id) const;
@@ -114,6 +120,7 @@ private:
     SetupCard* m_setup = nullptr;
     HeadTrackingCard* m_headTracking = nullptr;
     PedalCard* m_pedals = nullptr;
+    SoundCard* m_sound = nullptr;
 };
 
 }  // namespace ui::devices

@@ -7,7 +7,7 @@
 
 namespace ui::devices {
 
-/// The hands that a student can drill with, and head tracking, each with its state as a shape and a sentence.
+/// The hands that a student can drill with, head tracking and sound, each with its state as a shape and a sentence.
 class HandList : public QListWidget
 {
     Q_OBJECT

@@ -206,6 +206,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         add("settings", QT_TR_NOOP("Settings"), QT_TR_NOOP("Every setting with its range"), {Qt::CTRL | Qt::Key_Comma});
     devices =
         add("mouse", QT_TR_NOOP("Devices"), QT_TR_NOOP("Choose and try what moves the bur"), {Qt::CTRL | Qt::Key_D});
+    sound = add("sound", QT_TR_NOOP("Sound"), QT_TR_NOOP("Sound of the handpiece on or off"), {Qt::CTRL | Qt::Key_M});
+    sound->setCheckable(true);
     account = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : m_username; },
                   QT_TR_NOOP("Log in, lock this workstation, or change your password or the language"), {});
     lock = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : tr("Lock or switch user"); },

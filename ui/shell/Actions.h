@@ -122,6 +122,7 @@ public:
     QAction* devices = nullptr;  ///< its icon and tooltip show the hand in use
     QAction* account = nullptr;  ///< who is logged in; opens what he can do about it, or leads to the login
     QAction* lock = nullptr;
+    QAction* sound = nullptr;  ///< checkable: the handpiece is heard
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
     QAction* tour = nullptr;

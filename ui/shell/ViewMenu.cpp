@@ -54,7 +54,7 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     for (QAction* action : {actions.stereo, actions.stereoPage, actions.flipLeftRight, actions.flipUpDown})
         m_menu->addAction(action);
     m_menu->addSeparator();
-    for (QAction* action : {actions.savePicture, actions.reducedMotion})
+    for (QAction* action : {actions.savePicture, actions.reducedMotion, actions.sound})
         m_menu->addAction(action);
     m_menu->addSeparator();
     for (QAction* action : {actions.presets, actions.settings, actions.console}) {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/SoundController.h"
+
+#include <utility>
+
+#include <QGuiApplication>
+
+#include "app/SoundStore.h"
+#include "ui/devices/DevicesPage.h"
+#include "ui/devices/SoundCard.h"
+#include "ui/shell/Actions.h"
+#include "ui/tooth/ToothView.h"
+
+namespace app {
+namespace {
+
+using ui::devices::SoundCard;
+using ui::sound::OutputInfo;
+using ui::sound::SoundPlayer;
+using ui::sound::SoundReport;
+using ui::sound::SoundSettings;
+
+constexpr int kLookMs = 100;
+
+}  // namespace
+
+SoundController::SoundController(ui::shell::MainWindow& window, core::rt::TripleBuffer<core::audio::SoundState>& sound,
+                                 SoundPlayer::MakePort makePort)
+    : m_window(window), m_settings(storedSound()), m_player(std::move(makePort), sound)
+{
+    SoundCard& card = m_window.devicesPage().sound();
+    connect(&card, &SoundCard::settingsChanged, this, &SoundController::change);
+    connect(&card, &SoundCard::sampleRequested, this, [this] { tell([this] { m_player.playSample(); }); });
+    connect(m_window.actions().sound, &QAction::triggered, this, &SoundController::turn);
+    connect(&m_player, &SoundPlayer::reported, &card, &SoundCard::setReport);
+    connect(&m_player, &SoundPlayer::outputsFound, &card, &SoundCard::setOutputs);
+    card.setSettings(m_settings);
+    m_window.actions().sound->setChecked(m_settings.isOn);
+    m_player.moveToThread(&m_thread);
+    m_thread.setObjectName(QStringLiteral("sound"));
+    m_thread.start(QThread::HighPriority);
+    tell([this, settings = m_settings] {
+        m_player.setSettings(settings);
+        m_player.begin();
+    });
+    m_watch.setInterval(kLookMs);
+    connect(&m_watch, &QTimer::timeout, this, &SoundController::watch);
+    m_watch.start();
+}
+
+SoundController::~SoundController()
+{
+    connect(&m_player, &SoundPlayer::ended, &m_thread, &QThread::quit, Qt::DirectConnection);
+    tell([this] { m_player.end(); });
+    m_thread.wait();
+}
+
+void SoundController::change(const SoundSettings& settings)
+{
+    m_settings = settings;
+    storeSound(m_settings);
+    m_window.actions().sound->setChecked(m_settings.isOn);
+    tell([this, settings] { m_player.setSettings(settings); });
+}
+
+void SoundController::turn(bool isOn)
+{
+    SoundSettings settings = m_settings;
+    settings.isOn = isOn;
+    m_window.devicesPage().sound().setSettings(settings);
+    change(settings);
+}
+
+/// A drill that whines on behind other pages or programs helps nobody.
+void SoundController::watch()
+{
+    const bool isHeard = m_window.view().isVisible() && !m_window.isMinimized() &&
+                         QGuiApplication::applicationState() == Qt::ApplicationActive;
+    if (isHeard == m_isHeard)
+        return;
+    m_isHeard = isHeard;
+    tell([this, isHeard] { m_player.setHeard(isHeard); });
+}
+
+}  // namespace app

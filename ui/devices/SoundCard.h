@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <QWidget>
+
+#include "ui/sound/SoundSettings.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace ui::shell {
+class TabularLabel;
+}
+
+namespace ui::devices {
+
+/// Sound on the page of devices: the volumes, the audio output, and a sample to try them.
+///
+/// It plays nothing: reports, outputs and settings are given to it, and its signals ask for the rest.
+class SoundCard : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit SoundCard(QWidget* parent);
+
+    void setSettings(const sound::SoundSettings& settings);
+    void setOutputs(const QList<sound::OutputInfo>& outputs);
+    void setReport(const sound::SoundReport& report);
+    [[nodiscard]] const sound::SoundSettings& settings() const { return m_settings; }
+    [[nodiscard]] const sound::SoundReport& report() const { return m_report; }
+    /// "Play sound": the page shows this check box in its head.
+    [[nodiscard]] QCheckBox& soundSwitch() { return *m_switch; }
+
+signals:
+    /// Emitted when the user has changed a setting.
+    void settingsChanged(const ui::sound::SoundSettings& settings);
+    void sampleRequested();
+    /// Emitted when report() has changed.
+    void stateChanged();
+
+private:
+    /// A volume: the whole (0) or a part (1 and up).
+    struct Volume
+    {
+        QLabel* caption = nullptr;
+        QSlider* slider = nullptr;
+        shell::TabularLabel* percent = nullptr;
+    };
+    void makeVolumes(QWidget* card);
+    void makeOutput(QWidget* card);
+    void showState();
+    void listOutputs();
+    void change(const sound::SoundSettings& settings);
+    [[nodiscard]] static float& volumeOf(sound::SoundSettings& settings, std::size_t volume);
+
+    sound::SoundSettings m_settings;
+    sound::SoundReport m_report;
+    QList<sound::OutputInfo> m_outputs;
+    QCheckBox* m_switch;
+    std::array<Volume, core::audio::kPartCount + 1> m_volumes{};
+    QLabel* m_outputCaption = nullptr;
+    QComboBox* m_output = nullptr;
+    QPushButton* m_sample = nullptr;
+};
+
+}  // namespace ui::devices
