@@ -29,6 +29,7 @@ constexpr Command kCommands[] = {
     {"falcon", "find, test and calibrate a Novint Falcon", falconCommand},
     {"track", "find the tag of head tracking in pictures of a camera, a video or a folder; print a tag", trackCommand,
      Draws::Charts, "--print"},
+    {"sound", "write what a simulation would sound like into a WAV file", soundCommand},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
     {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},

@@ -49,5 +49,6 @@ int exportCommand(const QStringList& arguments);
 int presetCommand(const QStringList& arguments);
 int falconCommand(const QStringList& arguments);
 int trackCommand(const QStringList& arguments);
+int soundCommand(const QStringList& arguments);
 
 }  // namespace app::cli
