@@ -42,6 +42,7 @@ constexpr Suite kSuites[] = {
     {"pointer", "a simulated person at a mouse: plunge, slot, lesion, aim", bench::pointerSuite, 200.0},
     {"falcon", "a Falcon's packets and kinematics", bench::falconSuite, 2.0},
     {"tracking", "head tracking: a tag in rendered pictures, errors and times", bench::trackingSuite, 95.0},
+    {"sound", "sound of the handpiece: time, latency, pitch and materials", bench::soundSuite, 5.0},
     {"replay", "an attempt replayed, and looked at here and there", bench::replaySuite, 25.0},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };

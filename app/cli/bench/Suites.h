@@ -78,6 +78,9 @@ struct Context
 /// Head tracking on rendered pictures whose poses are known: errors, times, losses, the filter, and false tags.
 [[nodiscard]] core::Result<Figures> trackingSuite(const Context& context);
 
+/// The sound of the handpiece: time, latency, pitch, and how far enamel and dentin are apart.
+[[nodiscard]] core::Result<Figures> soundSuite(const Context& context);
+
 /// A recording of continuous drilling played to its end, and looked at here and there.
 [[nodiscard]] core::Result<Figures> replaySuite(const Context& context);
 /// A servo in its thread at 1 kHz, by turns alone and with the live measures of a lesson beside it, and what those
