@@ -33,15 +33,21 @@ HalfSection halfSection(const drilling::Bur& bur, double depthMm)
 {
     const double flat = bur.flatRadiusMm();
     const double corner = bur.cornerMm;
-    const double round = std::min(depthMm, corner);
-    const double above = depthMm - round;  // past the rounded rim the side is upright
+    const double bend = flat + bur.bendMm();
+    const double round = std::min(depthMm, bur.undersideMm(bend));
+    // Past the rounded rim comes the cone, and past that the side is upright.
+    const double cone = std::min(depthMm, bur.undersideMm(bur.headRadiusMm)) - round;
+    const double above = depthMm - round - cone;
+    const double wider = bur.hasCone() ? cone / bur.coneSlope : 0.0;
     const double reach = std::sqrt(round * (2.0 * corner - round));
     // Half a segment of the rounded rim's circle, from the rim of the flat end outwards.
     const double left = corner - round;
     const double segment = 0.5 * (corner * corner * std::acos(left / corner) - left * reach);
     const double moment = (corner * corner * corner - left * left * left) / 3.0 - 0.5 * left * reach * reach;
-    return {flat * round + segment + bur.headRadiusMm * above,
-            0.5 * flat * flat * round + flat * segment + moment + 0.5 * bur.headRadiusMm * bur.headRadiusMm * above};
+    return {flat * round + segment + cone * (bend + 0.5 * wider) + bur.headRadiusMm * above,
+            0.5 * flat * flat * round + flat * segment + moment +
+                0.5 * cone * (bend * bend + bend * wider + wider * wider / 3.0) +
+                0.5 * bur.headRadiusMm * bur.headRadiusMm * above};
 }
 
 /// One sweep in one lie: turned by `heading`, mm.

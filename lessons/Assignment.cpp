@@ -341,7 +341,7 @@ core::session::Examination examinationOf(const Assignment& assignment)
         watched.allowedBurs = 0;
     for (const std::string& bur : assignment.lesson->burs)
         if (const auto index = core::drilling::findBur(bur))
-            watched.allowedBurs |= std::uint32_t{1} << *index;
+            watched.allowedBurs |= std::uint64_t{1} << *index;
     return examination;
 }
 

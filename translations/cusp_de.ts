@@ -426,20 +426,92 @@
 <context>
     <name>Bur</name>
     <message>
-        <source>Round, No. 2</source>
-        <translation>Rundbohrer, Nr. 2</translation>
+        <source>Round, No. %1</source>
+        <translation>Rundbohrer, Nr. %1</translation>
     </message>
     <message>
-        <source>Pear, No. 330</source>
-        <translation>Birnenförmig, Nr. 330</translation>
+        <source>Inverted cone, No. %1</source>
+        <translation>Umgekehrter Kegel, Nr. %1</translation>
     </message>
     <message>
-        <source>Long pear, No. 245</source>
-        <translation>Lang birnenförmig, Nr. 245</translation>
+        <source>Straight fissure, No. %1</source>
+        <translation>Zylindrisch, Nr. %1</translation>
     </message>
     <message>
-        <source>Straight fissure, No. 57</source>
-        <translation>Zylindrisch, Nr. 57</translation>
+        <source>Straight fissure, crosscut, No. %1</source>
+        <translation>Zylindrisch mit Querhieb, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Domed fissure, crosscut, No. %1</source>
+        <translation>Zylindrisch mit rundem Ende und Querhieb, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Tapered fissure, No. %1</source>
+        <translation>Konisch, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Tapered fissure, crosscut, No. %1</source>
+        <translation>Konisch mit Querhieb, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Pear, No. %1</source>
+        <translation>Birnenförmig, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Long pear, No. %1</source>
+        <translation>Lang birnenförmig, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Egg, No. %1</source>
+        <translation>Eiförmig, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Flame, No. %1</source>
+        <translation>Flammenförmig, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Cylinder, No. %1</source>
+        <translation>Zylinder, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Round-end taper, No. %1</source>
+        <translation>Konus mit rundem Ende, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Chamfer, No. %1</source>
+        <translation>Torpedo, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, round, No. %1</source>
+        <translation>Diamant, rund, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, pear, No. %1</source>
+        <translation>Diamant, Birne, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, egg, No. %1</source>
+        <translation>Diamant, Ei, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, flame, No. %1</source>
+        <translation>Diamant, Flamme, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, cylinder, No. %1</source>
+        <translation>Diamant, Zylinder, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, round-end taper, No. %1</source>
+        <translation>Diamant, Konus mit rundem Ende, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, chamfer, No. %1</source>
+        <translation>Diamant, Torpedo, Nr. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, No. %1</source>
+        <translation>Diamant, Nr. %1</translation>
     </message>
 </context>
 <context>

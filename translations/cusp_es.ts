@@ -426,20 +426,92 @@
 <context>
     <name>Bur</name>
     <message>
-        <source>Round, No. 2</source>
-        <translation>Redonda, n.º 2</translation>
+        <source>Round, No. %1</source>
+        <translation>Redonda, n.º %1</translation>
     </message>
     <message>
-        <source>Pear, No. 330</source>
-        <translation>Pera, n.º 330</translation>
+        <source>Inverted cone, No. %1</source>
+        <translation>Cono invertido, n.º %1</translation>
     </message>
     <message>
-        <source>Long pear, No. 245</source>
-        <translation>Pera larga, n.º 245</translation>
+        <source>Straight fissure, No. %1</source>
+        <translation>Fisura recta, n.º %1</translation>
     </message>
     <message>
-        <source>Straight fissure, No. 57</source>
-        <translation>Fisura recta, n.º 57</translation>
+        <source>Straight fissure, crosscut, No. %1</source>
+        <translation>Fisura recta de corte transversal, n.º %1</translation>
+    </message>
+    <message>
+        <source>Domed fissure, crosscut, No. %1</source>
+        <translation>Fisura de punta redondeada y corte transversal, n.º %1</translation>
+    </message>
+    <message>
+        <source>Tapered fissure, No. %1</source>
+        <translation>Fisura cónica, n.º %1</translation>
+    </message>
+    <message>
+        <source>Tapered fissure, crosscut, No. %1</source>
+        <translation>Fisura cónica de corte transversal, n.º %1</translation>
+    </message>
+    <message>
+        <source>Pear, No. %1</source>
+        <translation>Pera, n.º %1</translation>
+    </message>
+    <message>
+        <source>Long pear, No. %1</source>
+        <translation>Pera larga, n.º %1</translation>
+    </message>
+    <message>
+        <source>Egg, No. %1</source>
+        <translation>Huevo, n.º %1</translation>
+    </message>
+    <message>
+        <source>Flame, No. %1</source>
+        <translation>Llama, n.º %1</translation>
+    </message>
+    <message>
+        <source>Cylinder, No. %1</source>
+        <translation>Cilindro, n.º %1</translation>
+    </message>
+    <message>
+        <source>Round-end taper, No. %1</source>
+        <translation>Cónica de punta redondeada, n.º %1</translation>
+    </message>
+    <message>
+        <source>Chamfer, No. %1</source>
+        <translation>Torpedo, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, round, No. %1</source>
+        <translation>Diamante redondo, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, pear, No. %1</source>
+        <translation>Diamante en pera, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, egg, No. %1</source>
+        <translation>Diamante en huevo, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, flame, No. %1</source>
+        <translation>Diamante en llama, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, cylinder, No. %1</source>
+        <translation>Diamante cilíndrico, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, round-end taper, No. %1</source>
+        <translation>Diamante cónico de punta redondeada, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, chamfer, No. %1</source>
+        <translation>Diamante torpedo, n.º %1</translation>
+    </message>
+    <message>
+        <source>Diamond, No. %1</source>
+        <translation>Diamante, n.º %1</translation>
     </message>
 </context>
 <context>

@@ -425,20 +425,92 @@
 <context>
     <name>Bur</name>
     <message>
-        <source>Round, No. 2</source>
-        <translation>ラウンド、No. 2</translation>
+        <source>Round, No. %1</source>
+        <translation>ラウンド、No. %1</translation>
     </message>
     <message>
-        <source>Pear, No. 330</source>
-        <translation>ペアー、No. 330</translation>
+        <source>Inverted cone, No. %1</source>
+        <translation>インバーテッドコーン、No. %1</translation>
     </message>
     <message>
-        <source>Long pear, No. 245</source>
-        <translation>ロングペアー、No. 245</translation>
+        <source>Straight fissure, No. %1</source>
+        <translation>ストレートフィッシャー、No. %1</translation>
     </message>
     <message>
-        <source>Straight fissure, No. 57</source>
-        <translation>ストレートフィッシャー、No. 57</translation>
+        <source>Straight fissure, crosscut, No. %1</source>
+        <translation>クロスカットのストレートフィッシャー、No. %1</translation>
+    </message>
+    <message>
+        <source>Domed fissure, crosscut, No. %1</source>
+        <translation>クロスカットのドーム型フィッシャー、No. %1</translation>
+    </message>
+    <message>
+        <source>Tapered fissure, No. %1</source>
+        <translation>テーパーフィッシャー、No. %1</translation>
+    </message>
+    <message>
+        <source>Tapered fissure, crosscut, No. %1</source>
+        <translation>クロスカットのテーパーフィッシャー、No. %1</translation>
+    </message>
+    <message>
+        <source>Pear, No. %1</source>
+        <translation>ペアー、No. %1</translation>
+    </message>
+    <message>
+        <source>Long pear, No. %1</source>
+        <translation>ロングペアー、No. %1</translation>
+    </message>
+    <message>
+        <source>Egg, No. %1</source>
+        <translation>エッグ、No. %1</translation>
+    </message>
+    <message>
+        <source>Flame, No. %1</source>
+        <translation>フレーム、No. %1</translation>
+    </message>
+    <message>
+        <source>Cylinder, No. %1</source>
+        <translation>シリンダー、No. %1</translation>
+    </message>
+    <message>
+        <source>Round-end taper, No. %1</source>
+        <translation>ラウンドエンドテーパー、No. %1</translation>
+    </message>
+    <message>
+        <source>Chamfer, No. %1</source>
+        <translation>シャンファー、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, round, No. %1</source>
+        <translation>ダイヤモンド・ラウンド、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, pear, No. %1</source>
+        <translation>ダイヤモンド・ペアー、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, egg, No. %1</source>
+        <translation>ダイヤモンド・エッグ、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, flame, No. %1</source>
+        <translation>ダイヤモンド・フレーム、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, cylinder, No. %1</source>
+        <translation>ダイヤモンド・シリンダー、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, round-end taper, No. %1</source>
+        <translation>ダイヤモンド・ラウンドエンドテーパー、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, chamfer, No. %1</source>
+        <translation>ダイヤモンド・シャンファー、No. %1</translation>
+    </message>
+    <message>
+        <source>Diamond, No. %1</source>
+        <translation>ダイヤモンド、No. %1</translation>
     </message>
 </context>
 <context>

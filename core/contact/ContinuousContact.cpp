@@ -55,10 +55,10 @@ HalfSpace tangentAt(glm::dvec2 at, const Touch& touch)
     return through({at, touch.heightMm}, {-touch.slope, 1.0});
 }
 
-/// True if a bur on its way meets a side with its own, not with its rounded end.
+/// True if a bur on its way meets a side with its own upright one, not with its end.
 bool isBeside(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& side)
 {
-    return side.onMm.z - std::max(from.z, to.z) >= mask.cornerMm;
+    return side.onMm.z - std::max(from.z, to.z) >= mask.sideMm;
 }
 
 /// The plane that keeps a tip at `from`, which is free, out of what it would enter on its straight way to `to`: the

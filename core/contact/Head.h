@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/drilling/BurMask.h"
@@ -23,6 +24,8 @@ struct Head
     float flat;
     float corner;
     float corner2;
+    float bend;
+    float cone;
 };
 
 inline constexpr auto kLastStep = static_cast<float>(drilling::BurMask::kTableSteps);
@@ -37,7 +40,9 @@ inline constexpr auto kLastStep = static_cast<float>(drilling::BurMask::kTableSt
             mask.radiusMm * mask.radiusMm,
             static_cast<float>(mask.flatMm),
             corner,
-            corner * corner};
+            corner * corner,
+            std::min(corner, static_cast<float>(mask.bendMm)),
+            static_cast<float>(mask.coneSlope)};
 }
 
 /// Squared distance, mm2, of any column of row j from the head's axis along +y.
@@ -61,8 +66,8 @@ inline constexpr auto kLastStep = static_cast<float>(drilling::BurMask::kTableSt
         return drilling::BurMask::kAbsent;
     const float past = std::sqrt(r2) - head.flat;
     const float out = past > 0.0F ? past : 0.0F;
-    const float down2 = head.corner2 - out * out;
-    return head.corner - std::sqrt(down2 > 0.0F ? down2 : 0.0F);
+    const float round = out < head.bend ? out : head.bend;
+    return head.corner - std::sqrt(head.corner2 - round * round) + head.cone * (out - round);
 }
 
 /// Height of the head's upper side above its tip.

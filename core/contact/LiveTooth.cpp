@@ -55,8 +55,12 @@ glm::dvec2 stepToFoot(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 at
     // The foot is p + slope * share; how it moves with the slope, times how the slope moves with the place.
     const double steep = std::sqrt(steep2);
     const double root = std::sqrt(1.0 + steep2);
-    const double share = mask.flatMm / steep + mask.cornerMm / root;
-    const double along = (mask.cornerMm / (root * root * root) - share) / steep2;
+    // The upper edge of a cone is met as the rim of a disc.
+    const bool onEdge = mask.standsOnEdge(steep);
+    const double flat = onEdge ? static_cast<double>(mask.radiusMm) : mask.flatMm;
+    const double corner = onEdge ? 0.0 : mask.cornerMm;
+    const double share = flat / steep + corner / root;
+    const double along = (corner / (root * root * root) - share) / steep2;
     const double xx = share + along * slope.x * slope.x;
     const double xy = along * slope.x * slope.y;
     const double yy = share + along * slope.y * slope.y;

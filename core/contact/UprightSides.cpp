@@ -303,15 +303,18 @@ Touch UprightSides::besideAt(glm::dvec2 pointMm, double tipMm, const terrain::To
 {
     const Reach reach(tooth.grid(), mask);
     Nodes nodes;
-    const std::size_t count = nodesNear(pointMm, tooth, reach, tipMm + mask.cornerMm, nodes);
+    const std::size_t count = nodesNear(pointMm, tooth, reach, tipMm + mask.steepMm, nodes);
     double least = reach.radius;
     Foot best{};
     bool isThere = false;
     const auto take = [&](const Foot& foot) {
         const double apart = lengthOf(pointMm - foot.place);
-        if (!(apart > 0.0) || apart > least || foot.bottom - mask.upperAt(apart) >= tipMm)
+        // A cone is met the sooner, the higher the side stands.
+        const double beside =
+            mask.steepMm < mask.sideMm ? apart + reach.radius - mask.reachAt(foot.top - tipMm) : apart;
+        if (!(apart > 0.0) || beside > least || foot.bottom - mask.upperAt(apart) >= tipMm)
             return;
-        least = apart;
+        least = beside;
         best = foot;
         isThere = true;
     };

@@ -51,7 +51,7 @@ private:
         double apart;  ///< from the bur's axis, mm
     };
     /// Enough for both sides of a slot under the widest bur at 1024 nodes a side.
-    using Nodes = std::array<Node, 512>;
+    using Nodes = std::array<Node, 1280>;
 
     /// How far around its axis a bur asks for posts, mm.
     struct Reach

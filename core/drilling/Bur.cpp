@@ -6,72 +6,26 @@
 #include <cmath>
 #include <string>
 
+#include "core/drilling/BurFile.h"
+#include "core/drilling/BurTable.h"
+
 namespace core::drilling {
 namespace {
 
-/// Points a quarter circle is cut into. 32 chords of a 0.5 mm ball leave 0.15 um.
-constexpr int kArcSteps = 32;
-
-/// Unit quarter circle from (0, -1) to (1, 0) in equal steps of the half-angle tangent: rational points, so that the
-/// outline needs no library transcendental and is the same with every compiler.
-Bur::Point unitArc(int step)
-{
-    // Two octants, each with t = tan(angle / 2) running to tan(22.5 degrees).
-    constexpr double kTanEighth = 0.41421356237309503;
-    const int half = kArcSteps / 2;
-    const bool second = step > half;
-    const double t = kTanEighth * (second ? kArcSteps - step : step) / half;
-    const double sine = 2.0 * t / (1.0 + t * t);
-    const double cosine = (1.0 - t * t) / (1.0 + t * t);
-    return second ? Bur::Point{cosine, -sine} : Bur::Point{sine, -cosine};
-}
-
-/// Ball of radius R whose equator is at height R, cut by the neck above.
-Bur roundBur(std::string_view id, std::string_view name, double radius, double neck)
-{
-    Bur bur{id, name, radius, 2.0 * radius, neck, radius, {}};
-    for (int k = 0; k <= kArcSteps; ++k) {
-        const Bur::Point p = unitArc(k);
-        bur.outline.push_back({radius * p.radiusMm, radius * (1.0 + p.heightMm)});
-    }
-    for (int k = kArcSteps - 1; k >= 0; --k) {
-        const Bur::Point p = unitArc(k);
-        const double r = radius * p.radiusMm;
-        if (r < neck)
-            break;
-        bur.outline.push_back({r, radius * (1.0 - p.heightMm)});
-    }
-    bur.headLengthMm = bur.outline.back().heightMm;
-    return bur;
-}
-
-/// Pear: widest near the tip and rounded there, sides closing towards the shank by `taper` (tangent of the angle a
-/// side). The end is a flat disc joined to the side by a quarter circle of radius `corner`.
-Bur pearBur(std::string_view id, std::string_view name, double radius, double length, double corner, double taper)
-{
-    Bur bur{id, name, radius, length, radius - taper * (length - corner), corner, {}};
-    bur.outline.push_back({0.0, 0.0});
-    for (int k = 0; k <= kArcSteps; ++k) {
-        const Bur::Point p = unitArc(k);
-        bur.outline.push_back({radius - corner + corner * p.radiusMm, corner * (1.0 + p.heightMm)});
-    }
-    bur.outline.push_back({bur.shankRadiusMm, length});
-    return bur;
-}
-
-/// Straight fissure: a cylinder with a flat end, its edge broken by `corner`. With a sharp one the clearance would step
-/// wherever a column comes under the rim, and the bur stick there (haptics.md 3.1 asks for a corner of a cell).
-Bur fissureBur(std::string_view id, std::string_view name, double radius, double length, double neck, double corner)
-{
-    Bur bur{id, name, radius, length, neck, corner, {}};
-    bur.outline.push_back({0.0, 0.0});
-    for (int k = 0; k <= kArcSteps; ++k) {
-        const Bur::Point p = unitArc(k);
-        bur.outline.push_back({radius - corner + corner * p.radiusMm, corner * (1.0 + p.heightMm)});
-    }
-    bur.outline.push_back({radius, length});
-    return bur;
-}
+constexpr std::array<std::string_view, kBurShapes> kShapeWords{"round",
+                                                               "inverted-cone",
+                                                               "straight",
+                                                               "straight-crosscut",
+                                                               "domed-crosscut",
+                                                               "tapered",
+                                                               "tapered-crosscut",
+                                                               "pear",
+                                                               "long-pear",
+                                                               "egg",
+                                                               "flame",
+                                                               "cylinder",
+                                                               "round-end-taper",
+                                                               "chamfer"};
 
 double heightOn(const Bur::Point& a, const Bur::Point& b, double radiusMm)
 {
@@ -79,26 +33,46 @@ double heightOn(const Bur::Point& a, const Bur::Point& b, double radiusMm)
     return span == 0.0 ? a.heightMm : a.heightMm + (b.heightMm - a.heightMm) * (radiusMm - a.radiusMm) / span;
 }
 
-const std::array<Bur, 4>& table()
+/// Those of the program, and how many they are without the user's own.
+struct Table
 {
-    static const std::array<Bur, 4> burs{
-        roundBur("2", "round, No. 2", 0.5, 0.25),
-        // Tangents of 8 and 4 degrees a side: teeth.md section 6.
-        pearBur("330", "pear, No. 330", 0.4, 1.6, 0.25, 0.14054),
-        pearBur("245", "long pear, No. 245", 0.4, 3.0, 0.2, 0.06993),
-        fissureBur("57", "straight fissure, No. 57", 0.5, 3.8, 0.4, 0.1),
-    };
+    std::vector<Bur> burs = parseBurs(kBurTable).value();
+    std::size_t own = burs.size();
+
+    Table() { burs.reserve(own + 1); }
+};
+
+Table& table()
+{
+    static Table burs;
     return burs;
 }
 
 }  // namespace
+
+std::string_view shapeWord(BurShape shape)
+{
+    return kShapeWords.at(static_cast<std::size_t>(shape));
+}
+
+std::string Bur::isoSize() const
+{
+    constexpr long kFourDigits = 1000;  // of which the first is dropped
+    return std::to_string(kFourDigits + std::lround(20.0 * headRadiusMm)).substr(1);
+}
+
+double Bur::bendMm() const
+{
+    return hasCone() ? cornerMm * (coneSlope / std::sqrt(1.0 + coneSlope * coneSlope)) : cornerMm;
+}
 
 double Bur::undersideMm(double radiusMm) const
 {
     const double out = radiusMm - flatRadiusMm();
     if (!(out > 0.0))
         return 0.0;
-    return cornerMm - std::sqrt(std::max(0.0, cornerMm * cornerMm - out * out));
+    const double round = std::min(out, bendMm());
+    return cornerMm - std::sqrt(cornerMm * cornerMm - round * round) + coneSlope * (out - round);
 }
 
 double Bur::upperSideMm(double radiusMm) const
@@ -114,7 +88,7 @@ double Bur::upperSideMm(double radiusMm) const
 
 std::span<const Bur> burs()
 {
-    return table();
+    return table().burs;
 }
 
 Result<std::size_t> findBur(std::string_view id)
@@ -125,9 +99,25 @@ Result<std::size_t> findBur(std::string_view id)
         return static_cast<std::size_t>(found - all.begin());
     std::string known;
     for (const Bur& bur : all)
-        known += (known.empty() ? "" : ", ") + std::string(bur.id);
+        known += (known.empty() ? "" : ", ") + bur.id;
     return unexpected(ErrorCode::UnknownName, Words{"There is no bur '%1'; choose one of %2.",
                                                     {noted(std::string(id)), noted(std::move(known))}});
+}
+
+bool isOwnBur(std::size_t index)
+{
+    return index >= table().own;
+}
+
+Result<std::size_t> addOwnBur(Bur bur)
+{
+    Table& all = table();
+    if (all.burs.size() > all.own)
+        return unexpected(ErrorCode::Busy, "There is a bur of your own already; the program takes one.");
+    if (findBur(bur.id))
+        return unexpected(ErrorCode::BadStructure, "There is a bur '" + bur.id + "' already; call yours otherwise.");
+    all.burs.push_back(std::move(bur));
+    return all.own;
 }
 
 }  // namespace core::drilling

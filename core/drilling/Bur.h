@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,16 +18,43 @@ inline constexpr double kShankTopMm = 1.0e3;
 /// of the handpiece lies on the tooth.
 inline constexpr double kChuckMm = 8.0;
 
-/// One axisymmetric bur. Heights are above its tip, radii from its axis, mm. US numbers and sizes: teeth.md section 6.
+/// So many burs, the first of burs(), are at hand without looking for them; figures of benches are of these.
+inline constexpr std::size_t kCommonBurs = 4;
+
+/// What a bur looks like, for people.
+enum class BurShape {
+    Round,
+    InvertedCone,
+    Straight,
+    StraightCrosscut,
+    DomedCrosscut,
+    Tapered,
+    TaperedCrosscut,
+    Pear,
+    LongPear,
+    Egg,
+    Flame,
+    Cylinder,
+    RoundEndTaper,
+    Chamfer,
+};
+inline constexpr std::size_t kBurShapes = 14;
+
+/// What a file calls it: "inverted-cone".
+[[nodiscard]] std::string_view shapeWord(BurShape shape);
+
+/// One axisymmetric bur. Heights are above its tip, radii from its axis, mm. Where the sizes are from: docs/burs.md.
 struct Bur
 {
-    std::string_view id;    ///< what the command line and recordings call it: "330"
-    std::string_view name;  ///< "pear, No. 330"
+    std::string id;  ///< its US number, or a diamond's in ISO makers' catalogues: "330". Command line, lessons
+    BurShape shape = BurShape::Round;
+    int grit = 0;         ///< of a diamond: its number in ISO 6360, such as 524; 0: carbide
+    std::string iso6360;  ///< "806 314 001 524 014"; empty where it is not known
     double headRadiusMm = 0.0;
     double headLengthMm = 0.0;
     double shankRadiusMm = 0.0;  ///< neck just above the head
-    /// The end: a flat disc whose rim is rounded with this radius, up to headRadiusMm. A ball is all corner, a straight
-    /// fissure bur has none.
+    /// The end: a flat disc whose rim is rounded with this radius, up to headRadiusMm or to the cone that goes on from
+    /// there. A ball is all corner.
     double cornerMm = 0.0;
     /// Half outline of the head from (0, 0) at the tip to the shank, as points (radius, height), heights never falling.
     struct Point
@@ -34,19 +62,38 @@ struct Bur
         double radiusMm;
         double heightMm;
     };
-    std::vector<Point> outline;
+    std::vector<Point> outline{};
+    /// Rise of the cone that goes on from the rounded rim, tangent to it, up to headRadiusMm; mm a mm. 0: the rim goes
+    /// round to upright, and there is no cone.
+    double coneSlope = 0.0;
+    double coneFlatMm = 0.0;  ///< radius of the flat disc of a bur with a cone
 
-    [[nodiscard]] double flatRadiusMm() const { return headRadiusMm - cornerMm; }
+    [[nodiscard]] bool hasCone() const { return coneSlope > 0.0; }
+    [[nodiscard]] bool isDiamond() const { return grit != 0; }
+    /// ISO size: the largest diameter in tenths of a millimetre, three digits.
+    [[nodiscard]] std::string isoSize() const;
+    /// Radius of the flat disc.
+    [[nodiscard]] double flatRadiusMm() const { return hasCone() ? coneFlatMm : headRadiusMm - cornerMm; }
+    /// How far beyond the flat disc the rounded rim goes, along the radius.
+    [[nodiscard]] double bendMm() const;
     /// Height of the underside at radius r <= headRadiusMm: the lowest point of the head there.
     [[nodiscard]] double undersideMm(double radiusMm) const;
     /// Height of the upper side at radius r <= headRadiusMm; kShankTopMm where the shank continues it.
     [[nodiscard]] double upperSideMm(double radiusMm) const;
 };
 
-/// The burs that exist, in the order a chooser shows them: round 2, pear 330, long pear 245, straight fissure 57.
+/// The burs that exist: those of core/drilling/burs.txt, in its order, and the user's own behind them. Recordings name
+/// a bur by its index.
 [[nodiscard]] std::span<const Bur> burs();
 
 /// Index into burs() by id, or UnknownName naming those there are.
 [[nodiscard]] Result<std::size_t> findBur(std::string_view id);
+
+/// True for the index of a bur that addOwnBur() added.
+[[nodiscard]] bool isOwnBur(std::size_t index);
+
+/// Adds the user's own bur for as long as the program runs; its index. Call it before the first tooth is made: a tooth
+/// knows the burs there were. At most one can be added (Busy), and with an id of its own (BadStructure).
+[[nodiscard]] Result<std::size_t> addOwnBur(Bur bur);
 
 }  // namespace core::drilling

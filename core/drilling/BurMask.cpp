@@ -16,7 +16,9 @@ BurMask::BurMask(const Bur& bur, double cellMm)
     : span(static_cast<int>(std::ceil(bur.headRadiusMm / cellMm + kRounding))),
       radiusMm(static_cast<float>(bur.headRadiusMm)),
       r2ToStep(static_cast<float>(kTableSteps / (bur.headRadiusMm * bur.headRadiusMm))), flatMm(bur.flatRadiusMm()),
-      cornerMm(bur.cornerMm)
+      cornerMm(bur.cornerMm), bendMm(bur.bendMm()), coneSlope(bur.coneSlope),
+      sideMm(bur.hasCone() ? heightAt(bur.headRadiusMm) : bur.cornerMm),
+      steepMm(bur.coneSlope >= kNearlyUpright ? heightAt(flatMm + bendMm) : sideMm)
 {
     for (int step = 0; step <= kTableSteps; ++step) {
         // The middle of the step: a lookup rounds down.
@@ -29,8 +31,11 @@ BurMask::BurMask(const Bur& bur, double cellMm)
 
 double BurMask::reachAt(double height) const noexcept
 {
-    if (height >= cornerMm)
+    if (height >= sideMm)
         return static_cast<double>(radiusMm);
+    const double bend = heightAt(flatMm + bendMm);
+    if (coneSlope > 0.0 && height > bend)
+        return std::min(static_cast<double>(radiusMm), flatMm + bendMm + (height - bend) / coneSlope);
     const double down = cornerMm - height;
     return flatMm + std::sqrt(std::max(0.0, cornerMm * cornerMm - down * down));
 }

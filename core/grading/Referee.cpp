@@ -113,7 +113,7 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
     else if (m_inAir.count() == 0)
         standing(Breach::BurInAir) = false;
 
-    const bool isAllowed = state.burIndex >= 32 || ((m_rules.allowedBurs >> state.burIndex) & 1U) != 0;
+    const bool isAllowed = state.burIndex >= 64 || ((m_rules.allowedBurs >> state.burIndex) & 1U) != 0;
     if (isAllowed)
         standing(Breach::WrongBur) = false;
     else if (state.cutting)

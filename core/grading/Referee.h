@@ -41,7 +41,7 @@ struct Rules
     std::optional<double> forceLimitN;
     std::optional<double> airLimitS;
     std::shared_ptr<const terrain::HeightMaps> neighbours;  ///< teeth beside, tooth frame; null: not watched
-    std::uint32_t allowedBurs = ~std::uint32_t{0};          ///< bit k: burs()[k]
+    std::uint64_t allowedBurs = ~std::uint64_t{0};          ///< bit k: burs()[k]
     bool operator==(const Rules&) const = default;
 };
 

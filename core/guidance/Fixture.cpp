@@ -39,7 +39,13 @@ Fixture::Fixture(const terrain::ToothAnatomy& anatomy, const std::vector<float>&
     for (std::size_t k = 0; k < ideal.size(); ++k)
         marked[k] = ideal[k] < anatomy.top[k] ? 1 : 0;
     const std::vector<float> inside = teeth::distanceInside(m_grid, marked);
+    std::vector<double> radiiMm;
     for (const drilling::Bur& bur : drilling::burs()) {
+        const auto known = std::find(radiiMm.begin(), radiiMm.end(), bur.headRadiusMm);
+        m_mapOfBur.push_back(static_cast<std::size_t>(known - radiiMm.begin()));
+        if (known != radiiMm.end())
+            continue;
+        radiiMm.push_back(bur.headRadiusMm);
         const double needed = bur.headRadiusMm - kSlackMm - 0.5 * m_grid.cellMm;
         bool fits = false;
         for (std::size_t k = 0; k < inside.size(); ++k) {
@@ -59,11 +65,11 @@ glm::dvec3 Fixture::forceN(const glm::dvec3& tip, std::size_t bur) const noexcep
     const double i0 = std::floor(at.x);
     const double j0 = std::floor(at.y);
     // The slope at a node needs its neighbours. False for NaN as well.
-    if (!(i0 >= 1.0 && j0 >= 1.0 && i0 + 3.0 <= m_grid.side && j0 + 3.0 <= m_grid.side) || bur >= m_besideMm.size())
+    if (!(i0 >= 1.0 && j0 >= 1.0 && i0 + 3.0 <= m_grid.side && j0 + 3.0 <= m_grid.side) || bur >= m_mapOfBur.size())
         return glm::dvec3(0.0);
     const int i = static_cast<int>(i0);
     const int j = static_cast<int>(j0);
-    const std::vector<float>& beside = m_besideMm[bur];
+    const std::vector<float>& beside = m_besideMm[m_mapOfBur[bur]];
     const auto value = [&](int x, int y) { return static_cast<double>(beside[m_grid.index(x, y)]); };
     double mm = 0.0;
     glm::dvec2 slope(0.0);

@@ -33,7 +33,9 @@ public:
 private:
     terrain::Grid m_grid;
     double m_topMm = 0.0;
-    std::vector<std::vector<float>> m_besideMm;  ///< by bur: how far its axis is from where it may be, [side * side]
+    /// By radius of the bur: how far its axis is from where it may be, [side * side].
+    std::vector<std::vector<float>> m_besideMm;
+    std::vector<std::size_t> m_mapOfBur;  ///< into m_besideMm
 };
 
 }  // namespace core::guidance

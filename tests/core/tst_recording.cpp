@@ -11,6 +11,7 @@
 #include <zstd.h>
 
 #include "core/base/Bytes.h"
+#include "core/drilling/Bur.h"
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
 #include "core/session/ServoNumbers.h"
@@ -385,7 +386,8 @@ private slots:
             events.push_back({kind, 0, {}, value});
             QTest::newRow(name) << events << isAllowed;
         };
-        row("no such bur", {}, ServoEvent::Kind::Bur, 4, false);
+        row("the last bur", {}, ServoEvent::Kind::Bur, drilling::burs().size() - 1, true);
+        row("no such bur", {}, ServoEvent::Kind::Bur, drilling::burs().size(), false);
         row("the only handpiece", {}, ServoEvent::Kind::Handpiece, 0, true);
         row("no such handpiece", {}, ServoEvent::Kind::Handpiece, 1, false);
         row("no such aid", {}, ServoEvent::Kind::Aids, session::kAllAids + 1U, false);

@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 
+#include "core/drilling/Bur.h"
 #include "core/recording/Replay.h"
 #include "core/session/ServoNumbers.h"
 #include "tests/support/Checks.h"
@@ -229,6 +230,22 @@ private slots:
         support::RestlessHand hand(static_cast<std::uint64_t>(side));
         rig.follow(hand, 3000);
         QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
+        compareWithLive(rig);
+    }
+
+    /// Every bur there is, one after the other in one attempt.
+    void aChangeOfBurIsReplayed()
+    {
+        ReplayedDrilling rig(100);
+        const std::size_t count = drilling::burs().size();
+        for (std::size_t bur = 0; bur < count; ++bur) {
+            rig.send(session::SetBur{static_cast<std::uint8_t>(bur)});
+            const double along = -3.0 + 6.0 * static_cast<double>(bur) / static_cast<double>(count);
+            rig.lean(along, 1.0 - 0.5 * static_cast<double>(bur % 5), 1.5, 120);
+            QCOMPARE(std::size_t{rig.servo->state().burIndex}, bur);
+            rig.lift();
+        }
+        QVERIFY2(removedMm3(rig) > 3.0, qPrintable(QString::number(removedMm3(rig))));
         compareWithLive(rig);
     }
 

@@ -97,8 +97,7 @@ private slots:
         for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
             tooth.selectBur(bur);
             for (double aside = -1.0; aside < 1.0; aside += 0.1) {
-                const double off =
-                    stopsAt(tooth, across, aside, Edges::Sides) + core::drilling::burs()[bur].headRadiusMm;
+                const double off = stopsAt(tooth, across, aside, Edges::Sides) + tooth.mask().reachAt(kWallMm);
                 QVERIFY2(std::abs(off) < 0.04, qPrintable(QString("bur %1: %2 mm").arg(bur).arg(off)));
             }
         }

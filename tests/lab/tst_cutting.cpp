@@ -238,7 +238,7 @@ private slots:
     {
         // Enamel under one half of the bur and dentin under the other: the time is sum V_m / rate_m, whatever comes
         // first.
-        for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
+        for (std::size_t bur = 0; bur < core::drilling::kCommonBurs; ++bur) {
             constexpr int kTicks = 1500;
             int ticks = 0;
             core::terrain::PerMaterial removed{};

@@ -383,7 +383,7 @@ private slots:
             float widest = 0.0F;
             float lowest = 1.0F;
             for (const ui::render::MetalVertex& vertex : meshes.back().vertices) {
-                if (vertex.position.z < static_cast<float>(bur.headLengthMm))
+                if (vertex.position.z <= static_cast<float>(bur.headLengthMm))
                     widest = std::max(widest, glm::length(glm::vec2(vertex.position)));
                 lowest = std::min(lowest, vertex.position.z);
             }

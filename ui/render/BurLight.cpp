@@ -42,7 +42,8 @@ std::array<Rod, kRods> rodsOf(const core::drilling::Bur& bur)
     const double head = bur.headLengthMm;
     const double round = std::min(bur.headRadiusMm, 0.5 * head);
     return {{{{0.0, 0.0, round}, {0.0, 0.0, head - 0.5 * round}, bur.headRadiusMm, kTold},
-             {{0.0, 0.0, head + kNeckMm + 2.0}, {0.0, 0.0, chuck}, 0.8, kTold},
+             // Of a long head the shank is in the handpiece.
+             {{0.0, 0.0, head + kNeckMm + 2.0}, {0.0, 0.0, std::max(chuck, head + kNeckMm + 3.0)}, 0.8, kTold},
              {{0.0, 0.0, chuck + 4.0}, {0.0, 0.0, chuck + 5.0}, 3.6, kFilled},
              {{2.5, 0.0, chuck + 4.9}, {20.0, 0.0, chuck + 9.0}, 2.8, kFilled},
              {{20.0, 0.0, chuck + 9.0}, {60.0, 0.0, chuck + 24.0}, 4.6, kFilled}}};

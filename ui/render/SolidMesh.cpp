@@ -111,16 +111,19 @@ SolidMesh shankMesh(const core::drilling::Bur& bur)
     const float from = head + static_cast<float>(kNeckMm);
     const auto chuck = static_cast<float>(core::drilling::kChuckMm);
     constexpr float kShankMm = 0.8F;
+    constexpr float kWidensMm = 3.2F;  // over this length, or what a long head leaves of it
+    const float inChuck = chuck + 4.0F;
+    const float widens = std::min(kWidensMm, 0.9F * (inChuck - from));
     const std::vector<glm::vec3> profile{
         {0.0F, head - neck, kSteel},
         {0.5F * neck, head - 0.87F * neck, kSteel},
         {0.87F * neck, head - 0.5F * neck, kSteel},
         {neck, head, kSteel},
         {neck, from, kSteel},
-        {0.5F * (neck + kShankMm), from + 1.7F, kSteel},
-        {kShankMm, from + 3.2F, kSteel},
-        {kShankMm, chuck + 4.0F, kSteel},  // closed: the handpiece is seen through, and the neck ends in it
-        {0.0F, chuck + 4.0F, kSteel},
+        {0.5F * (neck + kShankMm), from + std::min(1.7F, 0.6F * widens), kSteel},
+        {kShankMm, from + widens, kSteel},
+        {kShankMm, inChuck, kSteel},  // closed: the handpiece is seen through, and the neck ends in it
+        {0.0F, inChuck, kSteel},
     };
     SolidMesh mesh;
     turn(mesh, profile);

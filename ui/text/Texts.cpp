@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include "core/drilling/Bur.h"
 #include "core/session/Links.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothTable.h"
@@ -535,17 +536,82 @@ QString planeAlongY(const core::terrain::ToothAnatomy& tooth)
                                : QCoreApplication::translate("Direction", "Bucco-lingual");
 }
 
+namespace {
+
+/// "%1" stands for the number of a carbide bur.
+const char* carbideWords(core::drilling::BurShape shape)
+{
+    using Shape = core::drilling::BurShape;
+    switch (shape) {
+    case Shape::Round:
+        return QT_TRANSLATE_NOOP("Bur", "Round, No. %1");
+    case Shape::InvertedCone:
+        return QT_TRANSLATE_NOOP("Bur", "Inverted cone, No. %1");
+    case Shape::Straight:
+        return QT_TRANSLATE_NOOP("Bur", "Straight fissure, No. %1");
+    case Shape::StraightCrosscut:
+        return QT_TRANSLATE_NOOP("Bur", "Straight fissure, crosscut, No. %1");
+    case Shape::DomedCrosscut:
+        return QT_TRANSLATE_NOOP("Bur", "Domed fissure, crosscut, No. %1");
+    case Shape::Tapered:
+        return QT_TRANSLATE_NOOP("Bur", "Tapered fissure, No. %1");
+    case Shape::TaperedCrosscut:
+        return QT_TRANSLATE_NOOP("Bur", "Tapered fissure, crosscut, No. %1");
+    case Shape::Pear:
+        return QT_TRANSLATE_NOOP("Bur", "Pear, No. %1");
+    case Shape::LongPear:
+        return QT_TRANSLATE_NOOP("Bur", "Long pear, No. %1");
+    case Shape::Egg:
+        return QT_TRANSLATE_NOOP("Bur", "Egg, No. %1");
+    case Shape::Flame:
+        return QT_TRANSLATE_NOOP("Bur", "Flame, No. %1");
+    case Shape::Cylinder:
+        return QT_TRANSLATE_NOOP("Bur", "Cylinder, No. %1");
+    case Shape::RoundEndTaper:
+        return QT_TRANSLATE_NOOP("Bur", "Round-end taper, No. %1");
+    case Shape::Chamfer:
+        break;
+    }
+    return QT_TRANSLATE_NOOP("Bur", "Chamfer, No. %1");
+}
+
+/// "%1" stands for the number of a diamond.
+const char* diamondWords(core::drilling::BurShape shape)
+{
+    using Shape = core::drilling::BurShape;
+    switch (shape) {
+    case Shape::Round:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, round, No. %1");
+    case Shape::Pear:
+    case Shape::LongPear:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, pear, No. %1");
+    case Shape::Egg:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, egg, No. %1");
+    case Shape::Flame:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, flame, No. %1");
+    case Shape::Cylinder:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, cylinder, No. %1");
+    case Shape::RoundEndTaper:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, round-end taper, No. %1");
+    case Shape::Chamfer:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, chamfer, No. %1");
+    default:
+        return QT_TRANSLATE_NOOP("Bur", "Diamond, No. %1");
+    }
+}
+
+}  // namespace
+
 QString burName(std::string_view id)
 {
-    if (id == "2")
-        return QCoreApplication::translate("Bur", "Round, No. 2");
-    if (id == "330")
-        return QCoreApplication::translate("Bur", "Pear, No. 330");
-    if (id == "245")
-        return QCoreApplication::translate("Bur", "Long pear, No. 245");
-    if (id == "57")
-        return QCoreApplication::translate("Bur", "Straight fissure, No. 57");
-    return QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+    const QString number = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+    const auto index = core::drilling::findBur(id);
+    if (!index)
+        return number;
+    const core::drilling::Bur& bur = core::drilling::burs()[*index];
+    if (bur.isDiamond())
+        return QCoreApplication::translate("Bur", diamondWords(bur.shape)).arg(number);
+    return QCoreApplication::translate("Bur", carbideWords(bur.shape)).arg(number);
 }
 
 QString handpieceName(std::string_view name)

@@ -97,7 +97,7 @@ void addRipple(Figures& figures, const Context& context)
     for (const auto& [key, feeder] : kFeeders) {
         context.progress(QStringLiteral("ripple at constant ") + QLatin1String(key), done++, kSteps);
         double most = 0.0;
-        for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur)
+        for (std::size_t bur = 0; bur < core::drilling::kCommonBurs; ++bur)
             for (const double down : {0.0, 90.0}) {
                 lab::PaceTrial trial;
                 trial.bur = bur;
