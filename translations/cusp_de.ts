@@ -8087,6 +8087,14 @@ ungesichert</translation>
         <source>Sound of the handpiece on or off</source>
         <translation>Ton des Handstücks ein- oder ausschalten</translation>
     </message>
+    <message>
+        <source>All burs</source>
+        <translation>Alle Bohrer</translation>
+    </message>
+    <message>
+        <source>Choose from all burs, and which are at hand</source>
+        <translation>Unter allen Bohrern wählen, und welche griffbereit sind</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -11231,6 +11239,62 @@ ungesichert</translation>
     <message>
         <source>The handpiece drops in pitch under load. Enamel sounds bright, dentin dull. The sound plays while you see the tooth.</source>
         <translation>Unter Last wird der Ton des Handstücks tiefer. Schmelz klingt hell, Dentin dumpf. Der Ton spielt, solange Sie den Zahn sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BurPicker</name>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Inverted cone</source>
+        <translation>Umgekehrter Kegel</translation>
+    </message>
+    <message>
+        <source>Straight fissure</source>
+        <translation>Zylindrisch</translation>
+    </message>
+    <message>
+        <source>Tapered fissure</source>
+        <translation>Konisch</translation>
+    </message>
+    <message>
+        <source>Pear, egg and flame</source>
+        <translation>Birne, Ei und Flamme</translation>
+    </message>
+    <message>
+        <source>Diamonds</source>
+        <translation>Diamanten</translation>
+    </message>
+    <message>
+        <source>All burs</source>
+        <translation>Alle Bohrer</translation>
+    </message>
+    <message>
+        <source>Search by number, ISO size or shape</source>
+        <translation>Nach Nummer, ISO-Größe oder Form suchen</translation>
+    </message>
+    <message>
+        <source>There is no such bur.</source>
+        <translation>Einen solchen Bohrer gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Take it out of the panel</source>
+        <translation>Aus der Leiste nehmen</translation>
+    </message>
+    <message>
+        <source>The panel holds four burs: take one out first.</source>
+        <translation>Die Leiste fasst vier Bohrer: Nehmen Sie erst einen heraus.</translation>
+    </message>
+    <message>
+        <source>Keep it at hand in the panel</source>
+        <translation>In der Leiste griffbereit halten</translation>
+    </message>
+    <message>
+        <source>Keep at hand: %1</source>
+        <extracomment>%1: a bur such as &quot;Pear, No. 330&quot;</extracomment>
+        <translation>Griffbereit halten: %1</translation>
     </message>
 </context>
 </TS>

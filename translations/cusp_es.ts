@@ -8087,6 +8087,14 @@ sin guardar</translation>
         <source>Sound of the handpiece on or off</source>
         <translation>Encender o apagar el sonido de la pieza de mano</translation>
     </message>
+    <message>
+        <source>All burs</source>
+        <translation>Todas las fresas</translation>
+    </message>
+    <message>
+        <source>Choose from all burs, and which are at hand</source>
+        <translation>Elegir entre todas las fresas y cuáles están a mano</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -11231,6 +11239,62 @@ sin guardar</translation>
     <message>
         <source>The handpiece drops in pitch under load. Enamel sounds bright, dentin dull. The sound plays while you see the tooth.</source>
         <translation>La pieza de mano baja de tono con la carga. El esmalte suena brillante; la dentina, apagada. El sonido se oye mientras ve el diente.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BurPicker</name>
+    <message>
+        <source>Round</source>
+        <translation>Redonda</translation>
+    </message>
+    <message>
+        <source>Inverted cone</source>
+        <translation>Cono invertido</translation>
+    </message>
+    <message>
+        <source>Straight fissure</source>
+        <translation>Fisura recta</translation>
+    </message>
+    <message>
+        <source>Tapered fissure</source>
+        <translation>Fisura cónica</translation>
+    </message>
+    <message>
+        <source>Pear, egg and flame</source>
+        <translation>Pera, huevo y llama</translation>
+    </message>
+    <message>
+        <source>Diamonds</source>
+        <translation>Diamantes</translation>
+    </message>
+    <message>
+        <source>All burs</source>
+        <translation>Todas las fresas</translation>
+    </message>
+    <message>
+        <source>Search by number, ISO size or shape</source>
+        <translation>Buscar por número, tamaño ISO o forma</translation>
+    </message>
+    <message>
+        <source>There is no such bur.</source>
+        <translation>No existe tal fresa.</translation>
+    </message>
+    <message>
+        <source>Take it out of the panel</source>
+        <translation>Quitar del panel</translation>
+    </message>
+    <message>
+        <source>The panel holds four burs: take one out first.</source>
+        <translation>El panel admite cuatro fresas: quite una antes.</translation>
+    </message>
+    <message>
+        <source>Keep it at hand in the panel</source>
+        <translation>Tener a mano en el panel</translation>
+    </message>
+    <message>
+        <source>Keep at hand: %1</source>
+        <extracomment>%1: a bur such as &quot;Pear, No. 330&quot;</extracomment>
+        <translation>Tener a mano: %1</translation>
     </message>
 </context>
 </TS>

@@ -8036,6 +8036,14 @@ unsaved</source>
         <source>Sound of the handpiece on or off</source>
         <translation>ハンドピースの音をオンまたはオフにする</translation>
     </message>
+    <message>
+        <source>All burs</source>
+        <translation>すべてのバー</translation>
+    </message>
+    <message>
+        <source>Choose from all burs, and which are at hand</source>
+        <translation>すべてのバーから選び、手元に置くものを決めます</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -11162,6 +11170,62 @@ unsaved</source>
     <message>
         <source>The handpiece drops in pitch under load. Enamel sounds bright, dentin dull. The sound plays while you see the tooth.</source>
         <translation>負荷がかかるとハンドピースの音が低くなります。エナメル質は明るく、象牙質は鈍く響きます。音は歯が表示されている間だけ鳴ります。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BurPicker</name>
+    <message>
+        <source>Round</source>
+        <translation>ラウンド</translation>
+    </message>
+    <message>
+        <source>Inverted cone</source>
+        <translation>インバーテッドコーン</translation>
+    </message>
+    <message>
+        <source>Straight fissure</source>
+        <translation>ストレートフィッシャー</translation>
+    </message>
+    <message>
+        <source>Tapered fissure</source>
+        <translation>テーパーフィッシャー</translation>
+    </message>
+    <message>
+        <source>Pear, egg and flame</source>
+        <translation>ペアー、エッグ、フレーム</translation>
+    </message>
+    <message>
+        <source>Diamonds</source>
+        <translation>ダイヤモンド</translation>
+    </message>
+    <message>
+        <source>All burs</source>
+        <translation>すべてのバー</translation>
+    </message>
+    <message>
+        <source>Search by number, ISO size or shape</source>
+        <translation>番号、ISOサイズ、形で検索</translation>
+    </message>
+    <message>
+        <source>There is no such bur.</source>
+        <translation>該当するバーはありません。</translation>
+    </message>
+    <message>
+        <source>Take it out of the panel</source>
+        <translation>パネルから外します</translation>
+    </message>
+    <message>
+        <source>The panel holds four burs: take one out first.</source>
+        <translation>パネルに置けるバーは4本までです。先に1本外してください。</translation>
+    </message>
+    <message>
+        <source>Keep it at hand in the panel</source>
+        <translation>パネルに置きます</translation>
+    </message>
+    <message>
+        <source>Keep at hand: %1</source>
+        <extracomment>%1: a bur such as &quot;Pear, No. 330&quot;</extracomment>
+        <translation>パネルに置く：%1</translation>
     </message>
 </context>
 </TS>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main window in the practice room: its keys, its figures, and its messages.
+#include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSet>
 #include <QSlider>
+#include <QToolButton>
 
 #include "core/drilling/Bur.h"
 #include "tests/support/Suite.h"
@@ -14,6 +16,7 @@
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/shell/BurChooser.h"
+#include "ui/shell/BurPicker.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/SidePanel.h"
@@ -363,6 +366,94 @@ private slots:
         beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
         for (const BurTile* tile : tiles)
             QVERIFY(tile->isEnabled() && !tile->toolTip().contains("does not allow"));
+    }
+
+    void anyBurIsFoundByItsNumber()
+    {
+        const auto index = core::drilling::findBur("856").value();
+        press(Qt::Key_0);
+        auto* picker = m_window->findChild<BurPicker*>();
+        QTRY_VERIFY(picker->isVisible());
+        QLineEdit* search = picker->findChild<QLineEdit*>("burSearch");
+        QTRY_VERIFY(search->hasFocus());
+        const auto shown = [&] {
+            QStringList ids;
+            for (const BurTile* tile : picker->findChildren<BurTile*>())
+                if (tile->isVisible())
+                    ids << QString::fromStdString(tile->bur().id);
+            ids.sort();
+            return ids;
+        };
+        QCOMPARE(shown().size(), static_cast<qsizetype>(core::drilling::burs().size()));
+        QTest::keyClicks(search, "nothing like it");
+        QVERIFY(shown().isEmpty());
+        search->clear();
+        QTest::keyClicks(search, "023");
+        QCOMPARE(shown(), QStringList{"8"});
+        search->clear();
+        QTest::keyClicks(search, "806 314 237");
+        QCOMPARE(shown(), QStringList{"830"});
+        search->clear();
+        QTest::keyClicks(search, "856");
+        QCOMPARE(shown(), QStringList{"856"});
+        spoil();
+        QTest::keyClick(search, Qt::Key_Return);
+        QTRY_VERIFY(!picker->isVisible());
+        const auto commands = sent();
+        QCOMPARE(commands.size(), 1);
+        QCOMPARE(std::size_t{std::get<SetBur>(commands.front()).index}, index);
+        // What is in hand is in the panel, also if it is none of the favourites.
+        const auto inPanel = [&] {
+            QStringList ids;
+            for (const BurTile* tile : child<BurChooser>()->findChildren<BurTile*>(Qt::FindDirectChildrenOnly))
+                ids << QString::fromStdString(tile->bur().id);
+            return ids;
+        };
+        QCOMPARE(inPanel(), (QStringList{"2", "330", "245", "57", "856"}));
+        QVERIFY(actions().burs[static_cast<qsizetype>(index)]->isChecked());
+        actions().burs[1]->trigger();
+        QCOMPARE(inPanel(), (QStringList{"2", "330", "245", "57"}));
+    }
+
+    void favouriteBursAreAtHand()
+    {
+        actions().setFavouriteBurs({3, 27, 27, -1, 4000});
+        QCOMPARE(actions().favouriteBurs(), (QList<int>{3, 27}));
+        QCOMPARE(actions().burs[27]->shortcut(), QKeySequence(Qt::Key_2));
+        QVERIFY(actions().burs[1]->shortcut().isEmpty());
+        spoil();
+        press(Qt::Key_2);
+        const auto commands = sent();
+        QCOMPARE(commands.size(), 1);
+        QCOMPARE(int{std::get<SetBur>(commands.front()).index}, 27);
+        // A star takes one in and out; with four, no fifth.
+        press(Qt::Key_0);
+        auto* picker = m_window->findChild<BurPicker*>();
+        QTRY_VERIFY(picker->isVisible());
+        const auto starOf = [&](const char* id) -> QToolButton* {
+            for (BurTile* tile : picker->findChildren<BurTile*>())
+                if (tile->bur().id == id)
+                    return tile->parentWidget()->findChild<QToolButton*>();
+            return nullptr;
+        };
+        starOf("1/4")->click();
+        starOf("860")->click();
+        QCOMPARE(actions().favouriteBurs().size(), 4);
+        QVERIFY(!starOf("330")->isEnabled() && starOf("860")->isEnabled());
+        starOf("860")->click();
+        QVERIFY(starOf("330")->isEnabled());
+        // By keyboard: from the search down to the tiles and along them.
+        QLineEdit* search = picker->findChild<QLineEdit*>("burSearch");
+        search->setFocus();
+        QTest::keyClick(search, Qt::Key_Down);
+        auto* first = qobject_cast<BurTile*>(QApplication::focusWidget());
+        QVERIFY(first != nullptr);
+        QTest::keyClick(first, Qt::Key_Right);
+        auto* second = qobject_cast<BurTile*>(QApplication::focusWidget());
+        QVERIFY(second != nullptr && second != first);
+        QTest::keyClick(second, Qt::Key_Escape);
+        QTRY_VERIFY(!picker->isVisible());
+        actions().setFavouriteBurs({0, 1, 2, 3});
     }
 
     void theBursFitASmallScreen()

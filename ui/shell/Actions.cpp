@@ -14,6 +14,7 @@
 #include "core/drilling/Bur.h"
 #include "core/settings/Handpiece.h"
 #include "ui/shell/LineIcon.h"
+#include "ui/shell/Memory.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -23,10 +24,25 @@ namespace {
 
 constexpr const char* kDrawing = "drawing";
 constexpr const char* kOwnTip = "ownTip";
+const QString kFavouriteBurs = QStringLiteral("burs/favourites");
 
 QString drawingOf(const QAction* action)
 {
     return action->property(kDrawing).toString();
+}
+
+/// The favourites of the last run, or the first burs.
+QList<int> rememberedBurs()
+{
+    QList<int> favourites;
+    const QSettings kept = memory();
+    for (const QString& id : kept.value(kFavouriteBurs).toStringList())
+        if (const auto bur = core::drilling::findBur(id.toStdString()))
+            favourites << static_cast<int>(*bur);
+    if (!kept.contains(kFavouriteBurs))
+        for (std::size_t k = 0; k < core::drilling::kCommonBurs; ++k)
+            favourites << static_cast<int>(k);
+    return favourites;
 }
 
 }  // namespace
@@ -50,16 +66,17 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
 
     m_groups.push_back({QT_TR_NOOP("Handpiece"), {}});
     auto* oneBur = new QActionGroup(this);
-    int digit = Qt::Key_1;
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
-        QAction* action =
-            add({}, [&bur] { return text::burName(bur.id); }, QT_TR_NOOP("Use this bur"), {QKeySequence(digit++)});
+        QAction* action = add({}, [&bur] { return text::burName(bur.id); }, QT_TR_NOOP("Use this bur"), {});
         action->setCheckable(true);
         oneBur->addAction(action);
         burs.push_back(action);
     }
+    allBurs =
+        add("burs", QT_TR_NOOP("All burs"), QT_TR_NOOP("Choose from all burs, and which are at hand"), {Qt::Key_0});
+    setFavouriteBurs(rememberedBurs());
     auto* oneHandpiece = new QActionGroup(this);
-    digit = Qt::Key_7;
+    int digit = Qt::Key_7;
     for (const core::settings::Handpiece& handpiece : core::settings::handpieces()) {
         QAction* action = add("handpiece", [&handpiece] { return text::handpieceName(handpiece.name); },
                               QT_TR_NOOP("Use this handpiece"), {QKeySequence(digit++)});
@@ -282,6 +299,25 @@ bool Actions::isRefused(const QAction* aid)
 {
     const QVariant own = aid->property(kOwnTip);
     return own.isValid() && own.toString() != aid->toolTip();
+}
+
+void Actions::setFavouriteBurs(const QList<int>& favourites)
+{
+    m_favouriteBurs.clear();
+    for (const int bur : favourites)
+        if (bur >= 0 && bur < burs.size() && !m_favouriteBurs.contains(bur) &&
+            m_favouriteBurs.size() < kMostFavouriteBurs)
+            m_favouriteBurs << bur;
+    QStringList ids;
+    for (QAction* action : std::as_const(burs))
+        action->setShortcuts(QList<QKeySequence>{});
+    for (qsizetype k = 0; k < m_favouriteBurs.size(); ++k) {
+        burs[m_favouriteBurs[k]]->setShortcut(QKeySequence(Qt::Key_1 + static_cast<int>(k)));
+        ids << QString::fromStdString(core::drilling::burs()[static_cast<std::size_t>(m_favouriteBurs[k])].id);
+    }
+    if (QSettings kept = memory(); kept.value(kFavouriteBurs).toStringList() != ids)
+        kept.setValue(kFavouriteBurs, ids);
+    emit favouriteBursChanged();
 }
 
 void Actions::allowBurs(const std::vector<std::string>& ids)

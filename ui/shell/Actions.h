@@ -52,6 +52,11 @@ public:
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
     /// Returns whether setAllowed() has forbidden an action.
     [[nodiscard]] static bool isRefused(const QAction* aid);
+    /// Which burs are at hand in the panel, by index, and by the keys 1 to 4. Remembered from run to run; an index that
+    /// is no bur's is left out, and so is a fifth.
+    void setFavouriteBurs(const QList<int>& favourites);
+    [[nodiscard]] const QList<int>& favouriteBurs() const { return m_favouriteBurs; }
+    static constexpr int kMostFavouriteBurs = 4;
     /// Calls setAllowed() for each bur.
     /// @param ids  ids of the allowed burs; empty: all are allowed
     void allowBurs(const std::vector<std::string>& ids);
@@ -63,6 +68,7 @@ public:
     QAction* recentreHead = nullptr;  ///< hidden while the view does not follow the head
     QList<QAction*> handpieces;       ///< the same, of core::settings::handpieces(); visible where at hand
     QList<QAction*> burs;             ///< checkable, one of them; in the order of core::drilling::burs()
+    QAction* allBurs = nullptr;       ///< opens the picker of burs
     QAction* undo = nullptr;
     QAction* redo = nullptr;
     QAction* reload = nullptr;
@@ -132,6 +138,7 @@ public:
 signals:
     /// Emitted when the key of `expert` is pressed while that action is disabled.
     void expertMissing();
+    void favouriteBursChanged();
 
 private:
     /// @param text, tip  marked for translation; said again in every language
@@ -148,6 +155,7 @@ private:
     };
     QWidget* m_window;
     QList<Group> m_groups;
+    QList<int> m_favouriteBurs;
     QList<Words> m_words;
     [[nodiscard]] static QString tipOf(const QAction* action, const QString& what);
     [[nodiscard]] QString wayBack() const;

@@ -5,8 +5,10 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolButton>
 
 #include "ui/shell/Actions.h"
+#include "ui/shell/BurPicker.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -14,8 +16,13 @@ namespace ui::shell {
 namespace {
 
 constexpr double kPxPerMm = 11.0;
-/// How much of the shank is drawn above the longest head, mm.
-constexpr double kTopMm = 4.4;
+constexpr int kTilePx = 46;
+constexpr int kPanelTilePx = 70;
+constexpr int kAllPx = 28;
+constexpr int kNumberPx = 18;
+constexpr int kBelowTipPx = 2;  ///< from the tip to the number, and as much above the shank
+/// What is drawn of the neck above a head at least, mm.
+constexpr double kNeckSeenMm = 0.4;
 
 /// Both halves of the head, tip at the origin, y upwards negative.
 QPainterPath headOf(const core::drilling::Bur& bur)
@@ -32,17 +39,18 @@ QPainterPath headOf(const core::drilling::Bur& bur)
 
 }  // namespace
 
-BurTile::BurTile(const core::drilling::Bur& bur, QAction* action, QWidget* parent) : QAbstractButton(parent), m_bur(bur)
+BurTile::BurTile(const core::drilling::Bur& bur, QAction* action, int heightPx, QWidget* parent)
+    : QAbstractButton(parent), m_bur(bur), m_heightPx(heightPx)
 {
     setCheckable(true);
     setChecked(action->isChecked());
     setEnabled(action->isEnabled());
     followWords(action, this, [this, action] {
         setText(action->text());
-        setToolTip(
-            Actions::isRefused(action)
-                ? action->text() + u'\n' + action->toolTip()
-                : QStringLiteral("%1 (%2)").arg(action->text(), action->shortcut().toString(QKeySequence::NativeText)));
+        const QString key = action->shortcut().toString(QKeySequence::NativeText);
+        setToolTip(Actions::isRefused(action) ? action->text() + u'\n' + action->toolTip()
+                   : key.isEmpty()            ? action->text()
+                                              : QStringLiteral("%1 (%2)").arg(action->text(), key));
         setStatusTip(action->statusTip());
         setAccessibleName(action->text());
         setAccessibleDescription(action->toolTip());
@@ -56,6 +64,11 @@ BurTile::BurTile(const core::drilling::Bur& bur, QAction* action, QWidget* paren
     });
     connect(action, &QAction::toggled, this, &QAbstractButton::setChecked);
     connect(action, &QAction::enabledChanged, this, &QAbstractButton::setEnabled);
+}
+
+QSize BurTile::sizeHint() const
+{
+    return {kTilePx, m_heightPx};
 }
 
 void BurTile::paintEvent(QPaintEvent*)
@@ -76,30 +89,65 @@ void BurTile::paintEvent(QPaintEvent*)
     painter.setOpacity(isEnabled() ? 1.0 : 0.38);
 
     painter.save();
-    painter.translate(width() / 2.0, 50.0);
-    painter.scale(kPxPerMm, kPxPerMm);
+    const int tip = height() - kNumberPx - kBelowTipPx;
+    const double room = tip - kBelowTipPx;
+    const double scale = std::min(kPxPerMm, room / (m_bur.headLengthMm + kNeckSeenMm));
+    const double top = room / scale;
+    painter.translate(width() / 2.0, tip);
+    painter.scale(scale, scale);
     painter.setPen(Qt::NoPen);
     painter.setBrush(p.color(QPalette::PlaceholderText));
-    painter.drawRect(QRectF(-m_bur.shankRadiusMm, -kTopMm, 2 * m_bur.shankRadiusMm, kTopMm - m_bur.headLengthMm + 0.1));
+    painter.drawRect(QRectF(-m_bur.shankRadiusMm, -top, 2 * m_bur.shankRadiusMm, top - m_bur.headLengthMm + 0.1));
     painter.setBrush(p.color(QPalette::WindowText));
     painter.drawPath(headOf(m_bur));
     painter.restore();
 
     painter.setFont(typeface(kSmall, isChecked() ? QFont::DemiBold : QFont::Normal));
     painter.setPen(p.color(isChecked() ? QPalette::WindowText : QPalette::PlaceholderText));
-    painter.drawText(QRect(0, 51, width(), 18), Qt::AlignCenter,
-                     QString::fromUtf8(m_bur.id.data(), static_cast<qsizetype>(m_bur.id.size())));
+    painter.drawText(QRect(0, height() - kNumberPx - 1, width(), kNumberPx), Qt::AlignCenter,
+                     QString::fromStdString(m_bur.id));
 }
 
-BurChooser::BurChooser(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent)
+BurChooser::BurChooser(Actions& actions, QWidget* parent)
+    : QWidget(parent), m_actions(actions), m_row(new QHBoxLayout(this)), m_picker(new BurPicker(actions, this)),
+      m_all(barButton(actions.allBurs, false, this))
 {
     text::inEveryLanguage(this, [this] { setAccessibleName(tr("Burs")); });
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kSpace2);
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(kSpace1);
+    m_all->setFixedWidth(kAllPx);
+    connect(actions.allBurs, &QAction::triggered, this, [this] { m_picker->open(*this); });
+    connect(&actions, &Actions::favouriteBursChanged, this, &BurChooser::arrange);
+    for (QAction* bur : std::as_const(actions.burs))
+        connect(bur, &QAction::toggled, this, [this](bool on) {
+            if (on)
+                arrange();
+        });
+    arrange();
+}
+
+/// Makes the tiles, unless those that are wanted are there.
+void BurChooser::arrange()
+{
     const auto burs = core::drilling::burs();
-    for (qsizetype k = 0; k < actions.size(); ++k)
-        row->addWidget(new BurTile(burs[static_cast<std::size_t>(k)], actions[k], this));
+    QList<int> wanted = m_actions.favouriteBurs();
+    for (int k = 0; k < m_actions.burs.size(); ++k)
+        if (m_actions.burs[k]->isChecked() && !wanted.contains(k))
+            wanted << k;
+    const auto tiles = findChildren<BurTile*>(Qt::FindDirectChildrenOnly);
+    QList<int> shown;
+    for (const BurTile* tile : tiles)
+        shown << static_cast<int>(&tile->bur() - burs.data());
+    if (shown == wanted && m_row->count() > 0)
+        return;
+    for (BurTile* tile : tiles) {
+        tile->setParent(nullptr);
+        tile->deleteLater();  // it may be the one that was clicked
+    }
+    m_row->removeWidget(m_all);
+    for (const int bur : std::as_const(wanted))
+        m_row->addWidget(new BurTile(burs[static_cast<std::size_t>(bur)], m_actions.burs[bur], kPanelTilePx, this));
+    m_row->addWidget(m_all);
 }
 
 }  // namespace ui::shell

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <QAbstractButton>
-#include <QList>
 #include <QWidget>
 
 #include "core/drilling/Bur.h"
 
 class QAction;
+class QHBoxLayout;
 
 namespace ui::shell {
+
+class Actions;
+class BurPicker;
 
 /// One bur as a tile: its outline drawn to scale, tip down, with its number beneath. Checks and unchecks with its
 /// action.
@@ -17,23 +20,33 @@ class BurTile : public QAbstractButton
 {
     Q_OBJECT
 public:
-    BurTile(const core::drilling::Bur& bur, QAction* action, QWidget* parent);
-    [[nodiscard]] QSize sizeHint() const override { return {46, 70}; }
+    /// @param heightPx  a head that would not fit is drawn smaller
+    BurTile(const core::drilling::Bur& bur, QAction* action, int heightPx, QWidget* parent);
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] const core::drilling::Bur& bur() const { return m_bur; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
     const core::drilling::Bur& m_bur;
+    int m_heightPx;
 };
 
-/// The burs side by side.
+/// The favourite burs side by side, then the one in hand if it is no favourite, and a button that opens all of them.
 class BurChooser : public QWidget
 {
     Q_OBJECT
 public:
-    /// @param actions  one for each of core::drilling::burs(), checkable and exclusive
-    BurChooser(const QList<QAction*>& actions, QWidget* parent);
+    BurChooser(Actions& actions, QWidget* parent);
+
+private:
+    void arrange();
+
+    Actions& m_actions;
+    QHBoxLayout* m_row;
+    BurPicker* m_picker;
+    QAbstractButton* m_all;
 };
 
 }  // namespace ui::shell

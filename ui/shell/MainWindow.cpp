@@ -1749,6 +1749,7 @@ void MainWindow::enableActions()
     m_actions->drill->setEnabled(inRoom && mayCut);
     for (QAction* bur : m_actions->burs)
         bur->setEnabled(inRoom && mayCut && !Actions::isRefused(bur));
+    m_actions->allBurs->setEnabled(inRoom && mayCut);
     for (QAction* handpiece : m_actions->handpieces)
         handpiece->setEnabled(inRoom && mayCut && handpiece->isVisible());
     m_actions->otherHand->setEnabled(inRoom);

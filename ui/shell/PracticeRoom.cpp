@@ -44,7 +44,7 @@ constexpr int kReferenceFromPx = 1000;  ///< a narrower room has no place for wh
 
 }  // namespace
 
-PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent)
+PracticeRoom::PracticeRoom(Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent)
     : QWidget(parent), m_view(view)
 {
     // Before any child is made, so that all of them take their icons and colours from this room.

@@ -47,7 +47,7 @@ class PracticeRoom : public QWidget
     Q_OBJECT
 public:
     /// @param view  the tooth; becomes a child
-    PracticeRoom(const Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent);
+    PracticeRoom(Actions& actions, ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent);
 
     [[nodiscard]] SidePanel& panel() { return *m_panel; }
     [[nodiscard]] inside::SectionView& section() { return *m_section; }

@@ -65,7 +65,7 @@ QString dash()
 
 }  // namespace
 
-SidePanel::SidePanel(const Actions& actions, tooth::ToothView& view, QWidget* parent) : QFrame(parent)
+SidePanel::SidePanel(Actions& actions, tooth::ToothView& view, QWidget* parent) : QFrame(parent)
 {
     setProperty("kind", "bar");
     text::inEveryLanguage(this, [this] { setAccessibleName(tr("Live figures and handpiece")); });
@@ -121,7 +121,7 @@ SidePanel::SidePanel(const Actions& actions, tooth::ToothView& view, QWidget* pa
     m_rpm->setObjectName(QStringLiteral("burRpm"));
     burRow->addWidget(m_rpm);
     column->addLayout(burRow);
-    column->addWidget(new BurChooser(actions.burs, content));
+    column->addWidget(new BurChooser(actions, content));
     column->addWidget(new HandpieceChooser(actions.handpieces, content));
 
     m_removedBlock = new QWidget(content);

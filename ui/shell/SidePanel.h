@@ -34,7 +34,7 @@ class SidePanel : public QFrame
     Q_OBJECT
 public:
     /// @param view  the panel controls its hand; must outlive the panel
-    SidePanel(const Actions& actions, tooth::ToothView& view, QWidget* parent);
+    SidePanel(Actions& actions, tooth::ToothView& view, QWidget* parent);
 
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
     void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
