@@ -14,6 +14,7 @@
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
 #include "core/drilling/Bur.h"
+#include "core/drilling/BurFile.h"
 #include "haptics/simulated/PathDevice.h"
 #include "haptics/simulated/Simulation.h"
 
@@ -129,7 +130,10 @@ void addOptions(QCommandLineParser& parser)
            "standard error.",
            "T.csv");
     parser.addOption({QStringLiteral("drill"), QStringLiteral("Drill on all the time, whatever the path says.")});
-    option("bur", "2, 330 (default), 245 or 57.", "NAME");
+    option("bur",
+           "2, 330 (default), 245, 57 or another of docs/burs.md; or a file with a bur of your own, which goes into no "
+           "recording.",
+           "NAME|FILE");
     option("method", "continuous (default), lattice, lattice16 (16 steps a tick) or penalty.", "M");
     option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
     option("preset",
@@ -150,13 +154,30 @@ void addOptions(QCommandLineParser& parser)
     addJson(parser);
 }
 
+/// A bur by its name, else the user's own from a file of that name.
+core::Result<std::size_t> burOf(const std::string& name)
+{
+    auto known = core::drilling::findBur(name);
+    std::error_code failure;
+    if (known || !std::filesystem::exists(name, failure))
+        return known;
+    auto own = core::drilling::readBur(name);
+    if (!own)
+        return tl::unexpected(std::move(own).error());
+    return core::drilling::addOwnBur(std::move(*own));
+}
+
 core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLineParser& parser)
 {
     haptics::SimulationOptions options;
     if (parser.isSet(QStringLiteral("bur"))) {
-        const auto bur = core::drilling::findBur(parser.value(QStringLiteral("bur")).toStdString());
+        const auto bur = burOf(parser.value(QStringLiteral("bur")).toStdString());
         if (!bur)
             return tl::unexpected(bur.error());
+        if (core::drilling::isOwnBur(*bur) && !parser.value(QStringLiteral("record")).isEmpty())
+            return core::unexpected(core::ErrorCode::NotAllowed,
+                                    "a bur of your own goes into no recording, for nobody else could replay it; leave "
+                                    "out --record or --bur FILE");
         options.burIndex = *bur;
     }
     if (parser.isSet(QStringLiteral("method")))

@@ -18,6 +18,7 @@
 #include "tests/support/FullDisk.h"
 #include "tests/support/Program.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Tables.h"
 
 using support::Ending;
 using support::runCusp;
@@ -66,6 +67,45 @@ private slots:
         const double slow = enamelOf({"--handpiece", "low-speed", "--break-off"});
         QVERIFY2(turbine > 0.0 && slow >= 0.0 && slow < 0.5 * turbine,
                  qPrintable(QString("%1, %2").arg(turbine).arg(slow)));
+    }
+
+    void replayComesToTheSameHashWithAnyBur_data()
+    {
+        support::rows<QString>("bur", {"1/4", "33-1/2", "171", "856", "860"});
+    }
+
+    void replayComesToTheSameHashWithAnyBur()
+    {
+        QFETCH(QString, bur);
+        const QString recording = at("bur.cusprec");
+        const Ending made = simulate({"--bur", bur, "--record", recording, "--json"});
+        expectDone(made);
+        const QJsonObject figures = runCusp({"replay", recording, "--json"}).json();
+        QVERIFY(figures["verified"].toBool());
+        QCOMPARE(figures["state_hash"].toString(), made.json()["state_hash"].toString());
+        QVERIFY(made.json()["removed_mm3"].toObject()["enamel"].toDouble() > 0.0);
+    }
+
+    /// A user's own bur cuts as the one of the program with the same profile, and goes into no recording.
+    void takesABurOfTheUser()
+    {
+        const QByteArray same = "bur mine\nshape straight\nmaterial carbide\nneck 0.4\nflat 0.4\narc 0.5 0.1 0.1\n"
+                                "line 0.5 3.8\nend\n";
+        const QString file = written("mine.txt", same);
+        const auto removedWith = [&](const QString& bur) {
+            return simulate({"--bur", bur, "--json"}).json()["removed_mm3"].toObject()["enamel"].toDouble();
+        };
+        QVERIFY(removedWith("57") > 0.0);
+        QCOMPARE(removedWith(file), removedWith("57"));
+        const Ending kept = simulate({"--bur", file, "--record", at("own.cusprec")});
+        QVERIFY(kept.exitCode != 0 && kept.error.contains("goes into no recording"));
+        QVERIFY(!QFile::exists(at("own.cusprec")));
+        const QString crossed = written(
+            "crossed.txt", QByteArray(same).replace("line 0.5 3.8\n", "line 0.5 3.8\nline 0.35 0.02\nline 0.55 0.4\n"));
+        const Ending refused = simulate({"--bur", crossed});
+        QVERIFY(refused.exitCode != 0);
+        QVERIFY2(refused.error.contains("Line 9 of the burs: the profile crosses itself"), refused.error.constData());
+        QVERIFY(simulate({"--bur", at("missing.txt")}).error.contains("There is no bur"));
     }
 
     void otherRatesAndGrids_data()
