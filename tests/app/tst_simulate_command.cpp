@@ -91,7 +91,7 @@ private slots:
     {
         const QByteArray same = "bur mine\nshape straight\nmaterial carbide\nneck 0.4\nflat 0.4\narc 0.5 0.1 0.1\n"
                                 "line 0.5 3.8\nend\n";
-        const QString file = written("mine.txt", same);
+        const QString file = written("mine.txt", same.toStdString());
         const auto removedWith = [&](const QString& bur) {
             return simulate({"--bur", bur, "--json"}).json()["removed_mm3"].toObject()["enamel"].toDouble();
         };
@@ -101,7 +101,8 @@ private slots:
         QVERIFY(kept.exitCode != 0 && kept.error.contains("goes into no recording"));
         QVERIFY(!QFile::exists(at("own.cusprec")));
         const QString crossed = written(
-            "crossed.txt", QByteArray(same).replace("line 0.5 3.8\n", "line 0.5 3.8\nline 0.35 0.02\nline 0.55 0.4\n"));
+            "crossed.txt",
+            QByteArray(same).replace("line 0.5 3.8\n", "line 0.5 3.8\nline 0.35 0.02\nline 0.55 0.4\n").toStdString());
         const Ending refused = simulate({"--bur", crossed});
         QVERIFY(refused.exitCode != 0);
         QVERIFY2(refused.error.contains("Line 9 of the burs: the profile crosses itself"), refused.error.constData());

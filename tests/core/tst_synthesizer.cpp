@@ -68,7 +68,7 @@ SoundState cutting(Material material, float mm3PerS)
     return state;
 }
 
-Volumes only(Part part)
+Volumes only(core::audio::Part part)
 {
     Volumes volumes;
     volumes.parts.fill(0.0F);
@@ -149,7 +149,7 @@ private slots:
         for (const float share : {1.0F, 0.8F, 0.5F}) {
             const SoundState state = running(core::settings::handpieces()[static_cast<std::size_t>(handpiece)], share);
             const double wantedHz = static_cast<double>(state.burRpm) / 60.0;
-            const lab::Spectrum spectrum(settled(state, rateHz, only(Part::Handpiece)), rateHz);
+            const lab::Spectrum spectrum(settled(state, rateHz, only(core::audio::Part::Handpiece)), rateHz);
             const double heardHz = spectrum.strongestHz(50.0, 0.45 * rateHz);
             QVERIFY2(std::abs(heardHz - wantedHz) < 0.01 * wantedHz,
                      qPrintable(QStringLiteral("%1 instead of %2 Hz").arg(heardHz).arg(wantedHz)));
@@ -176,7 +176,7 @@ private slots:
     {
         QFETCH(const double, rateHz);
         const auto spectrumOf = [rateHz](Material material, float mm3PerS) {
-            return lab::Spectrum(settled(cutting(material, mm3PerS), rateHz, only(Part::Cutting)), rateHz);
+            return lab::Spectrum(settled(cutting(material, mm3PerS), rateHz, only(core::audio::Part::Cutting)), rateHz);
         };
         const lab::Spectrum enamel = spectrumOf(Material::Enamel, 0.4F);
         const lab::Spectrum dentin = spectrumOf(Material::Dentin, 1.6F);
@@ -207,7 +207,7 @@ private slots:
     void aHarderCutIsLouder()
     {
         const auto level = [](float mm3PerS) {
-            return levelOf(settled(cutting(Material::Dentin, mm3PerS), kRateHz, only(Part::Cutting)));
+            return levelOf(settled(cutting(Material::Dentin, mm3PerS), kRateHz, only(core::audio::Part::Cutting)));
         };
         QVERIFY(level(0.0F) > 0.0);  // it rubs
         QVERIFY(level(0.4F) > 1.5 * level(0.0F));
@@ -219,11 +219,12 @@ private slots:
         SoundState state = cutting(Material::Enamel, 0.4F);
         state.spray = true;
         state.suction = true;
-        for (const Part part : {Part::Handpiece, Part::Cutting, Part::Spray, Part::Suction})
+        for (const core::audio::Part part : {core::audio::Part::Handpiece, core::audio::Part::Cutting,
+                                             core::audio::Part::Spray, core::audio::Part::Suction})
             QVERIFY(loudest(settled(state, kRateHz, only(part))) > 0.02F);
-        QCOMPARE(loudest(settled(state, kRateHz, only(Part::Contact))), 0.0F);
+        QCOMPARE(loudest(settled(state, kRateHz, only(core::audio::Part::Contact))), 0.0F);
         Synthesizer synthesizer(kRateHz);
-        synthesizer.setVolumes(only(Part::Contact));
+        synthesizer.setVolumes(only(core::audio::Part::Contact));
         static_cast<void>(rendered(synthesizer, state, 0.5));
         ++state.contacts;
         state.contactMmPerS = 20.0F;
@@ -234,9 +235,9 @@ private slots:
     void chatterBeats()
     {
         SoundState state = cutting(Material::Enamel, 0.4F);
-        const lab::Spectrum smooth(settled(state, kRateHz, only(Part::Cutting)), kRateHz);
+        const lab::Spectrum smooth(settled(state, kRateHz, only(core::audio::Part::Cutting)), kRateHz);
         state.chatter = 1.0F;
-        const lab::Spectrum rough(settled(state, kRateHz, only(Part::Cutting)), kRateHz);
+        const lab::Spectrum rough(settled(state, kRateHz, only(core::audio::Part::Cutting)), kRateHz);
         QVERIFY(rough.power(100.0, 500.0) > 10.0 * smooth.power(100.0, 500.0));
     }
 
