@@ -154,8 +154,8 @@ private slots:
         with.instrumentShown = true;
         const QImage image = draw(with);
         const core::drilling::Bur& shape = core::drilling::burs()[bur];
-        // Half way up the head there is steel, as wide as the bur and not wider.
-        const glm::dvec3 middle = with.tipMm + glm::dvec3(0.0, 0.0, 0.6 * shape.headLengthMm);
+        // Half way up the head, or where it leaves the picture, there is steel, as wide as the bur and not wider.
+        const glm::dvec3 middle = with.tipMm + glm::dvec3(0.0, 0.0, std::min(0.6 * shape.headLengthMm, 2.5));
         const glm::dvec3 beside((shape.headRadiusMm + 0.12) * m_camera.rightOnTooth(), 0.0);
         const auto changes = [&](glm::dvec3 pointMm, int threshold) {
             const glm::ivec2 pixel(glm::round(m_camera.pixelOf(pointMm)));

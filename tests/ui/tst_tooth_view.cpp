@@ -242,7 +242,7 @@ private slots:
         QVERIFY(!pointer().pushing);
         const double turnedDeg = m_view->camera().azimuthDeg();
         const double distanceMm = m_view->camera().distanceMm();
-        QTest::touchEvent(m_view.get(), screen.get()).stationary(0).press(1, at - QPoint(60, 0));
+        QTest::touchEvent(m_view.get(), screen.get()).move(0, at + QPoint(60, 0)).press(1, at - QPoint(60, 0));
         QTest::touchEvent(m_view.get(), screen.get()).move(0, at + QPoint(120, 0)).move(1, at - QPoint(120, 0));
         QTRY_VERIFY(m_view->camera().distanceMm() < 0.8 * distanceMm);
         QTest::touchEvent(m_view.get(), screen.get()).release(0, at).release(1, at);

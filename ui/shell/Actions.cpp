@@ -317,6 +317,9 @@ void Actions::setFavouriteBurs(const QList<int>& favourites)
     }
     if (QSettings kept = memory(); kept.value(kFavouriteBurs).toStringList() != ids)
         kept.setValue(kFavouriteBurs, ids);
+    for (const Words& words : std::as_const(m_words))
+        if (burs.contains(words.action))
+            say(words);  // tooltips name the keys
     emit favouriteBursChanged();
 }
 
@@ -356,17 +359,21 @@ QString Actions::tipOf(const QAction* action, const QString& what)
 
 void Actions::speak()
 {
-    for (const Words& words : m_words) {
-        const QString tip = tr(words.tip);
-        const QString whole = tipOf(words.action, tip);
-        const bool refused = isRefused(words.action);
-        if (words.action->property(kOwnTip).isValid())
-            words.action->setProperty(kOwnTip, whole);
-        words.action->setText(words.text());
-        words.action->setStatusTip(tip);
-        if (!refused)  // else the window sets the reason again
-            words.action->setToolTip(whole);
-    }
+    for (const Words& words : std::as_const(m_words))
+        say(words);
+}
+
+void Actions::say(const Words& words)
+{
+    const QString tip = tr(words.tip);
+    const QString whole = tipOf(words.action, tip);
+    const bool refused = isRefused(words.action);
+    if (words.action->property(kOwnTip).isValid())
+        words.action->setProperty(kOwnTip, whole);
+    words.action->setText(words.text());
+    words.action->setStatusTip(tip);
+    if (!refused)  // else the window sets the reason again
+        words.action->setToolTip(whole);
 }
 
 void followWords(QAction* action, QWidget* listener, const std::function<void()>& say)

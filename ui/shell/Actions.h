@@ -153,6 +153,7 @@ private:
         std::function<QString()> text;
         const char* tip;
     };
+    static void say(const Words& words);
     QWidget* m_window;
     QList<Group> m_groups;
     QList<int> m_favouriteBurs;

@@ -118,6 +118,9 @@ BurChooser::BurChooser(Actions& actions, QWidget* parent)
     m_all->setFixedWidth(kAllPx);
     connect(actions.allBurs, &QAction::triggered, this, [this] { m_picker->open(*this); });
     connect(&actions, &Actions::favouriteBursChanged, this, &BurChooser::arrange);
+    for (int k = 0; k < actions.burs.size(); ++k)
+        m_tiles << new BurTile(core::drilling::burs()[static_cast<std::size_t>(k)], actions.burs[k], kPanelTilePx,
+                               this);
     for (QAction* bur : std::as_const(actions.burs))
         connect(bur, &QAction::toggled, this, [this](bool on) {
             if (on)
@@ -126,27 +129,24 @@ BurChooser::BurChooser(Actions& actions, QWidget* parent)
     arrange();
 }
 
-/// Makes the tiles, unless those that are wanted are there.
+/// Shows the tiles of the favourites and of the bur in hand, in that order.
 void BurChooser::arrange()
 {
-    const auto burs = core::drilling::burs();
     QList<int> wanted = m_actions.favouriteBurs();
-    for (int k = 0; k < m_actions.burs.size(); ++k)
+    for (int k = 0; k < m_tiles.size(); ++k)
         if (m_actions.burs[k]->isChecked() && !wanted.contains(k))
             wanted << k;
-    const auto tiles = findChildren<BurTile*>(Qt::FindDirectChildrenOnly);
-    QList<int> shown;
-    for (const BurTile* tile : tiles)
-        shown << static_cast<int>(&tile->bur() - burs.data());
-    if (shown == wanted && m_row->count() > 0)
-        return;
-    for (BurTile* tile : tiles) {
-        tile->setParent(nullptr);
-        tile->deleteLater();  // it may be the one that was clicked
+    while (m_row->count() > 0)
+        delete m_row->takeAt(0);
+    for (int k = 0; k < m_tiles.size(); ++k)
+        m_tiles[k]->setVisible(wanted.contains(k));
+    QWidget* before = nullptr;
+    for (const int bur : std::as_const(wanted)) {
+        m_row->addWidget(m_tiles[bur]);
+        if (before != nullptr)
+            setTabOrder(before, m_tiles[bur]);
+        before = m_tiles[bur];
     }
-    m_row->removeWidget(m_all);
-    for (const int bur : std::as_const(wanted))
-        m_row->addWidget(new BurTile(burs[static_cast<std::size_t>(bur)], m_actions.burs[bur], kPanelTilePx, this));
     m_row->addWidget(m_all);
 }
 

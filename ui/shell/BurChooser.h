@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QList>
 #include <QWidget>
 
 #include "core/drilling/Bur.h"
@@ -46,6 +47,7 @@ private:
     Actions& m_actions;
     QHBoxLayout* m_row;
     BurPicker* m_picker;
+    QList<BurTile*> m_tiles;  ///< one for each bur; most are hidden
     QAbstractButton* m_all;
 };
 

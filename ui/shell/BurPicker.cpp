@@ -106,7 +106,6 @@ BurPicker::BurPicker(Actions& actions, QWidget* parent)
     setProperty("kind", "card");
     setObjectName(QStringLiteral("burPicker"));
     m_search->setObjectName(QStringLiteral("burSearch"));
-    m_search->setClearButtonEnabled(true);
     auto* content = new QWidget;
     auto* groups = new QVBoxLayout(content);
     groups->setContentsMargins(0, 0, 0, 0);
