@@ -604,7 +604,7 @@ const char* diamondWords(core::drilling::BurShape shape)
 
 QString burName(std::string_view id)
 {
-    const QString number = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+    QString number = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
     const auto index = core::drilling::findBur(id);
     if (!index)
         return number;
