@@ -18,7 +18,6 @@ namespace {
 constexpr double kPxPerMm = 11.0;
 constexpr int kTilePx = 46;
 constexpr int kPanelTilePx = 70;
-constexpr int kAllPx = 28;
 constexpr int kNumberPx = 18;
 constexpr int kBelowTipPx = 2;  ///< from the tip to the number, and as much above the shank
 /// What is drawn of the neck above a head at least, mm.
@@ -115,7 +114,6 @@ BurChooser::BurChooser(Actions& actions, QWidget* parent)
     text::inEveryLanguage(this, [this] { setAccessibleName(tr("Burs")); });
     m_row->setContentsMargins(0, 0, 0, 0);
     m_row->setSpacing(kSpace1);
-    m_all->setFixedWidth(kAllPx);
     connect(actions.allBurs, &QAction::triggered, this, [this] { m_picker->open(*this); });
     connect(&actions, &Actions::favouriteBursChanged, this, &BurChooser::arrange);
     for (int k = 0; k < actions.burs.size(); ++k)
