@@ -11068,6 +11068,16 @@ ungesichert</translation>
         <source>Teach a pedal by one press: its travel then sets the speed of the bur. A gamepad works as it comes.</source>
         <translation>Lernen Sie ein Pedal durch einmaliges Drücken an: sein Weg stellt dann die Drehzahl des Bohrers ein. Ein Gamepad geht, wie es ist.</translation>
     </message>
+    <message>
+        <source>LB</source>
+        <extracomment>Left shoulder button of a gamepad, as it is printed on it</extracomment>
+        <translation>LB</translation>
+    </message>
+    <message>
+        <source>RB</source>
+        <extracomment>Right shoulder button of a gamepad, as it is printed on it</extracomment>
+        <translation>RB</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalCard</name>

@@ -11068,6 +11068,16 @@ sin guardar</translation>
         <source>Teach a pedal by one press: its travel then sets the speed of the bur. A gamepad works as it comes.</source>
         <translation>Enseñe un pedal pisándolo una vez: su recorrido fija entonces la velocidad de la fresa. Un mando funciona tal cual.</translation>
     </message>
+    <message>
+        <source>LB</source>
+        <extracomment>Left shoulder button of a gamepad, as it is printed on it</extracomment>
+        <translation>LB</translation>
+    </message>
+    <message>
+        <source>RB</source>
+        <extracomment>Right shoulder button of a gamepad, as it is printed on it</extracomment>
+        <translation>RB</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalCard</name>

@@ -10999,6 +10999,16 @@ unsaved</source>
         <source>Teach a pedal by one press: its travel then sets the speed of the bur. A gamepad works as it comes.</source>
         <translation>ペダルを一度踏んで覚えさせると、踏み込みでバーの速さが決まります。ゲームパッドはそのまま使えます。</translation>
     </message>
+    <message>
+        <source>LB</source>
+        <extracomment>Left shoulder button of a gamepad, as it is printed on it</extracomment>
+        <translation>LB</translation>
+    </message>
+    <message>
+        <source>RB</source>
+        <extracomment>Right shoulder button of a gamepad, as it is printed on it</extracomment>
+        <translation>RB</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalCard</name>

@@ -159,9 +159,11 @@ QString buttonName(const Controller& controller, std::size_t button)
         case kRightStickButton:
             return Controllers::tr("Right stick");
         case kLeftShoulder:
-            return QStringLiteral("LB");
+            //: Left shoulder button of a gamepad, as it is printed on it
+            return Controllers::tr("LB");
         case kRightShoulder:
-            return QStringLiteral("RB");
+            //: Right shoulder button of a gamepad, as it is printed on it
+            return Controllers::tr("RB");
         case kPadUp:
             return QStringLiteral("↑");
         case kPadDown:
