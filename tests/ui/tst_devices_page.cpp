@@ -109,7 +109,7 @@ private slots:
     {
         m_page->setReport(kArm, at(DeviceStage::Absent));
         const QList<HandList::Row> rows = hands().rows();
-        QCOMPARE(rows.size(), 5);
+        QCOMPARE(rows.size(), 6);
         QCOMPARE(rows.at(0).id, QString("pointer"));
         QCOMPARE(rows.at(1).id, QString("simulated"));
         QCOMPARE(rows.at(2).id, kArm);
