@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/drilling/Bur.h"
 #include "core/guidance/Fixture.h"
 #include "core/history/TiledHeights.h"
 #include "haptics/falcon/FalconFeel.h"
@@ -1105,7 +1106,7 @@ private slots:
     void unknownBurIsIgnored()
     {
         Bare bare(block(64));
-        bare.send(SetBur{4});
+        bare.send(SetBur{static_cast<std::uint8_t>(core::drilling::burs().size())});
         bare.send(SetBur{255});
         bare.tick();
         QCOMPARE(bare.servo.state().burIndex, 0);
