@@ -39,7 +39,6 @@
 #include "lessons/LessonReader.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
-#include "ui/devices/DeviceKind.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/render/WholeSurface.h"
 #include "ui/shell/Memory.h"
@@ -1077,15 +1076,17 @@ void Application::askWhetherAllowed(const std::string& lessonId, const std::func
 }
 
 /// Goes on where the student may still try this lesson; else says so.
-void Application::whereAllowed(const std::string& lessonId, const std::function<void()>& go)
+void Application::whereAllowed(const std::string& lessonId, const std::function<void()>& go,
+                               const std::function<void()>& refuse)
 {
-    askWhetherAllowed(lessonId, [this, go, load = m_loading](bool may) {
+    askWhetherAllowed(lessonId, [this, go, refuse, load = m_loading](bool may) {
         if (load != m_loading)
             return;
         if (may) {
             go();
             return;
         }
+        refuse();
         m_window->stopBusy();
         m_window->showMessage(ui::study::usedUpWords());
     });
@@ -1288,10 +1289,7 @@ void Application::watchAttempt()
         tellNumbers();
         if (m_links.servo.latest().cutting) {
             ++m_cutIn[m_window->view().settings().presentation.stereo];
-            const QString hand = m_devices->inUse();
-            ++m_cutWith[hand == QLatin1String(ui::devices::kPointer)
-                            ? QString::fromLatin1(ui::tooth::idOf(m_window->view().pushedWith()))
-                            : hand];
+            ++m_cutWith[m_devices->cutsWith()];
         }
     }
     if (m_replay || !m_assignment.lesson)
@@ -2130,24 +2128,16 @@ void Application::resumeUnfinished()
         return;
     const int load = ++m_loading;
     m_window->showBusy(tr("Resuming the attempt …"));
-    const std::string lesson = limitedLessonOf(m_unfinished->recording);
-    if (lesson.empty()) {
+    if (const std::string lesson = limitedLessonOf(m_unfinished->recording); !lesson.empty())
+        whereAllowed(
+            lesson, [this, load] { rebuildUnfinished(load); },
+            [this] {
+                // The list of lessons may be read after this, and would offer the attempt again.
+                m_unfinished.reset();
+                m_window->forgetUnfinished();
+            });
+    else
         rebuildUnfinished(load);
-        return;
-    }
-    askWhetherAllowed(lesson, [this, load](bool may) {
-        if (load != m_loading)
-            return;
-        if (may) {
-            rebuildUnfinished(load);
-            return;
-        }
-        // The list of lessons may be read after this, and would offer the attempt again.
-        m_unfinished.reset();
-        m_window->forgetUnfinished();
-        m_window->stopBusy();
-        m_window->showMessage(ui::study::usedUpWords());
-    });
 }
 
 void Application::rebuildUnfinished(int load)

@@ -120,7 +120,8 @@ private:
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
     void askWhetherAllowed(const std::string& lessonId, const std::function<void(bool)>& decide);
-    void whereAllowed(const std::string& lessonId, const std::function<void()>& go);
+    void whereAllowed(
+        const std::string& lessonId, const std::function<void()>& go, const std::function<void()>& refuse = [] {});
     void tellKnownAttempts(const lessons::Lesson& lesson);
     void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {},
                    const std::optional<core::settings::FeelPreset>& tried = {});

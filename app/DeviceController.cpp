@@ -12,6 +12,7 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/SidePanel.h"
+#include "ui/tooth/ToothView.h"
 
 namespace app {
 namespace {
@@ -158,6 +159,11 @@ DeviceController::Device* DeviceController::find(const QString& id)
 QString DeviceController::hand() const
 {
     return isForceChosen() ? m_chosen : kPointer;
+}
+
+QString DeviceController::cutsWith() const
+{
+    return m_inUse == kPointer ? QString::fromLatin1(ui::tooth::idOf(m_window.view().pushedWith())) : m_inUse;
 }
 
 bool DeviceController::isSimulated() const

@@ -45,6 +45,9 @@ public:
     /// Id of the hand that attempts are made with: the same, also while a page covers the tooth and the pointer has the
     /// bur.
     [[nodiscard]] QString hand() const;
+    /// Returns the name of the device that an attempt is stored with: the id of the hand in use or, if that is the
+    /// pointer, "mouse", "pen", "keyboard" or "gamepad".
+    [[nodiscard]] QString cutsWith() const;
     [[nodiscard]] bool isSimulated() const;
     /// The hand in use feels a force.
     [[nodiscard]] bool hasForce() const;

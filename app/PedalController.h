@@ -52,16 +52,18 @@ private:
     haptics::DeviceSwitch& m_bur;
     std::function<bool()> m_isSimulated;
     ChosenPedal m_chosen;
-    std::map<QString, ui::devices::ControllerSettings> m_settings;  ///< of what has been plugged in, by GUID
-    std::map<int, std::vector<std::uint32_t>> m_presses;            ///< that are done, by instance
+    std::map<QString, ui::devices::ControllerSettings>
+        m_settings;  ///< of each kind of controller that has been plugged in, by GUID
+    std::map<int, std::vector<std::uint32_t>>
+        m_presses;  ///< presses that have been handled, by instance of the controller
     haptics::FootPedal m_pedal;
     haptics::ControllerInput m_input;
     QTimer m_poll;
-    bool m_works = false;        ///< the pedal runs the bur
-    bool m_isLost = false;       ///< it did, and has been unplugged
-    bool m_mustStop = false;     ///< the drill is to be switched off because of that
-    bool m_hasStopped = false;   ///< the drill was switched off because of that
-    int m_viewpoint = 0;         ///< that was shown last by a button
+    bool m_works = false;        ///< the chosen pedal runs the bur
+    bool m_isLost = false;       ///< the chosen pedal was unplugged while it ran the bur
+    bool m_mustStop = false;     ///< the drill has to be switched off because the pedal was unplugged
+    bool m_hasStopped = false;   ///< the drill was switched off because the pedal was unplugged
+    int m_viewpoint = 0;         ///< viewpoint that a button showed last
     std::set<int> m_restedPads;  ///< instances of the gamepads whose trigger has been seen released
 };
 

@@ -11,7 +11,7 @@
 namespace app {
 
 /// Plays the sound of the handpiece in a thread of its own, shows its state on the page of devices and stores the
-/// settings. The work on the tooth is heard while the tooth is seen and the program is in front. Ui thread.
+/// settings. The sound plays while the tooth is visible and the window is active. Ui thread.
 class SoundController final : public QObject
 {
     Q_OBJECT

@@ -7,7 +7,7 @@
 
 namespace core::audio {
 
-/// Derives what is heard from the states of the servo, one after another: the removal rate, contacts and chatter.
+/// Computes the input of the synthesiser from successive states of the servo: removal rate, contacts and chatter.
 ///
 /// The spray and the suction are on while the handpiece is; a low-speed handpiece works dry.
 /// Servo thread, or the one thread of a replay. No allocation, no lock, no exception.
@@ -27,7 +27,7 @@ private:
     double m_freeS = 0.0;        ///< since the bur touched last
     double m_lastN = 0.0;        ///< strength of the force
     double m_lastStepN = 0.0;    ///< its change in the last tick
-    double m_roughN = 0.0;       ///< how much that change changes
+    double m_roughN = 0.0;       ///< smoothed difference between the last two changes of the force
 };
 
 }  // namespace core::audio

@@ -16,7 +16,7 @@ inline constexpr std::size_t kDriveCount = 3;
 /// ones at 40,000.
 [[nodiscard]] Drive driveOf(double freeRpm) noexcept;
 
-/// Everything that decides what is heard at one moment. Plain values: the servo publishes one every tick.
+/// Input of the synthesiser at one moment. Plain values: the servo publishes one every tick.
 struct SoundState
 {
     Drive drive = Drive::Turbine;

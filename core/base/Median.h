@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// Middle one of the values, the upper one of two; 0 if there are none.
+/// Returns the median of the values; of an even number the upper one of the two in the middle. 0 if there are none.
 [[nodiscard]] inline double median(std::vector<double> values)
 {
     if (values.empty())

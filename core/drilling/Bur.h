@@ -18,10 +18,10 @@ inline constexpr double kShankTopMm = 1.0e3;
 /// of the handpiece lies on the tooth.
 inline constexpr double kChuckMm = 8.0;
 
-/// So many burs, the first of burs(), are at hand without looking for them; figures of benches are of these.
+/// Number of burs, from the first of burs(), that the panel shows by default. Benchmarks measure these.
 inline constexpr std::size_t kCommonBurs = 4;
 
-/// What a bur looks like, for people.
+/// Shape of a bur, for display.
 enum class BurShape {
     Round,
     InvertedCone,

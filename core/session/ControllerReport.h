@@ -53,7 +53,7 @@ struct Controller
     [[nodiscard]] bool isHeld(std::size_t button) const { return (held >> button & 1U) != 0; }
 };
 
-/// What runs the bur: an axis and a button of one kind of controller. Whichever asks for more counts.
+/// Axis and button of one kind of controller that run the bur. The one that requests the higher speed counts.
 struct PedalSource
 {
     std::string guid;  ///< empty: no pedal is chosen

@@ -9,7 +9,7 @@
 
 namespace haptics {
 
-/// Where pedals and gamepads are read. One thread uses a port from its opening to its end.
+/// Access to the pedals and gamepads of the computer. One thread opens, uses and closes a port.
 class ControllerPort
 {
 public:

@@ -7,8 +7,8 @@
 
 namespace haptics {
 
-/// The speed that a pedal asks of the bur. The thread that reads the pedal writes it, the servo reads it; neither ever
-/// waits.
+/// Speed of the bur that a foot pedal requests. The thread that reads the pedal writes the speed, and the servo reads
+/// it. Neither thread waits for the other.
 class FootPedal
 {
 public:

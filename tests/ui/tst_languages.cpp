@@ -208,6 +208,7 @@ private slots:
             session.removedMm3 = {0.0, 188.88, 188.88, 0.0};
             m_links->session.publish(session);
         });
+        page("burs", [this] { actions().allBurs->trigger(); });
         for (const auto& [name, action] : {std::pair("section", &Actions::section),
                                            {"stereo", &Actions::stereoPage},
                                            {"history", &Actions::history},

@@ -52,8 +52,8 @@ public:
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
     /// Returns whether setAllowed() has forbidden an action.
     [[nodiscard]] static bool isRefused(const QAction* aid);
-    /// Which burs are at hand in the panel, by index, and by the keys 1 to 4. Remembered from run to run; an index that
-    /// is no bur's is left out, and so is a fifth.
+    /// Indices of the burs that the panel shows and that the keys 1 to 4 choose. Stored between runs. An index without
+    /// a bur and all after the fourth are ignored.
     void setFavouriteBurs(const QList<int>& favourites);
     [[nodiscard]] const QList<int>& favouriteBurs() const { return m_favouriteBurs; }
     static constexpr int kMostFavouriteBurs = 4;

@@ -16,8 +16,8 @@ class Actions;
 class ScrollPane;
 
 /// All burs on one page that opens over the view: pictures to scale in groups of one shape, with sizes and numbers, a
-/// search by number, size or shape, and a star for each bur that the panel keeps at hand. A bur that is chosen, and
-/// Esc, close it.
+/// search by number, size or shape, and a star for each bur that the panel keeps at hand. Choosing a
+/// bur or pressing Esc closes it.
 class BurPicker : public QFrame
 {
     Q_OBJECT

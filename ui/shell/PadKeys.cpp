@@ -39,7 +39,7 @@ Qt::Key arrowKey(PadArrow arrow)
     return Qt::Key_Right;
 }
 
-/// The widget of a menu or list that is open; null if none is.
+/// Returns the open menu or list; null if none is open.
 QWidget* openPopup()
 {
     QWidget* const popup = QApplication::activePopupWidget();

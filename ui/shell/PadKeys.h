@@ -5,7 +5,7 @@
 
 class QWidget;
 
-/// The arrows of a gamepad, and its button A, in the window: they do what Tab, the arrow keys and the space bar do.
+/// Makes the arrows and the A button of a gamepad work in the window like Tab, the arrow keys and the space bar.
 namespace ui::shell {
 
 enum class PadArrow : std::uint8_t { Up, Down, Left, Right };

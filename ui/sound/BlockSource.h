@@ -24,7 +24,7 @@ public:
     /// @param state  must outlive the source, which is its only reader
     explicit BlockSource(core::rt::TripleBuffer<core::audio::SoundState>& state);
 
-    /// Begins with a format. Nothing is heard of the time before.
+    /// Starts with a format. Sound from before is discarded.
     void begin(const AudioFormat& format);
     void setVolumes(const core::audio::Volumes& volumes);
     /// Sets whether the state of the servo is heard; otherwise the handpiece runs down.

@@ -61,8 +61,8 @@ private:
     int m_rateHz = 0;      ///< 0: no output is open
     bool m_isHeard = false;
     bool m_isRefused = false;
-    bool m_isOpening = false;  ///< opening an output may deliver events, so that what they change has to wait
-    bool m_isChanged = false;  ///< something was changed meanwhile
+    bool m_isOpening = false;  ///< an output is being opened; changes that arrive meanwhile are applied afterwards
+    bool m_isChanged = false;  ///< outputs or settings changed while an output was being opened
     QTimer m_retry{this};
     QTimer m_idle{this};
     QTimer m_sampleWatch{this};

@@ -13,7 +13,7 @@ namespace ui::sound {
 struct SoundSettings
 {
     bool isOn = true;
-    core::audio::Volumes volumes;  ///< `isMuted` is unused: see isOn
+    core::audio::Volumes volumes;  ///< its member isMuted is not used; isOn takes its place
     QByteArray output;             ///< id of an audio output; empty: the default output of the system
     bool operator==(const SoundSettings&) const = default;
 };
@@ -35,13 +35,13 @@ enum class SoundStage : std::uint8_t {
     Refused    ///< the output takes none of the formats, or stopped; it is tried again
 };
 
-/// What became of the sound.
+/// State of the sound output.
 struct SoundReport
 {
     SoundStage stage = SoundStage::Off;
     QString output;           ///< name of the output in use
     bool isFallback = false;  ///< the output that the user has chosen is missing
-    int rateHz = 0;           ///< while playing
+    int rateHz = 0;           ///< sample rate of the open output; 0 if none is open
     bool isPlayingSample = false;
     bool operator==(const SoundReport&) const = default;
 };

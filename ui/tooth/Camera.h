@@ -53,7 +53,7 @@ public:
     /// `towardsMm` keeps its place in the picture (nothing: the middle of the picture does); further, the crown comes
     /// back to it.
     void zoom(double steps, const std::optional<glm::dvec3>& towardsMm = {});
-    /// The same, with the ratio of the sizes in the picture after and before.
+    /// Zooms by the ratio of the sizes in the picture after and before.
     void zoomBy(double ratio, const std::optional<glm::dvec3>& towardsMm = {});
     /// Sets how far the user's head turns the eye about the axes of the screen, and moves it. The other functions
     /// change the view without the lean.

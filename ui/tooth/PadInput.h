@@ -7,7 +7,7 @@
 
 namespace ui::tooth {
 
-/// What a gamepad asks of the bur and the view.
+/// Movement that a gamepad requests of the bur and the view.
 struct PadInput
 {
     glm::dvec2 move{0.0};  ///< of the bur: to the right and away from the eye, shares of the fastest, -1 to 1

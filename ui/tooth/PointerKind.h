@@ -5,7 +5,7 @@
 
 namespace ui::tooth {
 
-/// What the user presses the bur onto the tooth with, where no force device moves it.
+/// Input device with which the user presses the bur onto the tooth when no force device moves it.
 enum class PointerKind : std::uint8_t { Mouse, Pen, Keyboard, Gamepad };
 
 /// Name that an attempt is stored with.

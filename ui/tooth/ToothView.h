@@ -72,7 +72,7 @@ public:
     /// True while the bur is pushed or the left button, or the tip of the pen, is down in the view. The button may be
     /// down without a push: a view that loses the focus stops pushing.
     [[nodiscard]] bool isPressed() const { return m_isPressed; }
-    /// What the bur was pressed with last.
+    /// Returns the input device that pressed the bur last.
     [[nodiscard]] PointerKind pushedWith() const { return m_pushedWith; }
     /// Sets what a gamepad asks for, until the next call. A push begins anew after release().
     void setPad(const PadInput& pad) { m_pad = pad; }

@@ -6,18 +6,18 @@
 
 namespace ui::tooth {
 
-/// Turns the places of the fingers on a touch screen into turns and zooms of the view: one finger turns, two zoom.
+/// Converts the positions of fingers on a touch screen to rotation and zoom of the view: one finger rotates, two zoom.
 class TouchGesture
 {
 public:
     struct Step
     {
-        QPointF turnPx;      ///< way of the one finger
+        QPointF turnPx;      ///< movement of the one finger
         double zoom = 1.0;   ///< ratio of the distance of two fingers to that before
         QPointF middlePx{};  ///< between the two fingers
     };
 
-    /// Takes the places of all fingers that are down. A finger more or less begins anew.
+    /// Handles the positions of all fingers that touch the screen. When their number changes, the gesture starts again.
     [[nodiscard]] Step move(const QList<QPointF>& fingersPx);
     void end() { m_fingersPx.clear(); }
 

@@ -78,7 +78,7 @@ struct Context
 /// Head tracking on rendered pictures whose poses are known: errors, times, losses, the filter, and false tags.
 [[nodiscard]] core::Result<Figures> trackingSuite(const Context& context);
 
-/// The sound of the handpiece: time, latency, pitch, and how far enamel and dentin are apart.
+/// Measures the sound of the handpiece: computing time, latency, pitch, and the difference between enamel and dentin.
 [[nodiscard]] core::Result<Figures> soundSuite(const Context& context);
 
 /// A recording of continuous drilling played to its end, and looked at here and there.
