@@ -11306,5 +11306,15 @@ sin guardar</translation>
         <extracomment>%1: a bur such as &quot;Pear, No. 330&quot;</extracomment>
         <translation>Tener a mano: %1</translation>
     </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <extracomment>Diameter and length of a bur</extracomment>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>ISO %1</source>
+        <extracomment>Size of a bur as in ISO 6360</extracomment>
+        <translation>ISO %1</translation>
+    </message>
 </context>
 </TS>

@@ -81,9 +81,11 @@ const Bur& thatBur(int index)
 QString sizeWords(const Bur& bur)
 {
     const QLocale locale;
-    return QStringLiteral("%1 × %2 mm\nISO %3")
-        .arg(locale.toString(2.0 * bur.headRadiusMm, 'f', 1), locale.toString(bur.headLengthMm, 'f', 1),
-             QString::fromStdString(bur.isoSize()));
+    //: Diameter and length of a bur
+    return BurPicker::tr("%1 × %2 mm")
+               .arg(locale.toString(2.0 * bur.headRadiusMm, 'f', 1), locale.toString(bur.headLengthMm, 'f', 1)) +
+           //: Size of a bur as in ISO 6360
+           u'\n' + BurPicker::tr("ISO %1").arg(QString::fromStdString(bur.isoSize()));
 }
 
 /// Whether a bur is what somebody looks for: its number begins so, its size or number in ISO 6360 or its name has it.
