@@ -30,7 +30,7 @@ using core::drilling::Bur;
 using Shape = core::drilling::BurShape;
 
 constexpr int kPickerTilePx = 118;
-constexpr int kCellPx = 88;
+constexpr int kCellPx = 104;
 constexpr int kColumns = 7;
 constexpr int kPickerHeightPx = 560;
 
