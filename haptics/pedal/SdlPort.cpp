@@ -117,6 +117,7 @@ public:
     {
         m_opened.clear();
         SDL_QuitSubSystem(kSubsystems);
+        SDL_TLSCleanup();  // of this thread, which SDL has not created
     }
 
     void read(std::vector<Controller>& controllers) override
