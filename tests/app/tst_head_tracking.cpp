@@ -97,7 +97,7 @@ private slots:
         WAIT_FOR(azimuthDeg() < straightDeg - 20.0);
         QVERIFY(actions().recentreHead->isVisible());
         // The video ends, and with it the tag.
-        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 0.1);
+        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 1e-9);
     }
 
     void turnedOffTheViewComesBack()
@@ -107,7 +107,7 @@ private slots:
         use({.isOn = true, .video = m_video, .tagId = kTagId});
         WAIT_FOR(azimuthDeg() < straightDeg - 5.0);
         use({.isOn = false, .video = m_video, .tagId = kTagId});
-        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 0.1);
+        WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 1e-9);
         QVERIFY(!actions().recentreHead->isVisible());
     }
 

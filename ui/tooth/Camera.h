@@ -58,6 +58,7 @@ public:
     /// Sets how far the user's head turns the eye about the axes of the screen, and moves it. The other functions
     /// change the view without the lean.
     void lean(const core::tracking::Lean& lean) { m_lean = lean; }
+    [[nodiscard]] const core::tracking::Lean& lean() const { return m_lean; }
     /// Lets the distance follow the zoom for a time. True while it still moves.
     bool advance(double seconds);
 

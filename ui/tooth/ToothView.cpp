@@ -741,12 +741,16 @@ void ToothView::followHead(double seconds)
     constexpr double kSeenDeg = 0.02;  ///< less is not drawn: a picture that rests has smooth edges
     constexpr double kSeenShare = 2e-4;
     const core::tracking::Lean lean = m_headLean ? m_headLean(seconds, m_servo.touching) : core::tracking::Lean{};
-    if (std::abs(lean.yawDeg - m_lean.yawDeg) < kSeenDeg && std::abs(lean.pitchDeg - m_lean.pitchDeg) < kSeenDeg &&
-        std::abs(lean.farther - m_lean.farther) < kSeenShare &&
-        std::abs(lean.rightShare - m_lean.rightShare) < kSeenShare &&
-        std::abs(lean.upShare - m_lean.upShare) < kSeenShare)
+    const core::tracking::Lean& drawn = m_camera.lean();
+    const bool isAlike = std::abs(lean.yawDeg - drawn.yawDeg) < kSeenDeg &&
+                         std::abs(lean.pitchDeg - drawn.pitchDeg) < kSeenDeg &&
+                         std::abs(lean.farther - drawn.farther) < kSeenShare &&
+                         std::abs(lean.rightShare - drawn.rightShare) < kSeenShare &&
+                         std::abs(lean.upShare - drawn.upShare) < kSeenShare;
+    // The view comes back to exactly where the mouse left it.
+    const bool isBack = lean == core::tracking::Lean{} && !(drawn == lean);
+    if (isAlike && !isBack)
         return;
-    m_lean = lean;
     m_camera.lean(lean);
     m_control.forgetRay();
     redrawMoving();

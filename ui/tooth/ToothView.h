@@ -234,7 +234,6 @@ private:
     Camera m_camera;
     Camera m_storedCamera;
     HeadLean m_headLean;
-    core::tracking::Lean m_lean;  ///< of m_camera
     PointerControl m_control;
     PointerKind m_pushedWith = PointerKind::Mouse;
     TouchGesture m_gesture;
