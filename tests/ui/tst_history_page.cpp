@@ -244,6 +244,15 @@ private slots:
         QCOMPARE(bars()[0].name, QString("Part of the opening"));
     }
 
+    /// The lessons were read after the attempts.
+    void examsWithoutAScoreHaveTheirTitle()
+    {
+        m_page->setLessonTitles({});
+        m_page->setExamsWithoutScore({{"a", "c1-36", "2026-09-01T09:00:00Z"}});
+        m_page->setLessonTitles({{"c1-36", "Class I on 36"}});
+        QVERIFY(child<QLabel>("examsWithoutScore")->text().contains("Class I on 36, begun"));
+    }
+
     void everyControlHasAName() { QCOMPARE(support::controlsWithoutNames(*m_page), QStringList()); }
 
 private:

@@ -274,6 +274,7 @@ void HistoryPage::setLessonTitles(const LessonTitles& titles)
     m_charted.titles = titles;
     m_model->setTitles(titles);
     fillLessons();
+    tellWithoutScore();
     drawCharts();
 }
 
