@@ -293,6 +293,8 @@ private slots:
         const auto* beside = views().front() == &window().view() ? views().back() : views().front();
         // Both at their ends: what the first stroke has left, and what both have.
         actions().replayEnd->trigger();
+        // Sent to the beginning while it plays, it would play on.
+        WAIT_FOR(actions().pauseReplay->text().startsWith("Resume"));
         const auto cutIn = [](const ui::tooth::ToothView& view) {
             double sum = 0.0;
             for (std::size_t k = 0; k < view.tooth()->top.size(); ++k)
