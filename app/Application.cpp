@@ -18,6 +18,7 @@
 #include "app/Background.h"
 #include "app/Backups.h"
 #include "app/Demonstration.h"
+#include "app/PenSetup.h"
 #include "app/SchoolSettings.h"
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
@@ -248,6 +249,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_devices.get(), &DeviceController::simulatedChanged, this, &Application::beginForAnotherHand);
     followHand();
     m_headTracking = std::make_unique<HeadTrackingController>(*m_window);
+    connectPen(*m_window);
     m_pedals = std::make_unique<PedalController>(*m_window, m_bur, [this] { return m_devices->isSimulated(); });
     m_sound = std::make_unique<SoundController>(*m_window, m_links.sound, options.audioPort);
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));

@@ -11136,9 +11136,6 @@ ungesichert</translation>
         <source>Teach the pedal</source>
         <translation>Pedal anlernen</translation>
     </message>
-</context>
-<context>
-    <name>ui::devices::SpeedCurve</name>
     <message>
         <source>Speed of the bur over the travel of the pedal</source>
         <translation>Drehzahl des Bohrers über dem Weg des Pedals</translation>
@@ -11315,6 +11312,56 @@ ungesichert</translation>
         <source>ISO %1</source>
         <extracomment>Size of a bur as in ISO 6360</extracomment>
         <translation>ISO %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PenField</name>
+    <message>
+        <source>Press the pen here</source>
+        <extracomment>In a field in which the user tries the pen of a graphics tablet</extracomment>
+        <translation>Hier mit dem Stift drücken</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PenCard</name>
+    <message>
+        <source>Pen</source>
+        <translation>Stift</translation>
+    </message>
+    <message>
+        <source>The tilt of the pen is ignored: the bur stays upright.</source>
+        <translation>Die Neigung des Stifts wird nicht beachtet: Der Bohrer bleibt aufrecht.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <extracomment>Of a pen: 1 is a straight line</extracomment>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>1 is a straight line. With more, a light touch presses more weakly.</source>
+        <translation>1 ist eine Gerade. Mit mehr drückt eine leichte Berührung schwächer.</translation>
+    </message>
+    <message>
+        <source>Force over the pressure of the pen</source>
+        <translation>Kraft über dem Druck des Stifts</translation>
+    </message>
+    <message>
+        <source>No pen has been seen yet. Press it in the field, or move it over the field.</source>
+        <translation>Bisher wurde kein Stift erkannt. Drücken Sie ihn in das Feld oder bewegen Sie ihn darüber.</translation>
+    </message>
+    <message>
+        <source>That was a mouse, or a pen whose driver reports no pressure. The bur presses with %1 N.</source>
+        <extracomment>%1: newtons</extracomment>
+        <translation>Das war eine Maus oder ein Stift, dessen Treiber keinen Druck meldet. Der Bohrer drückt mit %1 N.</translation>
+    </message>
+    <message>
+        <source>The pen hovers: the bur follows it and does not press.</source>
+        <translation>Der Stift schwebt: Der Bohrer folgt ihm und drückt nicht.</translation>
+    </message>
+    <message>
+        <source>Pressure %1 %: the bur presses with %2 N of %3 N.</source>
+        <extracomment>%1: per cent; %2 and %3: newtons</extracomment>
+        <translation>Druck %1 %: Der Bohrer drückt mit %2 N von %3 N.</translation>
     </message>
 </context>
 </TS>

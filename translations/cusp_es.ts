@@ -11136,9 +11136,6 @@ sin guardar</translation>
         <source>Teach the pedal</source>
         <translation>Enseñar el pedal</translation>
     </message>
-</context>
-<context>
-    <name>ui::devices::SpeedCurve</name>
     <message>
         <source>Speed of the bur over the travel of the pedal</source>
         <translation>Velocidad de la fresa según el recorrido del pedal</translation>
@@ -11315,6 +11312,56 @@ sin guardar</translation>
         <source>ISO %1</source>
         <extracomment>Size of a bur as in ISO 6360</extracomment>
         <translation>ISO %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PenField</name>
+    <message>
+        <source>Press the pen here</source>
+        <extracomment>In a field in which the user tries the pen of a graphics tablet</extracomment>
+        <translation>Presione aquí con el lápiz</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PenCard</name>
+    <message>
+        <source>Pen</source>
+        <translation>Lápiz</translation>
+    </message>
+    <message>
+        <source>The tilt of the pen is ignored: the bur stays upright.</source>
+        <translation>La inclinación del lápiz no se tiene en cuenta: la fresa se mantiene vertical.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <extracomment>Of a pen: 1 is a straight line</extracomment>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>1 is a straight line. With more, a light touch presses more weakly.</source>
+        <translation>1 es una línea recta. Con más, un toque ligero presiona con menos fuerza.</translation>
+    </message>
+    <message>
+        <source>Force over the pressure of the pen</source>
+        <translation>Fuerza según la presión del lápiz</translation>
+    </message>
+    <message>
+        <source>No pen has been seen yet. Press it in the field, or move it over the field.</source>
+        <translation>Todavía no se ha detectado ningún lápiz. Presiónelo en el campo o muévalo por encima.</translation>
+    </message>
+    <message>
+        <source>That was a mouse, or a pen whose driver reports no pressure. The bur presses with %1 N.</source>
+        <extracomment>%1: newtons</extracomment>
+        <translation>Eso fue un ratón o un lápiz cuyo controlador no informa de la presión. La fresa presiona con %1 N.</translation>
+    </message>
+    <message>
+        <source>The pen hovers: the bur follows it and does not press.</source>
+        <translation>El lápiz está en el aire: la fresa lo sigue y no presiona.</translation>
+    </message>
+    <message>
+        <source>Pressure %1 %: the bur presses with %2 N of %3 N.</source>
+        <extracomment>%1: per cent; %2 and %3: newtons</extracomment>
+        <translation>Presión %1 %: la fresa presiona con %2 N de %3 N.</translation>
     </message>
 </context>
 </TS>

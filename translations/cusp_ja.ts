@@ -11067,9 +11067,6 @@ unsaved</source>
         <source>Teach the pedal</source>
         <translation>ペダルを覚えさせる</translation>
     </message>
-</context>
-<context>
-    <name>ui::devices::SpeedCurve</name>
     <message>
         <source>Speed of the bur over the travel of the pedal</source>
         <translation>ペダルの踏み込みに対するバーの速さ</translation>
@@ -11246,6 +11243,56 @@ unsaved</source>
         <source>ISO %1</source>
         <extracomment>Size of a bur as in ISO 6360</extracomment>
         <translation>ISO %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PenField</name>
+    <message>
+        <source>Press the pen here</source>
+        <extracomment>In a field in which the user tries the pen of a graphics tablet</extracomment>
+        <translation>ここをペンで押してください</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::PenCard</name>
+    <message>
+        <source>Pen</source>
+        <translation>ペン</translation>
+    </message>
+    <message>
+        <source>The tilt of the pen is ignored: the bur stays upright.</source>
+        <translation>ペンの傾きは無視されます。バーは常にまっすぐ立っています。</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <extracomment>Of a pen: 1 is a straight line</extracomment>
+        <translation>カーブ</translation>
+    </message>
+    <message>
+        <source>1 is a straight line. With more, a light touch presses more weakly.</source>
+        <translation>1 は直線です。大きくすると、軽いタッチの力がより弱くなります。</translation>
+    </message>
+    <message>
+        <source>Force over the pressure of the pen</source>
+        <translation>ペンの筆圧に対する力</translation>
+    </message>
+    <message>
+        <source>No pen has been seen yet. Press it in the field, or move it over the field.</source>
+        <translation>まだペンが検出されていません。枠の中をペンで押すか、その上で動かしてください。</translation>
+    </message>
+    <message>
+        <source>That was a mouse, or a pen whose driver reports no pressure. The bur presses with %1 N.</source>
+        <extracomment>%1: newtons</extracomment>
+        <translation>マウス、または筆圧を送らないドライバーのペンによる操作でした。バーは %1 N で押します。</translation>
+    </message>
+    <message>
+        <source>The pen hovers: the bur follows it and does not press.</source>
+        <translation>ペンが浮いています。バーはペンに追従し、押しません。</translation>
+    </message>
+    <message>
+        <source>Pressure %1 %: the bur presses with %2 N of %3 N.</source>
+        <extracomment>%1: per cent; %2 and %3: newtons</extracomment>
+        <translation>筆圧 %1 %：バーは %3 N のうち %2 N で押します。</translation>
     </message>
 </context>
 </TS>

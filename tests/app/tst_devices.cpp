@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The devices of a station in the whole program, with a force device that a test plays.
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QRadioButton>
@@ -63,6 +64,20 @@ private slots:
         QVERIFY(m_script->isRunning);
         actions().back->trigger();
         WAIT_FOR(!m_script->isRunning);
+    }
+
+    void theCurveOfThePenIsRememberedOnTheStation()
+    {
+        start();
+        QCOMPARE(child<QDoubleSpinBox>("penCurve")->value(), 1.0);
+        child<QDoubleSpinBox>("penCurve")->setValue(2.0);
+        m_application.reset();
+        start();
+        QCOMPARE(child<QDoubleSpinBox>("penCurve")->value(), 2.0);
+        m_application.reset();
+        ui::shell::memory().setValue("pen/curve", 99.0);
+        start();
+        QCOMPARE(child<QDoubleSpinBox>("penCurve")->value(), 1.0);
     }
 
     void aReadyDeviceMovesTheBurAndIsNotedInTheAttempt()

@@ -376,7 +376,7 @@ private slots:
         hands().selectHand(kArm);
         QVERIFY(!child<QPushButton>("deviceNext")->isEnabled());
         QVERIFY(hands().rows().at(2).sign == Sign::Missing);
-        for (const char* name : {"rule", "firmwareProgress", "homing", "liveTest", "firmware", "setup"})
+        for (const char* name : {"rule", "firmwareProgress", "homing", "liveTest", "firmware", "setup", "pen"})
             QVERIFY2(!child<QWidget>(name)->isVisible(), name);
     }
 

@@ -291,6 +291,11 @@ private slots:
                 actions().devices->trigger();
                 child<ui::devices::HandList>()->selectHand(ui::devices::kSound);
             });
+        page("pen", [this] {
+            m_window->devicesPage().setKinds({});
+            m_window->devicesPage().setChosen(ui::devices::kPointer);
+            actions().devices->trigger();
+        });
         page("hand", [this] {
             m_window->devicesPage().setKinds({});
             m_window->devicesPage().setChosen(ui::devices::kSimulated);

@@ -220,11 +220,19 @@ private slots:
             return event.isAccepted();
         };
         QVERIFY(send(QEvent::TabletMove, 0.0, Qt::NoButton));
+        // A pen that hovers moves the bur and does not press it.
         QVERIFY(near(pixelOf({pointer().targetMm, pointer().hoverMm}).x(), at.x(), 2.0));
+        QVERIFY(!pointer().pushing);
         m_links->servo.publish(burAt({pointer().targetMm, pointer().hoverMm}));
         QVERIFY(send(QEvent::TabletPress, 0.5, Qt::LeftButton));
         QTRY_VERIFY(pointer().pushing);
         QVERIFY(near(pointer().pushForceN, 0.5 * PointerControl::kFirstN));
+        m_view->setPen({2.0});
+        const auto linear = qScopeGuard([this] { m_view->setPen({}); });
+        QVERIFY(send(QEvent::TabletMove, 0.5, Qt::NoButton));
+        QVERIFY(near(pointer().pushForceN, 0.25 * PointerControl::kFirstN));
+        QVERIFY(send(QEvent::TabletMove, 1.0, Qt::NoButton));
+        QVERIFY(near(pointer().pushForceN, PointerControl::kFirstN));
         QVERIFY(send(QEvent::TabletRelease, 0.0, Qt::LeftButton));
         QVERIFY(!pointer().pushing);
         QVERIFY(m_view->pushedWith() == PointerKind::Pen);

@@ -21,6 +21,7 @@
 #include "ui/devices/HomingMarks.h"
 #include "ui/devices/LiveTest.h"
 #include "ui/devices/PedalCard.h"
+#include "ui/devices/PenCard.h"
 #include "ui/devices/RuleCard.h"
 #include "ui/devices/SetupCard.h"
 #include "ui/devices/SoundCard.h"
@@ -69,12 +70,14 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     m_firmware = new FirmwareCard(cards);
     m_setup = new SetupCard(cards);
     m_headTracking = new HeadTrackingCard(cards);
+    m_pen = new PenCard(cards);
     m_pedals = new PedalCard(cards);
     m_sound = new SoundCard(cards);
     for (QWidget* part :
          {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_rule), m_homing,
           static_cast<QWidget*>(m_live), static_cast<QWidget*>(m_firmware), static_cast<QWidget*>(m_setup),
-          static_cast<QWidget*>(m_headTracking), static_cast<QWidget*>(m_pedals), static_cast<QWidget*>(m_sound)})
+          static_cast<QWidget*>(m_pen), static_cast<QWidget*>(m_headTracking), static_cast<QWidget*>(m_pedals),
+          static_cast<QWidget*>(m_sound)})
         column->addWidget(part);
     column->addStretch(1);
 
@@ -295,6 +298,7 @@ void DevicesPage::showHand()
     const Device* const device = find(shownHand());
     const bool isHeadTracking = shownHand() == QLatin1String(kHeadTracking);
     m_name->setText(handName(shownHand()));
+    m_pen->setVisible(shownHand() == QLatin1String(kPointer));
     m_headTracking->setVisible(isHeadTracking);
     m_headTracking->followSwitch().setVisible(isHeadTracking);
     const bool isPedals = shownHand() == QLatin1String(kPedals);

@@ -23,6 +23,7 @@ class HeadTrackingCard;
 class HomingMarks;
 class LiveTest;
 class PedalCard;
+class PenCard;
 class RuleCard;
 class SetupCard;
 class SoundCard;
@@ -58,6 +59,8 @@ public:
 
     /// The same for foot pedals and gamepads.
     [[nodiscard]] PedalCard& pedals() { return *m_pedals; }
+    /// The same for the pen of a graphics tablet.
+    [[nodiscard]] PenCard& pen() { return *m_pen; }
     /// The same for sound.
     [[nodiscard]] SoundCard& sound() { return *m_sound; }
 
@@ -119,6 +122,7 @@ private:
     FirmwareCard* m_firmware = nullptr;
     SetupCard* m_setup = nullptr;
     HeadTrackingCard* m_headTracking = nullptr;
+    PenCard* m_pen = nullptr;
     PedalCard* m_pedals = nullptr;
     SoundCard* m_sound = nullptr;
 };

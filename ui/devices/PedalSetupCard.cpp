@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 
 #include "ui/devices/ControllerWords.h"
-#include "ui/devices/SpeedCurve.h"
+#include "ui/devices/ResponseCurve.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
@@ -36,7 +36,7 @@ PedalSetupCard::PedalSetupCard(QWidget* parent)
       m_teach(new QPushButton(this)), m_inverted(new QCheckBox(this)),
       m_deadZone(study::countInput(0, static_cast<int>(kWholePercent * PedalSettings::kMostDeadZone), this)),
       m_curve(study::numberInput(PedalSettings::kLeastCurve, PedalSettings::kMostCurve, 1, {}, {}, this)),
-      m_picture(new SpeedCurve(this))
+      m_picture(new ResponseCurve(this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("pedalSetup"));
@@ -74,17 +74,17 @@ PedalSetupCard::PedalSetupCard(QWidget* parent)
     connect(m_teach, &QPushButton::toggled, this, &PedalSetupCard::setLearning);
     connect(m_inverted, &QCheckBox::toggled, this, [this](bool isInverted) {
         m_settings.shape.isInverted = isInverted;
-        m_picture->setShape(m_settings.shape);
+        showCurve();
         emit settingsChanged(m_settings);
     });
     connect(m_deadZone, &QSpinBox::valueChanged, this, [this](int percent) {
         m_settings.shape.deadZone = percent / kWholePercent;
-        m_picture->setShape(m_settings.shape);
+        showCurve();
         emit settingsChanged(m_settings);
     });
     connect(m_curve, &QDoubleSpinBox::valueChanged, this, [this](double curve) {
         m_settings.shape.curve = curve;
-        m_picture->setShape(m_settings.shape);
+        showCurve();
         emit settingsChanged(m_settings);
     });
     text::inEveryLanguage(this, [this, deadCaption, curveCaption] {
@@ -98,6 +98,7 @@ PedalSetupCard::PedalSetupCard(QWidget* parent)
         curveCaption->setText(tr("Curve"));
         m_curve->setAccessibleName(curveCaption->text());
         m_curve->setToolTip(tr("1 is a straight line. With more, slow speeds have more of the travel."));
+        m_picture->setName(tr("Speed of the bur over the travel of the pedal"));
         showWords();
     });
 }
@@ -111,7 +112,7 @@ void PedalSetupCard::setSettings(const ControllerSettings& settings)
     m_deadZone->setValue(static_cast<int>(std::lround(kWholePercent * settings.shape.deadZone)));
     const QSignalBlocker silentCurve(m_curve);
     study::showNumber(*m_curve, settings.shape.curve);
-    m_picture->setShape(settings.shape);
+    showCurve();
     for (QWidget* input : {static_cast<QWidget*>(m_inverted), static_cast<QWidget*>(m_deadZone),
                            static_cast<QWidget*>(m_curve), static_cast<QWidget*>(m_picture)})
         input->setEnabled(settings.axis != kNoAxis);
@@ -128,7 +129,8 @@ void PedalSetupCard::setController(const core::session::Controller& controller)
     }
     const auto axis = static_cast<std::size_t>(m_settings.axis);
     const bool hasAxis = m_settings.axis != kNoAxis && axis < controller.axes.size();
-    m_picture->setReading(hasAxis ? std::optional(static_cast<double>(controller.axes[axis])) : std::nullopt);
+    m_picture->setInput(hasAxis ? std::optional(m_settings.shape.travelAt(static_cast<double>(controller.axes[axis])))
+                                : std::nullopt);
     if (!m_learner)
         return;
     const double seconds = static_cast<double>(m_sinceReading.restart()) / kMsPerSecond;
@@ -157,6 +159,11 @@ void PedalSetupCard::setLearning(bool isLearning)
         m_learner.emplace();
     m_sinceReading.start();
     showWords();
+}
+
+void PedalSetupCard::showCurve()
+{
+    m_picture->setCurve([shape = m_settings.shape](double travel) { return shape.speedAt(travel); });
 }
 
 void PedalSetupCard::showWords()

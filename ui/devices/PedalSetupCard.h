@@ -18,7 +18,7 @@ class QSpinBox;
 
 namespace ui::devices {
 
-class SpeedCurve;
+class ResponseCurve;
 
 /// How the travel of a pedal becomes the speed of the bur: teaching, dead zone, curve, direction.
 class PedalSetupCard : public QFrame
@@ -41,6 +41,7 @@ signals:
 
 private:
     void setLearning(bool isLearning);
+    void showCurve();
     void showWords();
 
     ControllerSettings m_settings;
@@ -52,7 +53,7 @@ private:
     QCheckBox* m_inverted;
     QSpinBox* m_deadZone;
     QDoubleSpinBox* m_curve;
-    SpeedCurve* m_picture;
+    ResponseCurve* m_picture;
 };
 
 }  // namespace ui::devices

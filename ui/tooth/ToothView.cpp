@@ -1060,7 +1060,7 @@ void ToothView::tabletEvent(QTabletEvent* event)
         return;
     }
     if (event->buttons().testFlag(Qt::LeftButton))
-        m_control.setPressure(std::clamp(event->pressure(), 0.05, 1.0));
+        m_control.setPressure(m_pen.shareAt(event->pressure()));
     publishPointer();
     event->accept();
 }

@@ -16,6 +16,7 @@
 #include <QTimer>
 
 #include "core/session/Links.h"
+#include "core/settings/PenSettings.h"
 #include "core/teeth/Arch.h"
 #include "core/terrain/Tooth.h"
 #include "ui/render/ToothRenderer.h"
@@ -65,6 +66,8 @@ public:
     void setPushForce(double newtons);
     /// Sets the largest speed at which the pushed bur goes down, mm/s.
     void setFeed(double mmPerS);
+    /// Sets how the pressure of a pen becomes force.
+    void setPen(const core::settings::PenSettings& settings) { m_pen = settings; }
     /// Switches the depth stop and sets its depth below the original surface, mm.
     void setDepthStop(bool on, double depthMm);
     /// Returns the settings of the hand: feed, depth stop and force.
@@ -263,6 +266,7 @@ private:
     std::set<int> m_arrows;  ///< held
     double m_arrowsHeldS = 0.0;
     bool m_fine = false;
+    core::settings::PenSettings m_pen;
     PadInput m_pad;
     bool m_padIsDown = false;  ///< its trigger pushed in the last frame
     bool m_padPushes = false;  ///< the push that goes on is the gamepad's
