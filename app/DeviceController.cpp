@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/session/RestHeight.h"
 #include "ui/devices/DeviceWords.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/shell/Actions.h"
@@ -55,6 +56,9 @@ DeviceSetup recalledSetup(const QString& id)
     const double scale = kept.value(keyOf(id, "scale")).toDouble(&isNumber);
     if (isNumber && scale >= DeviceSetup::kLeastScale && scale <= DeviceSetup::kMostScale)
         setup.scale = scale;
+    const double rest = kept.value(keyOf(id, "rest_mm")).toDouble(&isNumber);
+    if (isNumber)
+        setup.restMm = core::session::reachableRestMm(rest, setup.scale);
     return setup;
 }
 
@@ -67,6 +71,7 @@ void remember(const QString& id, const DeviceSetup& setup)
                                      : setup.side == DeviceSetup::Side::Left ? kLeft
                                                                              : QStringLiteral("front"));
     kept.setValue(keyOf(id, "scale"), setup.scale);
+    kept.setValue(keyOf(id, "rest_mm"), setup.restMm);
 }
 
 }  // namespace

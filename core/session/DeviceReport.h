@@ -66,7 +66,8 @@ struct DeviceSetup
 
     Stand stand = Stand::Upright;
     Side side = Side::Front;
-    double scale = 1.0;  ///< how far the hand moves for one millimetre of the bur
+    double scale = 1.0;   ///< how far the hand moves for one millimetre of the bur
+    double restMm = 0.0;  ///< height of the hand for the top of the tooth, above the middle of the work area
     bool operator==(const DeviceSetup&) const = default;
 };
 

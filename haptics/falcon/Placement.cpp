@@ -3,10 +3,14 @@
 
 #include <algorithm>
 
+#include "core/session/RestHeight.h"
+
 namespace haptics::falcon {
 namespace {
 
 using core::session::DeviceSetup;
+
+static_assert(kReachMm >= core::session::kHandReachMm);
 
 /// Where the axes of the device point in the tooth frame if it faces the user.
 glm::dmat3 standing(DeviceSetup::Stand stand)
@@ -34,7 +38,8 @@ glm::dmat3 turned(DeviceSetup::Side side)
 
 Placement::Placement(const DeviceSetup& setup) noexcept
     : m_toothFromDevice(turned(setup.side) * standing(setup.stand)),
-      m_scale(std::clamp(setup.scale, DeviceSetup::kLeastScale, DeviceSetup::kMostScale))
+      m_scale(std::clamp(setup.scale, DeviceSetup::kLeastScale, DeviceSetup::kMostScale)),
+      m_restMm(0.0, 0.0, core::session::reachableRestMm(setup.restMm, m_scale))
 {}
 
 }  // namespace haptics::falcon

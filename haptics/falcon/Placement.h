@@ -10,7 +10,7 @@
 namespace haptics::falcon {
 
 /// Converts between the device frame of a Falcon and the tooth frame, for how the Falcon stands before the user. The
-/// middle of the work area is the origin of the tooth.
+/// origin of the tooth is DeviceSetup::restMm above the middle of the work area.
 class Placement
 {
 public:
@@ -18,11 +18,11 @@ public:
 
     [[nodiscard]] glm::dvec3 toothFromGripMm(const glm::dvec3& gripMm) const noexcept
     {
-        return m_toothFromDevice * (gripMm - kCentreMm) / m_scale;
+        return (m_toothFromDevice * (gripMm - kCentreMm) - m_restMm) / m_scale;
     }
     [[nodiscard]] glm::dvec3 gripFromToothMm(const glm::dvec3& toothMm) const noexcept
     {
-        return kCentreMm + toothMm * m_scale * m_toothFromDevice;  // the transpose turns back
+        return kCentreMm + (toothMm * m_scale + m_restMm) * m_toothFromDevice;  // the transpose turns back
     }
     /// A force on the hand is the same whatever the scale.
     [[nodiscard]] glm::dvec3 deviceFromToothN(const glm::dvec3& forceN) const noexcept
@@ -33,6 +33,7 @@ public:
 private:
     glm::dmat3 m_toothFromDevice;
     double m_scale;
+    glm::dvec3 m_restMm;  ///< of the hand, along the axes of the tooth
 };
 
 }  // namespace haptics::falcon

@@ -20,6 +20,7 @@ class TestFalconCalibration : public QObject
 private slots:
     void uprightInFrontIsTheUsualFrame();
     void everyPlacementTurnsBackAndForth();
+    void theTopOfTheToothIsAtTheHeightOfTheRest();
     void aPushTowardsTheUserIsAPush_data();
     void aPushTowardsTheUserIsAPush();
     void commandsKeepTheDirectionOfTheForce();
@@ -53,6 +54,26 @@ void TestFalconCalibration::everyPlacementTurnsBackAndForth()
                 const glm::dvec3 way = placement.gripFromToothMm(glm::dvec3(0.0)) - grip;
                 QVERIFY(glm::distance(placement.deviceFromToothN(-tooth) * scale, way) < 1e-12);
             }
+}
+
+void TestFalconCalibration::theTopOfTheToothIsAtTheHeightOfTheRest()
+{
+    using Stand = DeviceSetup::Stand;
+    using Side = DeviceSetup::Side;
+    for (const Stand stand : {Stand::Upright, Stand::OnItsBack})
+        for (const double scale : {0.5, 1.0, 2.0}) {
+            const Placement middle({stand, Side::Right, scale});
+            const Placement raised({stand, Side::Right, scale, 10.0});
+            const glm::dvec3 tooth(1.0, -2.0, 3.0);
+            const glm::dvec3 grip = raised.gripFromToothMm(tooth);
+            QVERIFY(glm::distance(raised.toothFromGripMm(grip), tooth) < 1e-12);
+            // The hand is higher by the same, whatever the scale.
+            const glm::dvec3 up = raised.gripFromToothMm(glm::dvec3(0.0)) - middle.gripFromToothMm(glm::dvec3(0.0));
+            QVERIFY(glm::distance(up, middle.deviceFromToothN({0.0, 0.0, 10.0})) < 1e-12);
+        }
+    // The whole tooth can be reached, whatever is stored.
+    const Placement far({Stand::Upright, Side::Front, 2.5, 500.0});
+    QVERIFY(glm::distance(far.gripFromToothMm({8.0, 0.0, 6.0}), kCentreMm) <= haptics::falcon::kReachMm + 1e-9);
 }
 
 void TestFalconCalibration::aPushTowardsTheUserIsAPush_data()

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "core/session/RestHeight.h"
 #include "ui/devices/ButtonLights.h"
 #include "ui/devices/ForceTest.h"
 #include "ui/devices/IntervalChart.h"
@@ -22,7 +23,6 @@ namespace {
 using namespace ui::shell;
 
 constexpr double kUsPerMs = 1000.0;
-constexpr double kHandReachMm = 45.0;  ///< of the hand, about, in every direction
 
 QLabel* captionLabel(QWidget* parent)
 {
@@ -111,7 +111,7 @@ shell::TabularLabel* LiveTest::addFigure(QGridLayout& grid, int row, int column,
 
 void LiveTest::setReport(const core::session::DeviceReport& report, double scale)
 {
-    m_position->setTip(report.tipMm, kHandReachMm / scale);
+    m_position->setTip(report.tipMm, core::session::kHandReachMm / scale);
     m_buttons->setHeld(report.buttons);
     const core::session::ExchangeFigures& exchange = report.exchange;
     m_intervals->setFigures(exchange);

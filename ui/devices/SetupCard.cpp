@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/session/RestHeight.h"
 #include "ui/devices/PlacementPicture.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
@@ -63,8 +64,10 @@ SetupCard::SetupCard(QWidget* parent)
         });
     };
     auto* stand = headingLabel(this);
-    addGroup(stand, m_stands, {"standUpright", "standOnItsBack", ""},
-             [](DeviceSetup& setup, int id) { setup.stand = static_cast<DeviceSetup::Stand>(id); });
+    addGroup(stand, m_stands, {"standUpright", "standOnItsBack", ""}, [](DeviceSetup& setup, int id) {
+        setup.stand = static_cast<DeviceSetup::Stand>(id);
+        setup.restMm = 0.0;  // the hand is elsewhere now
+    });
     auto* side = headingLabel(this);
     addGroup(side, m_sides, {"sideFront", "sideRight", "sideLeft"},
              [](DeviceSetup& setup, int id) { setup.side = static_cast<DeviceSetup::Side>(id); });
@@ -87,6 +90,7 @@ SetupCard::SetupCard(QWidget* parent)
     connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         DeviceSetup setup = m_setup;
         setup.scale = value;
+        setup.restMm = core::session::reachableRestMm(setup.restMm, value);
         change(setup);
     });
     text::inEveryLanguage(this, [=, this] {
