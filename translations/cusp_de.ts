@@ -4263,6 +4263,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Sound</source>
         <translation>Ton</translation>
     </message>
+    <message>
+        <source>Hand and rest</source>
+        <extracomment>A button that opens a guide: which hand works, and where it rests</extracomment>
+        <translation>Hand und Auflage</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -11362,6 +11367,214 @@ ungesichert</translation>
         <source>Pressure %1 %: the bur presses with %2 N of %3 N.</source>
         <extracomment>%1: per cent; %2 and %3: newtons</extracomment>
         <translation>Druck %1 %: Der Bohrer drückt mit %2 N von %3 N.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandGuidePicture</name>
+    <message>
+        <source>50 to 70 cm</source>
+        <extracomment>Between the eyes and the screen</extracomment>
+        <translation>50 bis 70 cm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::StillnessTest</name>
+    <message>
+        <source>Time that is over</source>
+        <translation>Abgelaufene Zeit</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Get ready.</source>
+        <translation>Machen Sie sich bereit.</translation>
+    </message>
+    <message>
+        <source>Hold still.</source>
+        <translation>Halten Sie still.</translation>
+    </message>
+    <message>
+        <source>This can be tried when the device is ready.</source>
+        <translation>Das geht, sobald das Gerät bereit ist.</translation>
+    </message>
+    <message>
+        <source>The device stopped responding. Start again when it is ready.</source>
+        <translation>Das Gerät antwortet nicht mehr. Beginnen Sie noch einmal, wenn es bereit ist.</translation>
+    </message>
+    <message>
+        <source>Too few positions were measured. Close other programs and start again.</source>
+        <translation>Es wurden zu wenige Positionen gemessen. Schließen Sie andere Programme und beginnen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>On the tooth, the bur drifted by %1 mm and trembled by %2 mm.</source>
+        <extracomment>%1 and %2: millimetres</extracomment>
+        <translation>Am Zahn wanderte der Bohrer um %1 mm und zitterte um %2 mm.</translation>
+    </message>
+    <message>
+        <source>On the screen, the pointer drifted by %1 mm and trembled by %2 mm.</source>
+        <translation>Auf dem Bildschirm wanderte der Zeiger um %1 mm und zitterte um %2 mm.</translation>
+    </message>
+    <message>
+        <source>The hand drifts: support the forearm, and try another height of the rest.</source>
+        <translation>Die Hand wandert: Stützen Sie den Unterarm ab und probieren Sie eine andere Höhe der Auflage.</translation>
+    </message>
+    <message>
+        <source>The hand trembles: hold the grip loosely, put a finger on the rest, or choose a larger scale on the next step.</source>
+        <translation>Die Hand zittert: Halten Sie den Griff locker, legen Sie einen Finger auf die Auflage oder wählen Sie im nächsten Schritt einen größeren Maßstab.</translation>
+    </message>
+    <message>
+        <source>The hand trembles: put the wrist on the table, or zoom in at the tooth.</source>
+        <translation>Die Hand zittert: Legen Sie das Handgelenk auf den Tisch oder vergrößern Sie die Ansicht des Zahns.</translation>
+    </message>
+    <message>
+        <source>That is steady.</source>
+        <translation>Das ist ruhig.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandGuide</name>
+    <message>
+        <source>Scale</source>
+        <extracomment>How far the hand moves for one millimetre of the bur</extracomment>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Movement of the hand for 1 mm of the bur, in millimetres. With more, drift and tremor of the hand move the bur less.</source>
+        <translation>Bewegung der Hand für 1 mm des Bohrers, in Millimetern. Mit mehr bewegen Wandern und Zittern der Hand den Bohrer weniger.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <extracomment>%1 and %2: numbers</extracomment>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Use this height</source>
+        <extracomment>The height at which the hand is now</extracomment>
+        <translation>Diese Höhe verwenden</translation>
+    </message>
+    <message>
+        <source>Use the middle</source>
+        <translation>Die Mitte verwenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Which hand do you work with?</source>
+        <translation>Welche Hand arbeitet?</translation>
+    </message>
+    <message>
+        <source>Place the screen</source>
+        <translation>Bildschirm aufstellen</translation>
+    </message>
+    <message>
+        <source>Rest the hand</source>
+        <translation>Hand auflegen</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Stillhalten</translation>
+    </message>
+    <message>
+        <source>Your place</source>
+        <translation>Ihr Platz</translation>
+    </message>
+    <message>
+        <source>The handpiece comes from the side of this hand, and the light from the other one. Place the mouse, the tablet or the device on this side.</source>
+        <translation>Das Handstück kommt von der Seite dieser Hand und das Licht von der anderen. Stellen Sie die Maus, das Tablett oder das Gerät auf diese Seite.</translation>
+    </message>
+    <message>
+        <source>Place it straight in front of you, 50 to 70 cm from your eyes. Its upper edge is at the height of your eyes or a little below. Sit upright and let the shoulders hang.</source>
+        <translation>Stellen Sie ihn gerade vor sich, 50 bis 70 cm von den Augen entfernt. Seine Oberkante ist auf Augenhöhe oder etwas darunter. Sitzen Sie aufrecht und lassen Sie die Schultern hängen.</translation>
+    </message>
+    <message>
+        <source>Put a box or a firm cushion in front of the device, so that the ring finger rests while you hold the grip, as it does on a tooth. Hold the grip as if at the tooth. The top of the tooth comes to the height that you store.</source>
+        <translation>Stellen Sie eine Schachtel oder ein festes Kissen vor das Gerät, damit der Ringfinger aufliegt, während Sie den Griff halten, wie auf einem Zahn. Halten Sie den Griff wie am Zahn. Die Oberseite des Zahns kommt auf die Höhe, die Sie speichern.</translation>
+    </message>
+    <message>
+        <source>Lay the forearm on the table, with the wrist straight. Hold a pen near its tip, and rest the little finger beside it. Move a mouse with the fingers.</source>
+        <translation>Legen Sie den Unterarm mit geradem Handgelenk auf den Tisch. Halten Sie einen Stift nahe der Spitze und legen Sie den kleinen Finger daneben auf. Bewegen Sie eine Maus mit den Fingern.</translation>
+    </message>
+    <message>
+        <source>Hold the grip as if at the tooth, with a finger on the rest. Press Start with the other hand and hold still for 8 seconds.</source>
+        <translation>Halten Sie den Griff wie am Zahn, mit einem Finger auf der Auflage. Drücken Sie mit der anderen Hand auf „Start“ und halten Sie 8 Sekunden still.</translation>
+    </message>
+    <message>
+        <source>Press Start with the space bar, or click it and leave the pointer there. Hold still for 8 seconds. A pen hovers meanwhile.</source>
+        <translation>Drücken Sie „Start“ mit der Leertaste, oder klicken Sie darauf und lassen Sie den Zeiger dort. Halten Sie 8 Sekunden still. Ein Stift schwebt dabei.</translation>
+    </message>
+    <message>
+        <source>Not all of the tooth could be reached from %1 mm, so %2 mm is stored. Move the rest or the device instead.</source>
+        <extracomment>%1 and %2: millimetres</extracomment>
+        <translation>Von %1 mm aus wäre nicht der ganze Zahn erreichbar, deshalb sind %2 mm gespeichert. Verschieben Sie stattdessen die Auflage oder das Gerät.</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is at the middle of the work area.</source>
+        <translation>Die Oberseite des Zahns ist in der Mitte des Arbeitsbereichs.</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is %1 mm above the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>Die Oberseite des Zahns ist %1 mm über der Mitte des Arbeitsbereichs.</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is %1 mm below the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>Die Oberseite des Zahns ist %1 mm unter der Mitte des Arbeitsbereichs.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <extracomment>%1: &quot;Right hand&quot;; %2: &quot;Novint Falcon&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>How still the hand is held was not measured.</source>
+        <translation>Wie ruhig die Hand gehalten wird, wurde nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The device is not ready. Its entry on the page of devices says what to do.</source>
+        <translation>Das Gerät ist nicht bereit. Sein Eintrag auf der Seite der Geräte sagt, was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>The grip is %1 mm above the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>Der Griff ist %1 mm über der Mitte des Arbeitsbereichs.</translation>
+    </message>
+    <message>
+        <source>The grip is %1 mm below the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>Der Griff ist %1 mm unter der Mitte des Arbeitsbereichs.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>Maus oder Stift</translation>
     </message>
 </context>
 </TS>

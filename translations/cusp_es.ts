@@ -4263,6 +4263,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Sound</source>
         <translation>Sonido</translation>
     </message>
+    <message>
+        <source>Hand and rest</source>
+        <extracomment>A button that opens a guide: which hand works, and where it rests</extracomment>
+        <translation>Mano y apoyo</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -11362,6 +11367,214 @@ sin guardar</translation>
         <source>Pressure %1 %: the bur presses with %2 N of %3 N.</source>
         <extracomment>%1: per cent; %2 and %3: newtons</extracomment>
         <translation>Presión %1 %: la fresa presiona con %2 N de %3 N.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandGuidePicture</name>
+    <message>
+        <source>50 to 70 cm</source>
+        <extracomment>Between the eyes and the screen</extracomment>
+        <translation>50 a 70 cm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::StillnessTest</name>
+    <message>
+        <source>Time that is over</source>
+        <translation>Tiempo transcurrido</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Iniciar</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Otra vez</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Get ready.</source>
+        <translation>Prepárese.</translation>
+    </message>
+    <message>
+        <source>Hold still.</source>
+        <translation>No se mueva.</translation>
+    </message>
+    <message>
+        <source>This can be tried when the device is ready.</source>
+        <translation>Esto se puede probar cuando el dispositivo esté listo.</translation>
+    </message>
+    <message>
+        <source>The device stopped responding. Start again when it is ready.</source>
+        <translation>El dispositivo ha dejado de responder. Empiece de nuevo cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>Too few positions were measured. Close other programs and start again.</source>
+        <translation>Se han medido muy pocas posiciones. Cierre otros programas y empiece de nuevo.</translation>
+    </message>
+    <message>
+        <source>On the tooth, the bur drifted by %1 mm and trembled by %2 mm.</source>
+        <extracomment>%1 and %2: millimetres</extracomment>
+        <translation>En el diente, la fresa se desvió %1 mm y tembló %2 mm.</translation>
+    </message>
+    <message>
+        <source>On the screen, the pointer drifted by %1 mm and trembled by %2 mm.</source>
+        <translation>En la pantalla, el puntero se desvió %1 mm y tembló %2 mm.</translation>
+    </message>
+    <message>
+        <source>The hand drifts: support the forearm, and try another height of the rest.</source>
+        <translation>La mano se desvía: apoye el antebrazo y pruebe otra altura del apoyo.</translation>
+    </message>
+    <message>
+        <source>The hand trembles: hold the grip loosely, put a finger on the rest, or choose a larger scale on the next step.</source>
+        <translation>La mano tiembla: sujete la empuñadura sin apretar, ponga un dedo en el apoyo o elija una escala mayor en el paso siguiente.</translation>
+    </message>
+    <message>
+        <source>The hand trembles: put the wrist on the table, or zoom in at the tooth.</source>
+        <translation>La mano tiembla: apoye la muñeca en la mesa o amplíe la vista del diente.</translation>
+    </message>
+    <message>
+        <source>That is steady.</source>
+        <translation>Eso es estable.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandGuide</name>
+    <message>
+        <source>Scale</source>
+        <extracomment>How far the hand moves for one millimetre of the bur</extracomment>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Movement of the hand for 1 mm of the bur, in millimetres. With more, drift and tremor of the hand move the bur less.</source>
+        <translation>Movimiento de la mano por 1 mm de la fresa, en milímetros. Con más, la desviación y el temblor de la mano mueven menos la fresa.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <extracomment>%1 and %2: numbers</extracomment>
+        <translation>Paso %1 de %2</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Mano derecha</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Mano izquierda</translation>
+    </message>
+    <message>
+        <source>Use this height</source>
+        <extracomment>The height at which the hand is now</extracomment>
+        <translation>Usar esta altura</translation>
+    </message>
+    <message>
+        <source>Use the middle</source>
+        <translation>Usar el centro</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Which hand do you work with?</source>
+        <translation>¿Con qué mano trabaja?</translation>
+    </message>
+    <message>
+        <source>Place the screen</source>
+        <translation>Colocar la pantalla</translation>
+    </message>
+    <message>
+        <source>Rest the hand</source>
+        <translation>Apoyar la mano</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>No moverse</translation>
+    </message>
+    <message>
+        <source>Your place</source>
+        <translation>Su puesto</translation>
+    </message>
+    <message>
+        <source>The handpiece comes from the side of this hand, and the light from the other one. Place the mouse, the tablet or the device on this side.</source>
+        <translation>La pieza de mano viene del lado de esta mano y la luz del otro. Coloque el ratón, la tableta o el dispositivo en este lado.</translation>
+    </message>
+    <message>
+        <source>Place it straight in front of you, 50 to 70 cm from your eyes. Its upper edge is at the height of your eyes or a little below. Sit upright and let the shoulders hang.</source>
+        <translation>Colóquela justo delante de usted, a 50 a 70 cm de los ojos. Su borde superior queda a la altura de los ojos o un poco por debajo. Siéntese erguido y relaje los hombros.</translation>
+    </message>
+    <message>
+        <source>Put a box or a firm cushion in front of the device, so that the ring finger rests while you hold the grip, as it does on a tooth. Hold the grip as if at the tooth. The top of the tooth comes to the height that you store.</source>
+        <translation>Ponga una caja o un cojín firme delante del dispositivo, para que el dedo anular se apoye mientras sujeta la empuñadura, como sobre un diente. Sujete la empuñadura como si estuviera en el diente. La parte superior del diente queda a la altura que guarde.</translation>
+    </message>
+    <message>
+        <source>Lay the forearm on the table, with the wrist straight. Hold a pen near its tip, and rest the little finger beside it. Move a mouse with the fingers.</source>
+        <translation>Apoye el antebrazo en la mesa, con la muñeca recta. Sujete un lápiz cerca de la punta y apoye el meñique al lado. Mueva un ratón con los dedos.</translation>
+    </message>
+    <message>
+        <source>Hold the grip as if at the tooth, with a finger on the rest. Press Start with the other hand and hold still for 8 seconds.</source>
+        <translation>Sujete la empuñadura como si estuviera en el diente, con un dedo en el apoyo. Pulse «Iniciar» con la otra mano y no se mueva durante 8 segundos.</translation>
+    </message>
+    <message>
+        <source>Press Start with the space bar, or click it and leave the pointer there. Hold still for 8 seconds. A pen hovers meanwhile.</source>
+        <translation>Pulse «Iniciar» con la barra espaciadora, o haga clic y deje ahí el puntero. No se mueva durante 8 segundos. Un lápiz se mantiene en el aire.</translation>
+    </message>
+    <message>
+        <source>Not all of the tooth could be reached from %1 mm, so %2 mm is stored. Move the rest or the device instead.</source>
+        <extracomment>%1 and %2: millimetres</extracomment>
+        <translation>Desde %1 mm no se alcanzaría todo el diente, por eso se ha guardado %2 mm. Mueva en su lugar el apoyo o el dispositivo.</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is at the middle of the work area.</source>
+        <translation>La parte superior del diente está en el centro del área de trabajo.</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is %1 mm above the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>La parte superior del diente está %1 mm por encima del centro del área de trabajo.</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is %1 mm below the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>La parte superior del diente está %1 mm por debajo del centro del área de trabajo.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <extracomment>%1: &quot;Right hand&quot;; %2: &quot;Novint Falcon&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>How still the hand is held was not measured.</source>
+        <translation>No se ha medido lo quieta que se mantiene la mano.</translation>
+    </message>
+    <message>
+        <source>The device is not ready. Its entry on the page of devices says what to do.</source>
+        <translation>El dispositivo no está listo. Su entrada en la página de dispositivos dice qué hacer.</translation>
+    </message>
+    <message>
+        <source>The grip is %1 mm above the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>La empuñadura está %1 mm por encima del centro del área de trabajo.</translation>
+    </message>
+    <message>
+        <source>The grip is %1 mm below the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>La empuñadura está %1 mm por debajo del centro del área de trabajo.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>Ratón o lápiz</translation>
     </message>
 </context>
 </TS>

@@ -4241,6 +4241,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Sound</source>
         <translation>音</translation>
     </message>
+    <message>
+        <source>Hand and rest</source>
+        <extracomment>A button that opens a guide: which hand works, and where it rests</extracomment>
+        <translation>手と支え</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::FirmwareCard</name>
@@ -11293,6 +11298,214 @@ unsaved</source>
         <source>Pressure %1 %: the bur presses with %2 N of %3 N.</source>
         <extracomment>%1: per cent; %2 and %3: newtons</extracomment>
         <translation>筆圧 %1 %：バーは %3 N のうち %2 N で押します。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandGuidePicture</name>
+    <message>
+        <source>50 to 70 cm</source>
+        <extracomment>Between the eyes and the screen</extracomment>
+        <translation>50～70 cm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::StillnessTest</name>
+    <message>
+        <source>Time that is over</source>
+        <translation>経過時間</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>もう一度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Get ready.</source>
+        <translation>準備してください。</translation>
+    </message>
+    <message>
+        <source>Hold still.</source>
+        <translation>動かさないでください。</translation>
+    </message>
+    <message>
+        <source>This can be tried when the device is ready.</source>
+        <translation>装置の準備ができると試せます。</translation>
+    </message>
+    <message>
+        <source>The device stopped responding. Start again when it is ready.</source>
+        <translation>装置が応答しなくなりました。準備ができたら、もう一度開始してください。</translation>
+    </message>
+    <message>
+        <source>Too few positions were measured. Close other programs and start again.</source>
+        <translation>測定できた位置が少なすぎます。ほかのプログラムを閉じて、もう一度開始してください。</translation>
+    </message>
+    <message>
+        <source>On the tooth, the bur drifted by %1 mm and trembled by %2 mm.</source>
+        <extracomment>%1 and %2: millimetres</extracomment>
+        <translation>歯の上で、バーは %1 mm ずれ、%2 mm 震えました。</translation>
+    </message>
+    <message>
+        <source>On the screen, the pointer drifted by %1 mm and trembled by %2 mm.</source>
+        <translation>画面上で、ポインターは %1 mm ずれ、%2 mm 震えました。</translation>
+    </message>
+    <message>
+        <source>The hand drifts: support the forearm, and try another height of the rest.</source>
+        <translation>手がずれています。前腕を支え、支えの高さを変えてみてください。</translation>
+    </message>
+    <message>
+        <source>The hand trembles: hold the grip loosely, put a finger on the rest, or choose a larger scale on the next step.</source>
+        <translation>手が震えています。グリップを軽く持ち、指を支えに置くか、次のステップで倍率を大きくしてください。</translation>
+    </message>
+    <message>
+        <source>The hand trembles: put the wrist on the table, or zoom in at the tooth.</source>
+        <translation>手が震えています。手首を机に置くか、歯を拡大表示してください。</translation>
+    </message>
+    <message>
+        <source>That is steady.</source>
+        <translation>安定しています。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::devices::HandGuide</name>
+    <message>
+        <source>Scale</source>
+        <extracomment>How far the hand moves for one millimetre of the bur</extracomment>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Movement of the hand for 1 mm of the bur, in millimetres. With more, drift and tremor of the hand move the bur less.</source>
+        <translation>バーが 1 mm 動くときの手の動き（ミリメートル）。大きくすると、手のずれや震えによるバーの動きが小さくなります。</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <extracomment>%1 and %2: numbers</extracomment>
+        <translation>ステップ %1 / %2</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>右手</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>左手</translation>
+    </message>
+    <message>
+        <source>Use this height</source>
+        <extracomment>The height at which the hand is now</extracomment>
+        <translation>この高さを使う</translation>
+    </message>
+    <message>
+        <source>Use the middle</source>
+        <translation>中央を使う</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Which hand do you work with?</source>
+        <translation>どちらの手で作業しますか？</translation>
+    </message>
+    <message>
+        <source>Place the screen</source>
+        <translation>画面の位置</translation>
+    </message>
+    <message>
+        <source>Rest the hand</source>
+        <translation>手を支える</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>手を動かさない</translation>
+    </message>
+    <message>
+        <source>Your place</source>
+        <translation>作業場所</translation>
+    </message>
+    <message>
+        <source>The handpiece comes from the side of this hand, and the light from the other one. Place the mouse, the tablet or the device on this side.</source>
+        <translation>ハンドピースはこの手の側から、光は反対側から来ます。マウス、ペンタブレット、装置はこの側に置いてください。</translation>
+    </message>
+    <message>
+        <source>Place it straight in front of you, 50 to 70 cm from your eyes. Its upper edge is at the height of your eyes or a little below. Sit upright and let the shoulders hang.</source>
+        <translation>画面は正面に、目から 50～70 cm 離して置きます。上端は目の高さか、少し下にします。背筋を伸ばして座り、肩の力を抜いてください。</translation>
+    </message>
+    <message>
+        <source>Put a box or a firm cushion in front of the device, so that the ring finger rests while you hold the grip, as it does on a tooth. Hold the grip as if at the tooth. The top of the tooth comes to the height that you store.</source>
+        <translation>装置の前に箱か固いクッションを置き、グリップを持つときに、歯の上と同じように薬指を支えられるようにします。歯を削るときのようにグリップを持ってください。保存した高さが歯の上面の高さになります。</translation>
+    </message>
+    <message>
+        <source>Lay the forearm on the table, with the wrist straight. Hold a pen near its tip, and rest the little finger beside it. Move a mouse with the fingers.</source>
+        <translation>手首をまっすぐにして前腕を机に置きます。ペンは先端の近くを持ち、そばに小指を置いて支えます。マウスは指で動かします。</translation>
+    </message>
+    <message>
+        <source>Hold the grip as if at the tooth, with a finger on the rest. Press Start with the other hand and hold still for 8 seconds.</source>
+        <translation>指を支えに置き、歯を削るときのようにグリップを持ちます。もう一方の手で「開始」を押し、8 秒間動かさないでください。</translation>
+    </message>
+    <message>
+        <source>Press Start with the space bar, or click it and leave the pointer there. Hold still for 8 seconds. A pen hovers meanwhile.</source>
+        <translation>スペースキーで「開始」を押すか、クリックしてポインターをそのままにします。8 秒間動かさないでください。ペンの場合は浮かせたままにします。</translation>
+    </message>
+    <message>
+        <source>Not all of the tooth could be reached from %1 mm, so %2 mm is stored. Move the rest or the device instead.</source>
+        <extracomment>%1 and %2: millimetres</extracomment>
+        <translation>%1 mm では歯全体に届かないため、%2 mm を保存しました。代わりに支えか装置を動かしてください。</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is at the middle of the work area.</source>
+        <translation>歯の上面は作業範囲の中央にあります。</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is %1 mm above the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>歯の上面は作業範囲の中央より %1 mm 上にあります。</translation>
+    </message>
+    <message>
+        <source>The top of the tooth is %1 mm below the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>歯の上面は作業範囲の中央より %1 mm 下にあります。</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <extracomment>%1: &quot;Right hand&quot;; %2: &quot;Novint Falcon&quot;</extracomment>
+        <translation>%1、%2。</translation>
+    </message>
+    <message>
+        <source>How still the hand is held was not measured.</source>
+        <translation>手の安定は測定されていません。</translation>
+    </message>
+    <message>
+        <source>The device is not ready. Its entry on the page of devices says what to do.</source>
+        <translation>装置の準備ができていません。装置ページのその項目に、すべきことが示されています。</translation>
+    </message>
+    <message>
+        <source>The grip is %1 mm above the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>グリップは作業範囲の中央より %1 mm 上にあります。</translation>
+    </message>
+    <message>
+        <source>The grip is %1 mm below the middle of the work area.</source>
+        <extracomment>%1: millimetres</extracomment>
+        <translation>グリップは作業範囲の中央より %1 mm 下にあります。</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>マウスまたはペン</translation>
     </message>
 </context>
 </TS>

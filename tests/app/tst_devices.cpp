@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The devices of a station in the whole program, with a force device that a test plays.
+#include <cmath>
+
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -64,6 +66,30 @@ private slots:
         QVERIFY(m_script->isRunning);
         actions().back->trigger();
         WAIT_FOR(!m_script->isRunning);
+    }
+
+    void theHeightOfTheRestIsRememberedOnTheStation()
+    {
+        start();
+        chooseArm();
+        openPage();
+        click("openHandGuide");
+        core::session::DeviceReport report;
+        report.stage = DeviceStage::Ready;
+        report.tipMm = {0.0F, 0.0F, 12.0F};
+        m_script->report(report);
+        child<QRadioButton>("leftHand")->click();
+        QVERIFY(child<ui::tooth::ToothView>()->isLeftHanded());
+        click("guideNext");
+        click("guideNext");
+        WAIT_FOR(child<QLabel>("gripHeight")->text().contains("12 mm"));
+        click("storeHeight");
+        WAIT_FOR(m_script->setup().restMm > 11.9);
+        m_application.reset();
+        m_script = std::make_shared<support::DeviceScript>();
+        start();
+        QVERIFY(std::abs(m_script->setup().restMm - 12.0) < 1e-6);
+        QVERIFY(child<ui::tooth::ToothView>()->isLeftHanded());
     }
 
     void theCurveOfThePenIsRememberedOnTheStation()

@@ -91,6 +91,31 @@ private slots:
         falcon.setButton(Button::Minus, false);
     }
 
+    void theToothComesToTheHeightOfTheRest()
+    {
+        EmulatedFalcon& falcon = emulatedBus().plug("FT1");
+        falcon.startFirmware();
+        ui::shell::memory().setValue("devices/hand", "falcon");
+        app::WindowOptions options;
+        options.source = {36};
+        begin(options);
+        waitForTooth();
+        WAIT_FOR(homed(falcon));
+        actions().devices->trigger();
+        waitForPage<ui::devices::DevicesPage>();
+        falcon.moveTip({0.0, 0.0, 20.0}, 100ms);
+        click("openHandGuide");
+        click("guideNext");
+        click("guideNext");
+        WAIT_FOR(child<QLabel>("gripHeight")->text().contains("20 mm above"));
+        click("storeHeight");
+        WAIT_FOR(child<QLabel>("restHeight")->text().contains("20 mm above"));
+        actions().back->trigger();
+        // The hand is 6 mm above the top of the tooth now.
+        falcon.moveTip({0.0, 0.0, 26.0}, 100ms);
+        WAIT_FOR(glm::distance(servo().deviceMm, glm::dvec3(0.0, 0.0, 6.0)) < 0.7);
+    }
+
     void theForceIsZeroWhenTheWindowCloses()
     {
         EmulatedFalcon& falcon = emulatedBus().plug("FT1");

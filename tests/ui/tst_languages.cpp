@@ -296,6 +296,24 @@ private slots:
             m_window->devicesPage().setChosen(ui::devices::kPointer);
             actions().devices->trigger();
         });
+        for (const bool isForceDevice : {true, false})
+            for (const int step : {0, 1, 2, 3, 4})
+                page(isForceDevice ? "guide of a device" : "guide of a mouse", [this, isForceDevice, step] {
+                    ui::devices::DeviceKind kind;
+                    kind.id = kind.name = "[···]";
+                    DeviceReport report;
+                    report.stage = DeviceStage::Ready;
+                    report.tipMm = {0.0F, 0.0F, 44.0F};
+                    m_window->devicesPage().setKinds({kind});
+                    m_window->devicesPage().setReport(kind.id, report);
+                    m_window->devicesPage().setChosen(isForceDevice ? kind.id : ui::devices::kPointer);
+                    actions().devices->trigger();
+                    child<QPushButton>("openHandGuide")->click();
+                    for (int k = 0; k < step; ++k)
+                        child<QPushButton>("guideNext")->click();
+                    if (step == 2 && isForceDevice)
+                        child<QPushButton>("storeHeight")->click();
+                });
         page("hand", [this] {
             m_window->devicesPage().setKinds({});
             m_window->devicesPage().setChosen(ui::devices::kSimulated);

@@ -16,6 +16,7 @@
 #include "ui/devices/DeviceWords.h"
 #include "ui/devices/FirmwareCard.h"
 #include "ui/devices/ForceTest.h"
+#include "ui/devices/HandGuide.h"
 #include "ui/devices/HandList.h"
 #include "ui/devices/HeadTrackingCard.h"
 #include "ui/devices/HomingMarks.h"
@@ -50,7 +51,8 @@ constexpr int kPercentFull = 100;
 }  // namespace
 
 DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
-    : Page(actions, parent), m_back(actions.back), m_chosen(QLatin1String(kPointer)), m_hands(new HandList(this))
+    : Page(actions, parent), m_back(actions.back), m_devicesPart(new QWidget(this)),
+      m_guide(new HandGuide(actions, this)), m_chosen(QLatin1String(kPointer)), m_hands(new HandList(this))
 {
     removeGuestSign();
     auto* cards = new QWidget(this);
@@ -85,12 +87,13 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     right->setSpacing(kSpace4);
     right->addWidget(makeHead());
     right->addWidget(new ScrollPane(cards, QPalette::Window, this), 1);
-    auto* row = new QHBoxLayout;
+    auto* row = new QHBoxLayout(m_devicesPart);
     row->setContentsMargins(kSpace4, 0, 0, 0);
     row->setSpacing(kSpace6);
-    row->addWidget(m_hands);
+    row->addWidget(makeHands());
     row->addLayout(right, 1);
-    body()->addLayout(row, 1);
+    body()->addWidget(m_devicesPart, 1);
+    makeGuide();
 
     connect(m_hands, &QListWidget::currentRowChanged, this, &DevicesPage::showHand);
     connect(m_hands, &QListWidget::itemActivated, this, &DevicesPage::takeNextStep);
@@ -124,6 +127,59 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
         showHands();
         showHand();
     });
+}
+
+/// The list, and what concerns all hands.
+QWidget* DevicesPage::makeHands()
+{
+    auto* part = new QWidget(this);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, kSpace4);
+    column->setSpacing(kSpace2);
+    m_openGuide = new QPushButton(part);
+    m_openGuide->setObjectName(QStringLiteral("openHandGuide"));
+    column->addWidget(m_hands, 1);
+    column->addWidget(m_openGuide, 0, Qt::AlignLeft);
+    connect(m_openGuide, &QPushButton::clicked, this, &DevicesPage::openGuide);
+    text::inEveryLanguage(m_openGuide, [this] {
+        //: A button that opens a guide: which hand works, and where it rests
+        m_openGuide->setText(tr("Hand and rest"));
+        m_openGuide->setAccessibleName(m_openGuide->text());
+    });
+    return part;
+}
+
+void DevicesPage::makeGuide()
+{
+    m_guide->hide();
+    body()->addWidget(m_guide, 1);
+    connect(m_guide, &HandGuide::closed, this, &DevicesPage::closeGuide);
+    connect(m_guide, &HandGuide::setupChanged, this, [this](const DeviceSetup& setup) {
+        setSetup(m_guideHand, setup);
+        emit setupChanged(m_guideHand, setup);
+    });
+}
+
+void DevicesPage::openGuide()
+{
+    const QString id = isHand(shownHand()) ? shownHand() : m_chosen;
+    const Device* const device = find(id);
+    m_guideHand = device != nullptr ? id : QString();
+    m_devicesPart->hide();
+    m_guide->show();
+    if (device != nullptr)
+        m_guide->begin(handName(id), device->setup, device->report);
+    else
+        m_guide->begin();
+}
+
+void DevicesPage::closeGuide()
+{
+    const bool wasOpen = m_guide->isVisible();
+    m_guide->hide();
+    m_devicesPart->show();
+    if (wasOpen)
+        m_openGuide->setFocus();
 }
 
 QWidget* DevicesPage::makeHead()
@@ -211,6 +267,8 @@ void DevicesPage::setReport(const QString& id, const DeviceReport& report)
     showHands();
     if (shownHand() == id)
         showStage(*device);
+    if (m_guideHand == id && m_guide->isVisible())
+        m_guide->setReport(report);
 }
 
 void DevicesPage::setSetup(const QString& id, const DeviceSetup& setup)
@@ -442,6 +500,7 @@ void DevicesPage::showEvent(QShowEvent* event)
     Page::showEvent(event);
     if (event->spontaneous())
         return;
+    closeGuide();
     m_hands->selectHand(m_chosen);
     m_hands->setFocus();
     emit opened(true);

@@ -18,6 +18,7 @@ class QPushButton;
 namespace ui::devices {
 
 class FirmwareCard;
+class HandGuide;
 class HandList;
 class HeadTrackingCard;
 class HomingMarks;
@@ -64,6 +65,9 @@ public:
     /// The same for sound.
     [[nodiscard]] SoundCard& sound() { return *m_sound; }
 
+    /// Opens the guide for hand and rest, for the hand that is shown or, if that is none, for the chosen one.
+    void openGuide();
+
     /// "Mouse or pen", "Simulated hand", "Head tracking", "Pedal and gamepad", "Sound", or the name of the product.
     [[nodiscard]] QString handName(const QString& id) const;
 
@@ -89,7 +93,10 @@ private:
         FirmwareFile firmware;
     };
     QWidget* makeHead();
+    QWidget* makeHands();
     QWidget* makeHoming(QWidget* parent);
+    void makeGuide();
+    void closeGuide();
     void showHands();
     void showHand();
     void showStage(const Device& device);
@@ -104,6 +111,10 @@ private:
     [[nodiscard]] Device* find(const QString& id);
 
     QAction* m_back;
+    QWidget* m_devicesPart;  ///< all but the guide
+    HandGuide* m_guide;
+    QString m_guideHand;  ///< id of the force device that the guide is about
+    QPushButton* m_openGuide = nullptr;
     QList<Device> m_devices;
     QString m_chosen;
     QString m_whySimulatedFixed;

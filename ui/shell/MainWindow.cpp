@@ -312,7 +312,7 @@ void MainWindow::connectActions()
     on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
     for (int k = 0; k < m_actions->handpieces.size(); ++k)
         on(m_actions->handpieces[k], [this, k] { wishHandpiece(k); });
-    on(m_actions->otherHand, [this](bool left) {
+    connect(m_actions->otherHand, &QAction::toggled, this, [this](bool left) {
         m_view->setLeftHanded(left);
         memory().setValue(kLeftHanded, left);
     });
