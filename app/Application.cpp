@@ -1289,7 +1289,10 @@ void Application::watchAttempt()
 {
     if (!m_replay) {
         tellNumbers();
-        if (m_links.servo.latest().cutting) {
+        // An exercise is done by touching.
+        const bool isExercise = m_assignment.lesson && lessons::isExercise(m_assignment.lesson->task);
+        if (const core::session::ServoState& servo = m_links.servo.latest();
+            servo.cutting || (isExercise && servo.touching)) {
             ++m_cutIn[m_window->view().settings().presentation.stereo];
             ++m_cutWith[m_devices->cutsWith()];
         }
@@ -1739,8 +1742,8 @@ void Application::tellHistory()
             auto history =
                 database::sql::history(school, who, who.person(),
                                        {record.lessonId, record.lessonId.empty() ? record.tooth : "", kHistoryLength});
-            const auto standing =
-                database::sql::standingAmongClassmates(school, who, record.lessonId, record.rubricHash, tenths);
+            const auto standing = database::sql::standingAmongClassmates(school, who, record.lessonId,
+                                                                         record.rubricHash, record.device, tenths);
             if (!history || !standing)
                 return tl::unexpected(history ? standing.error() : history.error());
             auto left = database::sql::attemptsLeft(school, who, record.lessonId);

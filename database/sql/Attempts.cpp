@@ -404,9 +404,14 @@ core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const 
     return sheets;
 }
 
+QString comparedDevice(const QString& column)
+{
+    return QStringLiteral("CASE %1 WHEN 'pointer' THEN 'mouse' ELSE %1 END").arg(column);
+}
+
 core::Result<lessons::ClassStanding> standingAmongClassmates(const School& school, const Session& session,
                                                              const std::string& lessonId, const std::string& rubricHash,
-                                                             int tenths)
+                                                             const std::string& device, int tenths)
 {
     if (auto who = admit(school, session, Operation::CompareWithClass); !who)
         return tl::unexpected(who.error());
@@ -415,10 +420,11 @@ core::Result<lessons::ClassStanding> standingAmongClassmates(const School& schoo
     if (auto read = forEach(school.db,
                             QStringLiteral("SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN "
                                            "people p ON p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? "
-                                           "AND (a.person_id = ? OR (p.role = 'student' AND p.disabled = 0 AND "
-                                           "a.person_id IN %1)) GROUP BY a.person_id")
-                                .arg(classmates()),
-                            "compare with the class", {text(lessonId), text(rubricHash), me, me},
+                                           "AND %1 = ? AND (a.person_id = ? OR (p.role = 'student' AND p.disabled = 0 "
+                                           "AND a.person_id IN %2)) GROUP BY a.person_id")
+                                .arg(comparedDevice(QStringLiteral("a.device")), classmates()),
+                            "compare with the class",
+                            {text(lessonId), text(rubricHash), text(device == "pointer" ? "mouse" : device), me, me},
                             [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
         !read)
         return tl::unexpected(read.error());

@@ -51,12 +51,18 @@ struct KeptSheet
                                                                   const std::string& lessonId,
                                                                   const std::string& lessonHash, int limit);
 
-/// Where a score, in tenths of a point, stands among each classmate's best of a lesson by that rubric, the session's
-/// own among them; without a class it is alone. Classmates are the students who can log in and are in a class with him
-/// at present.
+/// Returns the SQL for the input device by which attempts are compared, from the column that stores it. Before mouse,
+/// pen, keyboard and gamepad were told apart, nearly everybody used a mouse: "pointer" counts as one.
+[[nodiscard]] QString comparedDevice(const QString& column);
+
+/// Where a score, in tenths of a point, stands among each classmate's best of a lesson by that rubric and with the same
+/// input device, the session's own among them; without a class it is alone. Classmates are the students who can log in
+/// and are in a class with him at present.
+/// @param device  as AttemptRecord::device
 [[nodiscard]] core::Result<lessons::ClassStanding> standingAmongClassmates(const School& school, const Session& session,
                                                                            const std::string& lessonId,
-                                                                           const std::string& rubricHash, int tenths);
+                                                                           const std::string& rubricHash,
+                                                                           const std::string& device, int tenths);
 
 /// The machine's score stays; this one counts. Nothing: the machine's counts again.
 /// ChangedSince: there are not as many as `before` says.

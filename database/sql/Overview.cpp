@@ -10,6 +10,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "database/sql/Attempts.h"
 #include "database/sql/ExamStarts.h"
 #include "database/sql/Statement.h"
 #include "lessons/ClassStanding.h"
@@ -205,10 +206,6 @@ LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair
 /// nothing of them, however many others its students meet in their other classes; and who teaches is told of his own.
 QString amongThem(const Who& who)
 {
-    // Before mouse, pen, keyboard and gamepad were told apart, nearly everybody used a mouse.
-    const auto handIn = [](const QString& attempts) {
-        return QStringLiteral("CASE %1.device WHEN 'pointer' THEN 'mouse' ELSE %1.device END").arg(attempts);
-    };
     return QStringLiteral(
                " AND p.role = 'student' AND p.disabled = 0 AND a.person_id IN (SELECT e.person_id FROM enrolments e "
                "WHERE e.class_id IN (SELECT his.class_id FROM enrolments his JOIN enrolments theirs ON "
@@ -220,7 +217,7 @@ QString amongThem(const Who& who)
                  ? QStringLiteral(" AND his.class_id IN (SELECT class_id FROM enrolments WHERE person_id = ?)")
                  : QString())
         .arg(lessons::kFewestPeople)
-        .arg(handIn(QStringLiteral("a")), handIn(QStringLiteral("own")));
+        .arg(comparedDevice(QStringLiteral("a.device")), comparedDevice(QStringLiteral("own.device")));
 }
 
 QVariantList valuesOf(const Who& who, const Session& session, PersonId person, const std::string& lessonId)

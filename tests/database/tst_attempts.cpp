@@ -258,8 +258,8 @@ private slots:
         AttemptRecord other = SchoolRig::attempt("class1-36", 1000);
         other.rubricHash = std::string(64, 'z');
         VERIFY_DONE(rig.add(rig.classmate, other));
-        const auto standing = [&](const Session& who) {
-            return standingAmongClassmates(rig.school(), who, "class1-36", rubric, 800).value();
+        const auto standing = [&](const Session& who, const char* device = "mouse") {
+            return standingAmongClassmates(rig.school(), who, "class1-36", rubric, device, 800).value();
         };
         // Of fewer than five nobody learns how the others did; a teacher practises among his students, and is not one.
         for (const auto& [who, people] :
@@ -272,6 +272,13 @@ private slots:
                                 SchoolRig::attempt("class1-36", tenths), {}));
         QCOMPARE(standing(rig.student).people, 5);
         QCOMPARE(standing(rig.student).percentBelow.value(), 60.0);
+        // A better score with another input device is in another ranking.
+        AttemptRecord withPen = SchoolRig::attempt("class1-36", 990);
+        withPen.device = "pen";
+        VERIFY_DONE(rig.add(rig.student, withPen));
+        QCOMPARE(standing(rig.student).percentBelow.value(), 60.0);
+        QCOMPARE(standing(rig.student, "pointer").people, 5);
+        QCOMPARE(standing(rig.student, "pen").people, 1);
         // Who has left, as an account or from the class, is no classmate.
         const Person left = findPerson(rig.school(), rig.admin, "s1003").value();
         Person disabled = left;

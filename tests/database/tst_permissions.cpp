@@ -190,7 +190,7 @@ public:
         {Operation::CompareWithClass, "classMedians",
          [this](auto& me, auto t) { return classMedians(s, me, personOf(me, t), "class1-36"); }},
         {Operation::CompareWithClass, "standingAmongClassmates",
-         [this](auto& me) { return standingAmongClassmates(s, me, "class1-36", std::string(64, 'b'), 700); }},
+         [this](auto& me) { return standingAmongClassmates(s, me, "class1-36", std::string(64, 'b'), "mouse", 700); }},
         {Operation::Comment, "addComment",
          [this](auto& me, auto t) {
              return addComment(s, me, attempt(me, t), {"well", {}, {}});
