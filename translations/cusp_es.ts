@@ -11318,6 +11318,11 @@ sin guardar</translation>
         <extracomment>Size of a bur as in ISO 6360</extracomment>
         <translation>ISO %1</translation>
     </message>
+    <message>
+        <source>Grit %1</source>
+        <extracomment>Of a diamond bur: number of its grit in ISO 6360, such as 524</extracomment>
+        <translation>Grano %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PenField</name>

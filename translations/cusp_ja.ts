@@ -11249,6 +11249,11 @@ unsaved</source>
         <extracomment>Size of a bur as in ISO 6360</extracomment>
         <translation>ISO %1</translation>
     </message>
+    <message>
+        <source>Grit %1</source>
+        <extracomment>Of a diamond bur: number of its grit in ISO 6360, such as 524</extracomment>
+        <translation>粒度 %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PenField</name>

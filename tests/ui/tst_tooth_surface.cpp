@@ -379,6 +379,12 @@ private slots:
         std::vector<ui::render::SolidMesh> meshes{ui::render::handpieceMesh()};
         for (const core::drilling::Bur& bur : core::drilling::burs()) {
             meshes.push_back(ui::render::shankMesh(bur));
+            constexpr float kRing = 5.0F;
+            const auto& shank = meshes.back().vertices;
+            const bool hasRing = std::any_of(shank.begin(), shank.end(), [](const ui::render::MetalVertex& vertex) {
+                return vertex.finish == kRing;
+            });
+            QCOMPARE(hasRing, bur.isDiamond());
             meshes.push_back(ui::render::burMesh(bur));
             float widest = 0.0F;
             float lowest = 1.0F;

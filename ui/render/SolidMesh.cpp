@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -15,7 +16,11 @@ namespace {
 constexpr float kSteel = 0.0F;
 constexpr float kGrip = 1.0F;
 constexpr float kBlades = 2.0F;
-constexpr int kAround = 48;  ///< facets of a turned part
+constexpr float kNotchedBlades = 3.0F;
+constexpr float kDiamond = 4.0F;
+constexpr float kRing = 5.0F;
+constexpr float kRingMm = 0.6F;  ///< length of the ring on a diamond's shank
+constexpr int kAround = 48;      ///< facets of a turned part
 constexpr float kPi = 3.14159265F;
 /// Edges sharper than this stay edges: cosine of 35 degrees.
 constexpr float kCrease = 0.82F;
@@ -86,13 +91,42 @@ void turn(SolidMesh& mesh, std::span<const glm::vec3> radiusHeightFinish)
     sweep(mesh, rings);
 }
 
+float finishOf(const core::drilling::Bur& bur)
+{
+    using Shape = core::drilling::BurShape;
+    if (bur.isDiamond())
+        return kDiamond;
+    const bool isCrosscut = bur.shape == Shape::StraightCrosscut || bur.shape == Shape::DomedCrosscut ||
+                            bur.shape == Shape::TaperedCrosscut;
+    return isCrosscut ? kNotchedBlades : kBlades;
+}
+
+/// Gives the part of a profile between two heights the finish of the ring. Heights must not fall.
+std::vector<glm::vec3> withRing(const std::vector<glm::vec3>& profile, float fromMm, float toMm)
+{
+    std::vector<glm::vec3> ringed;
+    for (std::size_t k = 0; k < profile.size(); ++k) {
+        if (k > 0)
+            for (const float cut : {fromMm, toMm})
+                if (profile[k - 1].y < cut && cut < profile[k].y) {
+                    const float share = (cut - profile[k - 1].y) / (profile[k].y - profile[k - 1].y);
+                    ringed.emplace_back(glm::mix(profile[k - 1].x, profile[k].x, share), cut, kSteel);
+                }
+        ringed.push_back(profile[k]);
+    }
+    for (glm::vec3& point : ringed)
+        if (point.y >= fromMm && point.y < toMm)
+            point.z = kRing;
+    return ringed;
+}
+
 }  // namespace
 
 SolidMesh burMesh(const core::drilling::Bur& bur)
 {
     std::vector<glm::vec3> profile;
     for (const auto& point : bur.outline)
-        profile.emplace_back(static_cast<float>(point.radiusMm), static_cast<float>(point.heightMm), kBlades);
+        profile.emplace_back(static_cast<float>(point.radiusMm), static_cast<float>(point.heightMm), finishOf(bur));
     const auto neck = static_cast<float>(bur.shankRadiusMm);
     const auto head = static_cast<float>(bur.headLengthMm);
     profile.emplace_back(neck, head, kSteel);
@@ -126,7 +160,9 @@ SolidMesh shankMesh(const core::drilling::Bur& bur)
         {0.0F, inChuck, kSteel},
     };
     SolidMesh mesh;
-    turn(mesh, profile);
+    // Where the shank begins or, of a long head, on what is seen of the neck.
+    const float ring = std::max(head, std::min(from + 0.5F * widens, chuck - 2.0F * kRingMm));
+    turn(mesh, bur.isDiamond() ? withRing(profile, ring, ring + kRingMm) : profile);
     return mesh;
 }
 

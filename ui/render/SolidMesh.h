@@ -17,7 +17,7 @@ struct MetalVertex
 {
     glm::vec3 position;
     glm::vec3 normal;
-    float finish;    ///< 0 polished steel, 1 dark grip, 2 cutting blades
+    float finish;  ///< 0 polished steel, 1 dark grip, 2 blades, 3 notched blades, 4 diamond, 5 ring of a grit's colour
     float aboutRad;  ///< angle about the axis of a turned part, from 0 up to and including the whole circle
 };
 
@@ -36,7 +36,7 @@ inline constexpr double kNeckMm = 1.0;
 /// The bur from its tip up: head by its outline, and a neck long enough for any lift of the shank.
 [[nodiscard]] SolidMesh burMesh(const core::drilling::Bur& bur);
 /// The neck, from the top of the head, and the shank (1.6 mm, friction grip) up into the chuck. Its lower end is round,
-/// so that it meets the neck of burMesh() at any angle.
+/// so that it meets the neck of burMesh() at any angle. That of a diamond has a ring below the chuck.
 [[nodiscard]] SolidMesh shankMesh(const core::drilling::Bur& bur);
 
 /// A turbine handpiece above the chuck: head, neck and handle at the natural angle.

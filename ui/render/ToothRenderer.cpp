@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -14,6 +15,7 @@
 #include <QOpenGLPixelTransferOptions>
 #include <QVector4D>
 
+#include "ui/render/GritColour.h"
 #include "ui/render/Shaders.h"
 
 namespace ui::render {
@@ -52,6 +54,23 @@ glm::vec2 fadeOf(const std::vector<core::teeth::ArchPiece>& pieces)
         }
     }
     return fade.x > fade.y ? fade : glm::vec2(kNoFadeMm, kNoFadeMm - 1.0F);
+}
+
+/// Size of a diamond's grains, mm: those of ISO 6360 are about 25 to 180 um. An odd number is drawn as medium.
+double grainOf(int grit)
+{
+    switch (grit) {
+    case 504:
+        return 0.03;
+    case 514:
+        return 0.05;
+    case 534:
+        return 0.15;
+    case 544:
+        return 0.18;
+    default:
+        return 0.11;
+    }
 }
 
 }  // namespace
@@ -360,6 +379,13 @@ void ToothRenderer::useMetal(const Scene& scene, const glm::dmat4& toothFromPart
     m_metalProgram.setUniformValue("tint", QVector4D());
     m_metalProgram.setUniformValue("workRadius", 0.0F);
     m_metalProgram.setUniformValue("topMm", kWholeMesh);
+    const core::drilling::Bur& bur = core::drilling::burs()[scene.burIndex];
+    const double grainMm = grainOf(bur.grit);
+    m_metalProgram.setUniformValue("grains",
+                                   static_cast<float>(std::ceil(2.0 * std::numbers::pi * bur.headRadiusMm / grainMm)),
+                                   static_cast<float>(1.0 / grainMm));
+    const QColor ring = gritColour(bur.grit).value_or(QColor(Qt::lightGray));
+    m_metalProgram.setUniformValue("ring", ring.redF(), ring.greenF(), ring.blueF());
     glUniform4fv(m_metalProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
     glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
 }

@@ -6,7 +6,9 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolButton>
+#include <QTransform>
 
+#include "ui/render/GritColour.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BurPicker.h"
 #include "ui/shell/Theme.h"
@@ -22,6 +24,12 @@ constexpr int kNumberPx = 18;
 constexpr int kBelowTipPx = 2;  ///< from the tip to the number, and as much above the shank
 /// What is drawn of the neck above a head at least, mm.
 constexpr double kNeckSeenMm = 0.4;
+/// The shank of a diamond with the ring that tells its grit, above the neck.
+constexpr double kShankPx = 13.0;
+constexpr double kRingPx = 5.0;
+constexpr double kBladePx = 4.0;     ///< from blade to blade
+constexpr double kBladeSlope = 0.6;  ///< sideways for each pixel up
+constexpr double kGrainPx = 2.0;
 
 /// Both halves of the head, tip at the origin, y upwards negative.
 QPainterPath headOf(const core::drilling::Bur& bur)
@@ -34,6 +42,34 @@ QPainterPath headOf(const core::drilling::Bur& bur)
         path.lineTo(-p->radiusMm, -p->heightMm);
     path.closeSubpath();
     return path;
+}
+
+bool isCrosscut(core::drilling::BurShape shape)
+{
+    using Shape = core::drilling::BurShape;
+    return shape == Shape::StraightCrosscut || shape == Shape::DomedCrosscut || shape == Shape::TaperedCrosscut;
+}
+
+/// Draws the grooves between blades within a head, and notches across them if it is crosscut.
+void drawBlades(QPainter& painter, const QRectF& head, const QColor& groove, bool isNotched)
+{
+    painter.setPen(QPen(groove, 1.2));
+    const double lean = kBladeSlope * head.height();
+    for (double x = head.left() - lean; x < head.right(); x += kBladePx)
+        painter.drawLine(QPointF(x, head.bottom()), QPointF(x + lean, head.top()));
+    for (double y = head.bottom() - kBladePx; isNotched && y > head.top(); y -= kBladePx)
+        painter.drawLine(QPointF(head.left(), y), QPointF(head.right(), y));
+}
+
+/// Draws grains in rows, of which every other one is half a grain on.
+void drawGrains(QPainter& painter, const QRectF& head, const QColor& grain)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(grain);
+    bool isOdd = false;
+    for (double y = head.bottom() - 0.5 * kGrainPx; y > head.top(); y -= 1.5 * kGrainPx, isOdd = !isOdd)
+        for (double x = head.left() + (isOdd ? 0.25 : 1.5) * kGrainPx; x < head.right(); x += 2.5 * kGrainPx)
+            painter.drawEllipse(QPointF(x, y), 0.5 * kGrainPx, 0.5 * kGrainPx);
 }
 
 }  // namespace
@@ -89,16 +125,29 @@ void BurTile::paintEvent(QPaintEvent*)
 
     painter.save();
     const int tip = height() - kNumberPx - kBelowTipPx;
-    const double room = tip - kBelowTipPx;
+    const double shankPx = m_bur.isDiamond() ? kRingPx + 1.0 : 0.0;
+    const double room = tip - kBelowTipPx - shankPx;
     const double scale = std::min(kPxPerMm, room / (m_bur.headLengthMm + kNeckSeenMm));
-    const double top = room / scale;
+    const double neckPx = 2.0 * m_bur.shankRadiusMm * scale;
+    const QPainterPath head = QTransform::fromScale(scale, scale).map(headOf(m_bur));
     painter.translate(width() / 2.0, tip);
-    painter.scale(scale, scale);
     painter.setPen(Qt::NoPen);
     painter.setBrush(p.color(QPalette::PlaceholderText));
-    painter.drawRect(QRectF(-m_bur.shankRadiusMm, -top, 2 * m_bur.shankRadiusMm, top - m_bur.headLengthMm + 0.1));
-    painter.setBrush(p.color(QPalette::WindowText));
-    painter.drawPath(headOf(m_bur));
+    painter.drawRect(QRectF(-0.5 * neckPx, -room, neckPx, room - (m_bur.headLengthMm - 0.1) * scale));
+    if (m_bur.isDiamond()) {
+        const QRectF ring(-0.5 * kShankPx, -room - kRingPx, kShankPx, kRingPx);
+        painter.setPen(QPen(p.color(QPalette::PlaceholderText), 1.0));
+        painter.setBrush(render::gritColour(m_bur.grit).value_or(p.color(QPalette::PlaceholderText)));
+        painter.drawRect(ring);
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(p.color(m_bur.isDiamond() ? QPalette::PlaceholderText : QPalette::WindowText));
+    painter.drawPath(head);
+    painter.setClipPath(head);
+    if (m_bur.isDiamond())
+        drawGrains(painter, head.boundingRect(), p.color(QPalette::WindowText));
+    else
+        drawBlades(painter, head.boundingRect(), p.color(QPalette::Mid), isCrosscut(m_bur.shape));
     painter.restore();
 
     painter.setFont(typeface(kSmall, isChecked() ? QFont::DemiBold : QFont::Normal));

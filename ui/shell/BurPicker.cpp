@@ -77,15 +77,18 @@ const Bur& thatBur(int index)
     return core::drilling::burs()[static_cast<std::size_t>(index)];
 }
 
-/// "1.0 × 3.8 mm", and the ISO size.
+/// "1.0 × 3.8 mm", the ISO size, and the grit of a diamond.
 QString sizeWords(const Bur& bur)
 {
     const QLocale locale;
     //: Diameter and length of a bur
-    return BurPicker::tr("%1 × %2 mm")
-               .arg(locale.toString(2.0 * bur.headRadiusMm, 'f', 1), locale.toString(bur.headLengthMm, 'f', 1)) +
-           //: Size of a bur as in ISO 6360
-           u'\n' + BurPicker::tr("ISO %1").arg(QString::fromStdString(bur.isoSize()));
+    const QString size =
+        BurPicker::tr("%1 × %2 mm")
+            .arg(locale.toString(2.0 * bur.headRadiusMm, 'f', 1), locale.toString(bur.headLengthMm, 'f', 1)) +
+        //: Size of a bur as in ISO 6360
+        u'\n' + BurPicker::tr("ISO %1").arg(QString::fromStdString(bur.isoSize()));
+    //: Of a diamond bur: number of its grit in ISO 6360, such as 524
+    return bur.isDiamond() ? size + u'\n' + BurPicker::tr("Grit %1").arg(bur.grit) : size;
 }
 
 /// Whether a bur is what somebody looks for: its number begins so, its size or number in ISO 6360 or its name has it.

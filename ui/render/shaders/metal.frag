@@ -12,7 +12,9 @@ uniform vec3 towardsLight;
 uniform float turnRad;     // how far the bur has turned
 uniform float blur;        // 0 standing still, 1 spinning: the blades run together
 uniform float fade;        // 1 solid, less: a ghost
-uniform vec4 tint;         // colour of the blades, and how much of it
+uniform vec4 tint;         // colour of the head, and how much of it
+uniform vec2 grains;       // of a diamond: around its head, and along a millimetre
+uniform vec3 ring;         // colour of the ring on its shank
 uniform vec2 workFrom;     // pixels: the part of the bur that must not be hidden, from its tip
 uniform vec2 workTo;
 uniform float workRadius;  // pixels about that part, 0: opaque everywhere
@@ -28,19 +30,53 @@ float bell(float t)
     return quarter * quarter;
 }
 
+// Two numbers from 0 to 1 that look random, for each grain.
+vec2 random(ivec2 grain)
+{
+    uint h = uint(grain.x) * 0x9E3779B1u + uint(grain.y) * 0x85EBCA6Bu;
+    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+    h ^= h >> 13;
+    return vec2(float(h & 0xFFFFu), float(h >> 16)) / 65535.0;
+}
+
 void main()
 {
     vec3 normal = normalize(normalInTooth);
     vec3 towardsEye = normalize(eyeMm - positionMm);
     vec3 base = vec3(0.80, 0.82, 0.85);
     float gloss = 1.0;
-    if (finishHere > 1.5) {
+    float matt = 0.0;
+    if (finishHere > 4.5) {
+        base = ring;
+        gloss = 0.3;
+    } else if (finishHere > 3.5) {
+        // Grains in matt nickel, in rows of which every other one is half a grain on. Grains that are smaller than a
+        // pixel, and those of a bur that spins, run together.
+        vec2 place = vec2((onPart.x + turnRad) / 6.2831853 * grains.x, onPart.y * grains.y);
+        float sizePx = 1.0 / max(max(fwidth(onPart.x) / 6.2831853 * grains.x, fwidth(place.y)), 1.0e-4);
+        place.x += 0.5 * mod(floor(place.y), 2.0);
+        ivec2 grain = ivec2(mod(floor(place.x), grains.x), floor(place.y));
+        vec2 dice = random(grain);
+        float edge = length(fract(place) - 0.5 - 0.4 * (dice - 0.5)) + 0.2 * dice.y;
+        float seen = smoothstep(1.0, 3.0, sizePx) * (1.0 - smoothstep(0.0, 0.8, blur));
+        float facet = (1.0 - smoothstep(0.30, 0.60, edge)) * (0.35 + 0.65 * dice.x);
+        base = vec3(0.78, 0.76, 0.72) * mix(0.70, 0.42 + 0.75 * facet, seen);
+        vec3 tangent = normalize(vec3(-normal.y, normal.x, 0.0) + 1.0e-5);
+        normal = normalize(normal + seen * 0.9 * ((dice.x - 0.5) * tangent + vec3(0.0, 0.0, dice.y - 0.5)));
+        gloss = 0.15 + 0.9 * seen * step(0.85, dice.y) * facet;
+        matt = 1.0;
+    } else if (finishHere > 1.5) {
         // Six blades with a slow helix: each a slope that ends in a step.
         float around = onPart.x + turnRad + 0.55 * onPart.y;
         float blade = fract(around * 6.0 / 6.2831853);
         float groove = smoothstep(0.0, 0.28, blade) * (1.0 - smoothstep(0.86, 1.0, blade));
         vec3 tangent = normalize(vec3(-normal.y, normal.x, 0.0) + 1.0e-5);
         normal = normalize(normal + tangent * (blade - 0.45) * 1.1 * (1.0 - blur));
+        if (finishHere > 2.5) {
+            // Notches across the blades, of every other one in between.
+            float along = onPart.y * 2.2 + 0.5 * mod(floor(around * 6.0 / 6.2831853), 2.0);
+            groove *= smoothstep(0.0, 0.10, abs(fract(along) - 0.5) - 0.06);
+        }
         base = vec3(0.74, 0.73, 0.71) * mix(mix(0.30, 1.1, groove), 0.9, blur);
     } else if (finishHere > 0.5) {
         base = vec3(0.10, 0.105, 0.115);
@@ -67,7 +103,8 @@ void main()
     float rim = 1.0 - max(dot(normal, towardsEye), 0.0);
     rim *= rim;
     rim *= rim;
-    vec3 lit = base * (0.10 + 0.45 * tint.a + 0.14 * max(dot(normal, towardsLight), 0.0) + gloss * room) +
+    float lambert = max(dot(normal, towardsLight), 0.0);
+    vec3 lit = base * (0.10 + 0.45 * tint.a + 0.14 * lambert + matt * (0.12 + 0.30 * lambert) + gloss * room) +
                gloss * (0.9 * glance + 0.10 * rim);
 
     float opacity = 1.0;
