@@ -210,7 +210,7 @@ void PedalController::pressButtons(const Controller& controller, const std::vect
 void PedalController::press(ControllerAction action)
 {
     const ui::shell::Actions& actions = m_window.actions();
-    if (!m_window.isInRoom())
+    if (!m_window.isInRoom() || m_window.isAsking())
         return;
     switch (action) {
     case ControllerAction::Drill:
@@ -263,6 +263,8 @@ void PedalController::pressFixed(std::size_t button)
         QTimer::singleShot(0, this, [] { ui::shell::chooseByPad(); });
         return;
     case core::session::kButtonBack:
+        if (ui::shell::closeByPad())
+            return;
         if (m_window.isInRoom())
             m_window.view().setFocus();
         else
@@ -291,7 +293,8 @@ void PedalController::steer(const std::vector<Controller>& controllers)
             input = asked;
     }
     m_restedPads = std::move(rested);
-    m_window.view().setPad(m_window.isInRoom() && !m_window.isReplaying() ? input : ui::tooth::PadInput{});
+    const bool drills = m_window.isInRoom() && !m_window.isReplaying() && !m_window.isAsking();
+    m_window.view().setPad(drills ? input : ui::tooth::PadInput{});
 }
 
 }  // namespace app

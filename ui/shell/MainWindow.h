@@ -135,6 +135,8 @@ public:
     [[nodiscard]] MessageBar& messages() { return *m_messages; }
     [[nodiscard]] PracticeRoom& room() { return *m_room; }
     [[nodiscard]] bool isInRoom() const;
+    /// A question waits for an answer: nothing behind it is done.
+    [[nodiscard]] bool isAsking() const { return m_question != nullptr && m_question->isVisible(); }
     [[nodiscard]] people::AssignPage& assignPage() { return *m_assign; }
     /// What showBusy() told of goes on.
     [[nodiscard]] bool isBusy() const;

@@ -6,9 +6,12 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QPointer>
+
+#include "ui/shell/QuestionCard.h"
 
 namespace ui::shell {
 namespace {
@@ -49,6 +52,13 @@ QWidget* openPopup()
     return inside != nullptr ? inside : popup;
 }
 
+/// Returns whether Tab passes over the other buttons of its group, so that only arrows go to them.
+bool isOneOfGroup(const QAbstractButton& button)
+{
+    return button.isCheckable() &&
+           (button.autoExclusive() || (button.group() != nullptr && button.group()->exclusive()));
+}
+
 }  // namespace
 
 void stepByPad(QWidget& window, PadArrow arrow)
@@ -70,6 +80,11 @@ void stepByPad(QWidget& window, PadArrow arrow)
         sendKey(*list, arrowKey(arrow));
         if (list->currentIndex() != before)
             return;  // else it is the last entry on this way
+    }
+    if (const auto* button = qobject_cast<QAbstractButton*>(focus); button != nullptr && isOneOfGroup(*button)) {
+        sendKey(*focus, arrowKey(arrow));
+        if (QApplication::focusWidget() != focus)
+            return;
     }
     if (isSideways && qobject_cast<QAbstractSlider*>(focus) != nullptr) {
         sendKey(*focus, arrowKey(arrow));
@@ -98,6 +113,22 @@ void chooseByPad()
         sendKey(*focus, Qt::Key_Return);
     else if (focus != nullptr)
         sendKey(*focus, Qt::Key_Space);
+}
+
+bool closeByPad()
+{
+    if (QWidget* const popup = openPopup()) {
+        sendKey(*popup, Qt::Key_Escape);
+        return true;
+    }
+    const QWidget* const focus = QApplication::focusWidget();
+    for (QWidget* parent = focus != nullptr ? focus->parentWidget() : nullptr; parent != nullptr;
+         parent = parent->parentWidget())
+        if (auto* const question = qobject_cast<QuestionCard*>(parent)) {
+            sendKey(*question, Qt::Key_Escape);
+            return true;
+        }
+    return false;
 }
 
 }  // namespace ui::shell

@@ -10,12 +10,15 @@ namespace ui::shell {
 
 enum class PadArrow : std::uint8_t { Up, Down, Left, Right };
 
-/// Goes to the next or previous control; inside a list or a menu that is open, to the next entry. Left and right change
-/// a slider, a number or a choice.
+/// Goes to the next or previous control; inside a list, a menu that is open, or a group of which one is chosen, to the
+/// next entry. Left and right change a slider, a number or a choice.
 /// @param window  where the first control is looked for if none has the focus
 void stepByPad(QWidget& window, PadArrow arrow);
 
 /// Presses the control that has the focus.
 void chooseByPad();
+
+/// Closes an open menu or list, or answers a question with "stay", like Esc. Returns false if there is neither.
+bool closeByPad();
 
 }  // namespace ui::shell

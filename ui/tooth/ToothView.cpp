@@ -1043,15 +1043,19 @@ void ToothView::wheelEvent(QWheelEvent* event)
 void ToothView::tabletEvent(QTabletEvent* event)
 {
     const bool isTip = event->button() == Qt::LeftButton;
-    const bool takesMirror = m_mirrorHeld || (event->type() == QEvent::TabletPress && isOnMirror(event->position()));
-    if (event->type() == QEvent::TabletPress && isTip && !takesMirror) {
+    if (event->type() == QEvent::TabletPress && isTip)
+        m_penIsMouse = isOnMirror(event->position()) || gizmoEndAt(event->position()).has_value();
+    const bool isMouse = m_penIsMouse;
+    if (event->type() == QEvent::TabletRelease && isTip)
+        m_penIsMouse = false;
+    if (event->type() == QEvent::TabletPress && isTip && !isMouse) {
         m_buttonIsDown = true;
         pushAt(event->position(), PointerKind::Pen);
-    } else if (event->type() == QEvent::TabletRelease && isTip && !takesMirror) {
+    } else if (event->type() == QEvent::TabletRelease && isTip && !isMouse) {
         m_buttonIsDown = false;
         m_control.push(false);
     } else if (event->type() == QEvent::TabletMove && m_turning == Qt::NoButton && event->buttons() <= Qt::LeftButton &&
-               !takesMirror) {
+               !isMouse) {
         pointAt(event->position());
         m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
     } else {

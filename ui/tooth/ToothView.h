@@ -231,6 +231,7 @@ private:
     QPointF m_pointer;              ///< where the mouse was last
     bool m_pointerHasLeft = true;
     bool m_buttonIsDown = false;  ///< the left one, or the tip of the pen
+    bool m_penIsMouse = false;    ///< the tip of the pen holds the mirror or was put on the letters of the sides
     bool m_isPressed = false;
     bool m_pointerAims = false;  ///< the bur was last moved with the pointer, not with keys
     PatchInbox m_inbox;
