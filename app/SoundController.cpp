@@ -8,17 +8,21 @@
 #include "app/SoundStore.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/SoundCard.h"
+#include "ui/devices/SoundWords.h"
 #include "ui/shell/Actions.h"
+#include "ui/shell/MessageBar.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
 namespace {
 
 using ui::devices::SoundCard;
+using ui::shell::MessageBar;
 using ui::sound::OutputInfo;
 using ui::sound::SoundPlayer;
 using ui::sound::SoundReport;
 using ui::sound::SoundSettings;
+using ui::sound::SoundStage;
 
 constexpr int kLookMs = 100;
 
@@ -33,6 +37,7 @@ SoundController::SoundController(ui::shell::MainWindow& window, core::rt::Triple
     connect(&card, &SoundCard::sampleRequested, this, [this] { tell([this] { m_player.playSample(); }); });
     connect(m_window.actions().sound, &QAction::triggered, this, &SoundController::turn);
     connect(&m_player, &SoundPlayer::reported, &card, &SoundCard::setReport);
+    connect(&m_player, &SoundPlayer::reported, this, &SoundController::take);
     connect(&m_player, &SoundPlayer::outputsFound, &card, &SoundCard::setOutputs);
     card.setSettings(m_settings);
     m_window.actions().sound->setChecked(m_settings.isOn);
@@ -69,6 +74,29 @@ void SoundController::turn(bool isOn)
     settings.isOn = isOn;
     m_window.devicesPage().sound().setSettings(settings);
     change(settings);
+}
+
+/// At the tooth the user is told once that an output which played is gone. The page shows it anyway.
+void SoundController::take(const SoundReport& report)
+{
+    const bool isSilent = report.stage == SoundStage::NoOutput || report.stage == SoundStage::Refused;
+    if (!isSilent) {
+        m_hasPlayed = m_hasPlayed || report.stage == SoundStage::Playing;
+        m_window.messages().withdraw(MessageBar::Topic::Sound);
+        return;
+    }
+    if (!std::exchange(m_hasPlayed, false) || !m_window.view().isVisible())
+        return;
+    m_window.messages().say([this, report] {
+        MessageBar::Message message;
+        message.kind = MessageBar::Kind::News;
+        message.sentence = ui::devices::stateWords(report);
+        message.detail = ui::devices::helpWords(report);
+        message.actionText = tr("Show the device");
+        message.action = [this] { m_window.actions().devices->trigger(); };
+        message.topic = MessageBar::Topic::Sound;
+        return message;
+    });
 }
 
 /// A drill that whines on behind other pages or programs helps nobody.

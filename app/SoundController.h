@@ -27,6 +27,7 @@ private:
     void change(const ui::sound::SoundSettings& settings);
     void turn(bool isOn);
     void watch();
+    void take(const ui::sound::SoundReport& report);
     /// Calls a function of the player in its thread.
     template <class Work>
     void tell(Work work)
@@ -40,6 +41,7 @@ private:
     QThread m_thread;
     QTimer m_watch;
     bool m_isHeard = false;
+    bool m_hasPlayed = false;  ///< since the user was last told that it is silent
 };
 
 }  // namespace app

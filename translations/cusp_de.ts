@@ -11582,4 +11582,11 @@ ungesichert</translation>
         <translation>Maus oder Stift</translation>
     </message>
 </context>
+<context>
+    <name>app::SoundController</name>
+    <message>
+        <source>Show the device</source>
+        <translation>Gerät anzeigen</translation>
+    </message>
+</context>
 </TS>

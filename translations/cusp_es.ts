@@ -11582,4 +11582,11 @@ sin guardar</translation>
         <translation>Ratón o lápiz</translation>
     </message>
 </context>
+<context>
+    <name>app::SoundController</name>
+    <message>
+        <source>Show the device</source>
+        <translation>Mostrar el dispositivo</translation>
+    </message>
+</context>
 </TS>

@@ -11513,4 +11513,11 @@ unsaved</source>
         <translation>マウスまたはペン</translation>
     </message>
 </context>
+<context>
+    <name>app::SoundController</name>
+    <message>
+        <source>Show the device</source>
+        <translation>デバイスを表示</translation>
+    </message>
+</context>
 </TS>

@@ -44,7 +44,8 @@ public:
         Page,
         Device,
         Head,
-        Pedal
+        Pedal,
+        Sound
     };
     struct Choice
     {
