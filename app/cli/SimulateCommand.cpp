@@ -223,13 +223,16 @@ QString clashingFiles(const QCommandLineParser& parser)
     for (const auto& [written, other] : {std::pair("out", "path"),
                                          {"out", "tooth"},
                                          {"out", "preset"},
+                                         {"out", "bur"},
                                          {"out", "record"},
                                          {"record", "path"},
                                          {"record", "tooth"},
-                                         {"record", "preset"}})
-        if (!file(written).empty() && !file(other).empty() && core::isSameFile(file(written), file(other)))
+                                         {"record", "preset"}}) {
+        const bool isName = other == std::string_view("bur") && core::drilling::findBur(file(other).string());
+        if (!isName && !file(written).empty() && !file(other).empty() && core::isSameFile(file(written), file(other)))
             return QStringLiteral("--%1 would overwrite the file given with --%2; name another")
                 .arg(QLatin1String(written), QLatin1String(other));
+    }
     return {};
 }
 

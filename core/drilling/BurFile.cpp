@@ -13,6 +13,7 @@ namespace core::drilling {
 namespace {
 
 constexpr std::size_t kMostBytes = 65536;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestId = 24;
 constexpr std::size_t kMostElements = 16;
 constexpr double kThinnestNeckMm = 0.05;
@@ -51,7 +52,7 @@ struct Element
 
 tl::unexpected<Error> wrong(ErrorCode code, std::size_t line, const std::string& what)
 {
-    return unexpected(code, "Line " + std::to_string(line) + " of the burs: " + what);
+    return unexpected(code, "Line " + std::to_string(line) + " of the bur file: " + what);
 }
 
 tl::unexpected<Error> wrong(const Element& element, const std::string& what)
@@ -257,8 +258,10 @@ class Reader
 public:
     Result<std::vector<Bur>> read(std::string_view text)
     {
-        if (std::any_of(text.begin(), text.end(), [](char c) { return c == '\0' || static_cast<signed char>(c) < 0; }))
-            return unexpected(ErrorCode::WrongKind, "The burs are not plain text in ASCII.");
+        if (text.find('\0') != std::string_view::npos)
+            return unexpected(ErrorCode::WrongKind, "The bur file is not plain text.");
+        if (text.starts_with(kByteOrderMark))  // as some editors write it
+            text.remove_prefix(kByteOrderMark.size());
         while (!text.empty()) {
             const std::size_t end = text.find('\n');
             ++m_line;
@@ -277,6 +280,8 @@ private:
     [[nodiscard]] Status take(std::string_view line)
     {
         line = line.substr(0, line.find('#'));
+        if (std::any_of(line.begin(), line.end(), [](char c) { return static_cast<signed char>(c) < 0; }))
+            return wrong(ErrorCode::WrongKind, m_line, "only a comment may have letters that are not ASCII.");
         const std::string_view key = takeWord(line);
         if (key.empty())
             return {};

@@ -105,7 +105,8 @@ private slots:
             QByteArray(same).replace("line 0.5 3.8\n", "line 0.5 3.8\nline 0.35 0.02\nline 0.55 0.4\n").toStdString());
         const Ending refused = simulate({"--bur", crossed});
         QVERIFY(refused.exitCode != 0);
-        QVERIFY2(refused.error.contains("Line 9 of the burs: the profile crosses itself"), refused.error.constData());
+        QVERIFY2(refused.error.contains("Line 9 of the bur file: the profile crosses itself"),
+                 refused.error.constData());
         QVERIFY(simulate({"--bur", at("missing.txt")}).error.contains("There is no bur"));
     }
 
@@ -315,6 +316,8 @@ private slots:
         QTest::addColumn<QStringList>("options");
         QTest::newRow("no path") << QStringList{"--out", "t.csv"};
         QTest::newRow("trace over the path") << QStringList{"--path", m_path, "--out", m_path};
+        const QString bur = m_folder.filePath("mine.txt");
+        QTest::newRow("trace over the bur") << QStringList{"--path", m_path, "--bur", bur, "--out", bur};
         const auto row = [this](const char* name, const QStringList& options) {
             QTest::newRow(name) << QStringList{"--path", m_path, "--out", m_trace} + options;
         };

@@ -217,43 +217,44 @@ private slots:
                         "ELF\0\1\2",
                         7),
             "not plain text");
+        row("an umlaut", with(4, "neck 0.5 \xC3\xBC\n"), "Line 4 of the bur file: only a comment");
         row("crosses itself", with(7, "line 0.6 4.4844\nline 0.2 0.05\nline 0.55 0.5\n"),
-            "Line 9 of the burs: the profile crosses itself");
-        row("negative", with(5, "flat -0.3\n"), "Line 5 of the burs: a radius or a height is negative");
-        row("too wide", with(7, "line 2.6 4.4844\n"), "Line 7 of the burs: a head has at most 1.5 mm");
-        row("too long", with(7, "line 0.6 9\n"), "Line 7 of the burs: a head has at most 1.5 mm");
+            "Line 9 of the bur file: the profile crosses itself");
+        row("negative", with(5, "flat -0.3\n"), "Line 5 of the bur file: a radius or a height is negative");
+        row("too wide", with(7, "line 2.6 4.4844\n"), "Line 7 of the bur file: a head has at most 1.5 mm");
+        row("too long", with(7, "line 0.6 9\n"), "Line 7 of the bur file: a head has at most 1.5 mm");
         row("too thin", "bur a\nshape round\nmaterial carbide\nneck 0.05\narc 0.1 0.1 0.1\nend\n",
-            "Line 5 of the burs: a head has at least 0.2 mm");
-        row("too sharp", with(6, "arc 0.308456 0.000001 0.00001\n"), "Line 6 of the burs: an edge is rounded");
-        row("arc off the end", with(5, "flat 0.2\n"), "Line 6 of the burs: the arc is not tangent to the flat end");
-        row("line off the arc", with(7, "line 0.9 1\n"), "Line 7 of the burs: the line is not tangent");
-        row("no arc", with(6, ""), "Line 6 of the burs: a profile begins with an arc");
+            "Line 5 of the bur file: a head has at least 0.2 mm");
+        row("too sharp", with(6, "arc 0.308456 0.000001 0.00001\n"), "Line 6 of the bur file: an edge is rounded");
+        row("arc off the end", with(5, "flat 0.2\n"), "Line 6 of the bur file: the arc is not tangent to the flat end");
+        row("line off the arc", with(7, "line 0.9 1\n"), "Line 7 of the bur file: the line is not tangent");
+        row("no arc", with(6, ""), "Line 6 of the bur file: a profile begins with an arc");
         row("only a flat", with(6, "").substr(0, kTapered.find("arc")) + "end\n",
-            "Line 5 of the burs: a profile begins with an arc");
-        row("open arc", with(7, ""), "Line 6 of the burs: the arc ends neither upright");
+            "Line 5 of the bur file: a profile begins with an arc");
+        row("open arc", with(7, ""), "Line 6 of the bur file: the arc ends neither upright");
         row("outwards again", with(7, "line 0.6 4.4844\nline 0.5 5\nline 0.55 6\n"),
-            "Line 9 of the burs: past the largest radius");
-        row("down again", with(7, "line 0.6 4.4844\nline 0.58 2\n"), "Line 8 of the burs: past the largest radius");
-        row("flat again", with(7, "line 0.6 4.4844\nflat 0.2\n"), "Line 8 of the burs");
+            "Line 9 of the bur file: past the largest radius");
+        row("down again", with(7, "line 0.6 4.4844\nline 0.58 2\n"), "Line 8 of the bur file: past the largest radius");
+        row("flat again", with(7, "line 0.6 4.4844\nflat 0.2\n"), "Line 8 of the bur file");
         row("bent arc above", with(7, "line 0.6 4.4844\narc 0.5 5 9\n"),
-            "Line 8 of the burs: the arc does not begin upright");
-        row("thick neck", with(4, "neck 0.7\n"), "Line 8 of the burs: the neck is thicker");
-        row("truncated", kTapered.substr(0, kTapered.size() - 5), "Line 7 of the burs: the text ends within a bur");
+            "Line 8 of the bur file: the arc does not begin upright");
+        row("thick neck", with(4, "neck 0.7\n"), "Line 8 of the bur file: the neck is thicker");
+        row("truncated", kTapered.substr(0, kTapered.size() - 5), "Line 7 of the bur file: the text ends within a bur");
         row("within a number", kTapered.substr(0, kTapered.find("4.4844") + 1), "ends within a bur");
         row("no end", kTapered.substr(0, kTapered.size() - 4) + kTapered,
-            "Line 8 of the burs: the bur before it has no");
-        row("no number", with(4, "neck thin\n"), "Line 4 of the burs: the radius of the neck");
-        row("not finite", with(5, "flat nan\n"), "Line 5 of the burs: 'flat' has 1 numbers");
-        row("too few numbers", with(6, "arc 0.4 0.1\n"), "Line 6 of the burs: 'arc' has 3 numbers");
-        row("one word more", with(5, "flat 0.308446 7\n"), "Line 5 of the burs: '7' is one word too many");
-        row("no such shape", with(2, "shape cubic\n"), "Line 2 of the burs: there is no shape 'cubic'");
-        row("no such material", with(3, "material wood\n"), "Line 3 of the burs: the material");
-        row("no grit", with(3, "material diamond\n"), "Line 3 of the burs: the material");
-        row("no such key", with(4, "colour red\n"), "Line 4 of the burs: there is nothing called 'colour'");
-        row("no material", with(3, ""), "Line 7 of the burs: the bur lacks");
-        row("no number of ISO 6360", with(4, "iso6360 1 2 3\n"), "Line 4 of the burs: a number of ISO 6360");
-        row("twice", kTapered + kTapered, "Line 9 of the burs: there is a bur 'mine' already");
-        row("long name", "bur abcdefghijklmnopqrstuvwxyz\n", "Line 1 of the burs: a bur is called");
+            "Line 8 of the bur file: the bur before it has no");
+        row("no number", with(4, "neck thin\n"), "Line 4 of the bur file: the radius of the neck");
+        row("not finite", with(5, "flat nan\n"), "Line 5 of the bur file: 'flat' has 1 numbers");
+        row("too few numbers", with(6, "arc 0.4 0.1\n"), "Line 6 of the bur file: 'arc' has 3 numbers");
+        row("one word more", with(5, "flat 0.308446 7\n"), "Line 5 of the bur file: '7' is one word too many");
+        row("no such shape", with(2, "shape cubic\n"), "Line 2 of the bur file: there is no shape 'cubic'");
+        row("no such material", with(3, "material wood\n"), "Line 3 of the bur file: the material");
+        row("no grit", with(3, "material diamond\n"), "Line 3 of the bur file: the material");
+        row("no such key", with(4, "colour red\n"), "Line 4 of the bur file: there is nothing called 'colour'");
+        row("no material", with(3, ""), "Line 7 of the bur file: the bur lacks");
+        row("no number of ISO 6360", with(4, "iso6360 1 2 3\n"), "Line 4 of the bur file: a number of ISO 6360");
+        row("twice", kTapered + kTapered, "Line 9 of the bur file: there is a bur 'mine' already");
+        row("long name", "bur abcdefghijklmnopqrstuvwxyz\n", "Line 1 of the bur file: a bur is called");
         row("many elements",
             with(7,
                  [] {
@@ -273,6 +274,15 @@ private slots:
         QVERIFY(!burs);
         QVERIFY2(burs.error().detail.find(says.toStdString()) != std::string::npos, burs.error().detail.c_str());
         QVERIFY(burs.error().detail.ends_with('.') && burs.error().detail.find('\n') == std::string::npos);
+    }
+
+    void readsWhatEditorsAdd()
+    {
+        const auto plain = drilling::parseBurs(kTapered);
+        const std::string other = "\xEF\xBB\xBF# f\xC3\xBCr Stufen\r\n" + kTapered;
+        const auto read = drilling::parseBurs(other);
+        QVERIFY(support::succeeds(plain) && support::succeeds(read));
+        QCOMPARE(read->front().headRadiusMm, plain->front().headRadiusMm);
     }
 
     void readsAFile()
