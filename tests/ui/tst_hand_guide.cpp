@@ -77,6 +77,23 @@ private slots:
         QVERIFY(!guide().isVisible());
     }
 
+    void theSpaceBarStartsTheTest()
+    {
+        child<HandList>()->selectHand("pointer");
+        goTo(3);
+        QVERIFY(child<QPushButton>("stillStart")->hasFocus());
+        click("guideNext");
+        QVERIFY(child<QPushButton>("guideNext")->hasFocus());
+    }
+
+    void oneStepBackLeadsToTheDevices()
+    {
+        goTo(2);
+        QVERIFY(m_page->stepBack());
+        QVERIFY(!guide().isVisible() && child<HandList>()->isVisible());
+        QVERIFY(!m_page->stepBack());
+    }
+
     void aPageThatOpensAgainShowsTheDevices()
     {
         click("openHandGuide");

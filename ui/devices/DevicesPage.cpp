@@ -173,6 +173,13 @@ void DevicesPage::openGuide()
         m_guide->begin();
 }
 
+bool DevicesPage::stepBack()
+{
+    const bool wasOpen = m_guide->isVisible();
+    closeGuide();
+    return wasOpen;
+}
+
 void DevicesPage::closeGuide()
 {
     const bool wasOpen = m_guide->isVisible();

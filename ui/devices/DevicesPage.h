@@ -52,6 +52,8 @@ public:
 
     /// Id of the hand that is shown at the right, kHeadTracking, kPedals or kSound.
     [[nodiscard]] QString shownHand() const;
+    /// From the guide to the devices.
+    [[nodiscard]] bool stepBack() override;
     /// Force that the user tries with a button held down, tooth frame; zero if none is.
     [[nodiscard]] glm::dvec3 testForce() const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QAction>
+#include <QApplication>
 #include <QButtonGroup>
 #include <QDoubleSpinBox>
 #include <QFrame>
@@ -276,6 +277,8 @@ void HandGuide::showStep(Step step)
     if (step != m_step)
         m_still->stop();
     m_step = step;
+    const QWidget* const focus = QApplication::focusWidget();
+    const bool hasStartFocus = focus != nullptr && m_still->isAncestorOf(focus);
     const bool isLeft = m_otherHand->isChecked();
     (isLeft ? m_left : m_right)->setChecked(true);
     using Scene = HandGuidePicture::Scene;
@@ -289,7 +292,10 @@ void HandGuide::showStep(Step step)
     m_still->setVisible(step == Step::Still);
     m_summary->setVisible(step == Step::Summary && m_hasForce);
     showWords();
-    if (isVisible() && !m_next->hasFocus() && !m_back->hasFocus() && !m_left->hasFocus() && !m_right->hasFocus())
+    if (step == Step::Still)
+        m_still->focusStart();  // the hand that is measured presses nothing
+    else if (isVisible() && (hasStartFocus || (!m_next->hasFocus() && !m_back->hasFocus() && !m_left->hasFocus() &&
+                                               !m_right->hasFocus())))
         m_next->setFocus();
 }
 

@@ -80,6 +80,11 @@ void StillnessTest::begin(bool hasForce)
     stop();
 }
 
+void StillnessTest::focusStart()
+{
+    m_start->setFocus();
+}
+
 void StillnessTest::setBur(std::optional<glm::dvec3> burMm)
 {
     const bool couldStart = m_burMm.has_value();

@@ -30,6 +30,8 @@ public:
     void begin(bool hasForce);
     /// Sets where the bur of the force device is, mm, in the frame of the tooth. Empty if the device is not ready.
     void setBur(std::optional<glm::dvec3> burMm);
+    /// Lets the space bar start the test.
+    void focusStart();
     /// Stops a test that is running.
     void stop();
     [[nodiscard]] const std::optional<core::session::Stillness>& result() const { return m_result; }

@@ -1719,6 +1719,8 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_console->isVisible()) {
         m_actions->console->trigger();
+    } else if (auto* page = qobject_cast<Page*>(m_pages->currentWidget()); page != nullptr && page->stepBack()) {
+        return;
     } else if (pageBehind() == m_lessonsPage) {
         openLessons();
     } else if (m_pages->currentWidget() != m_room) {

@@ -20,6 +20,8 @@ public:
     void setTitle(const QString& title);
     /// Puts the cursor into the search field. False if the page has none, or is not shown.
     [[nodiscard]] virtual bool focusSearch() const;
+    /// Goes back within the page. False if the page itself is to be left.
+    [[nodiscard]] virtual bool stepBack() { return false; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
