@@ -74,6 +74,15 @@ void SoundController::turn(bool isOn)
     settings.isOn = isOn;
     m_window.devicesPage().sound().setSettings(settings);
     change(settings);
+    m_window.messages().withdraw(MessageBar::Topic::Sound);
+    m_window.messages().say([this, isOn] {
+        MessageBar::Message message;
+        const QString key = m_window.actions().sound->shortcut().toString(QKeySequence::NativeText);
+        //: %1: a key
+        message.sentence = isOn ? tr("The sound is on.") : tr("The sound is off. %1 turns it on again.").arg(key);
+        message.topic = MessageBar::Topic::Sound;
+        return message;
+    });
 }
 
 /// At the tooth the user is told once that an output which played is gone. The page shows it anyway.
@@ -82,11 +91,13 @@ void SoundController::take(const SoundReport& report)
     const bool isSilent = report.stage == SoundStage::NoOutput || report.stage == SoundStage::Refused;
     if (!isSilent) {
         m_hasPlayed = m_hasPlayed || report.stage == SoundStage::Playing;
-        m_window.messages().withdraw(MessageBar::Topic::Sound);
+        if (std::exchange(m_isTold, false))
+            m_window.messages().withdraw(MessageBar::Topic::Sound);
         return;
     }
     if (!std::exchange(m_hasPlayed, false) || !m_window.view().isVisible())
         return;
+    m_isTold = true;
     m_window.messages().say([this, report] {
         MessageBar::Message message;
         message.kind = MessageBar::Kind::News;

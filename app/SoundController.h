@@ -42,6 +42,7 @@ private:
     QTimer m_watch;
     bool m_isHeard = false;
     bool m_hasPlayed = false;  ///< since the user was last told that it is silent
+    bool m_isTold = false;     ///< that it is silent
 };
 
 }  // namespace app

@@ -2635,10 +2635,6 @@
         <translation>Zahn zurückgesetzt</translation>
     </message>
     <message>
-        <source>Bur %1: %2</source>
-        <translation>Bohrer %1: %2</translation>
-    </message>
-    <message>
         <source>Note %1</source>
         <translation>Notiz %1</translation>
     </message>
@@ -2679,6 +2675,11 @@
         <source>%1: %2</source>
         <extracomment>%1 who remarked something on an attempt, %2 the words</extracomment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Bur: %1</source>
+        <extracomment>%1: a bur such as &quot;Pear, No. 330&quot;</extracomment>
+        <translation>Bohrer: %1</translation>
     </message>
 </context>
 <context>
@@ -11098,6 +11099,10 @@ ungesichert</translation>
         <source>Another one of the same kind is plugged in too. The one that was plugged in first counts.</source>
         <translation>Ein zweites derselben Art ist auch angeschlossen. Es zählt das zuerst angeschlossene.</translation>
     </message>
+    <message>
+        <source>Work without this pedal</source>
+        <translation>Ohne dieses Pedal arbeiten</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalSetupCard</name>
@@ -11322,6 +11327,10 @@ ungesichert</translation>
         <source>Grit %1</source>
         <extracomment>Of a diamond bur: number of its grit in ISO 6360, such as 524</extracomment>
         <translation>Körnung %1</translation>
+    </message>
+    <message>
+        <source>This lesson does not allow it.</source>
+        <translation>Diese Lektion erlaubt das nicht.</translation>
     </message>
 </context>
 <context>
@@ -11587,6 +11596,15 @@ ungesichert</translation>
     <message>
         <source>Show the device</source>
         <translation>Gerät anzeigen</translation>
+    </message>
+    <message>
+        <source>The sound is on.</source>
+        <translation>Der Ton ist an.</translation>
+    </message>
+    <message>
+        <source>The sound is off. %1 turns it on again.</source>
+        <extracomment>%1: a key</extracomment>
+        <translation>Der Ton ist aus. %1 schaltet ihn wieder ein.</translation>
     </message>
 </context>
 </TS>

@@ -2635,10 +2635,6 @@
         <translation>Diente restablecido</translation>
     </message>
     <message>
-        <source>Bur %1: %2</source>
-        <translation>Fresa %1: %2</translation>
-    </message>
-    <message>
         <source>Note %1</source>
         <translation>Nota %1</translation>
     </message>
@@ -2679,6 +2675,11 @@
         <source>%1: %2</source>
         <extracomment>%1 who remarked something on an attempt, %2 the words</extracomment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Bur: %1</source>
+        <extracomment>%1: a bur such as &quot;Pear, No. 330&quot;</extracomment>
+        <translation>Fresa: %1</translation>
     </message>
 </context>
 <context>
@@ -11098,6 +11099,10 @@ sin guardar</translation>
         <source>Another one of the same kind is plugged in too. The one that was plugged in first counts.</source>
         <translation>Hay otro del mismo tipo conectado. Cuenta el que se conectó primero.</translation>
     </message>
+    <message>
+        <source>Work without this pedal</source>
+        <translation>Trabajar sin este pedal</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalSetupCard</name>
@@ -11322,6 +11327,10 @@ sin guardar</translation>
         <source>Grit %1</source>
         <extracomment>Of a diamond bur: number of its grit in ISO 6360, such as 524</extracomment>
         <translation>Grano %1</translation>
+    </message>
+    <message>
+        <source>This lesson does not allow it.</source>
+        <translation>Esta lección no lo permite.</translation>
     </message>
 </context>
 <context>
@@ -11587,6 +11596,15 @@ sin guardar</translation>
     <message>
         <source>Show the device</source>
         <translation>Mostrar el dispositivo</translation>
+    </message>
+    <message>
+        <source>The sound is on.</source>
+        <translation>El sonido está activado.</translation>
+    </message>
+    <message>
+        <source>The sound is off. %1 turns it on again.</source>
+        <extracomment>%1: a key</extracomment>
+        <translation>El sonido está desactivado. %1 lo activa de nuevo.</translation>
     </message>
 </context>
 </TS>

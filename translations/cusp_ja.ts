@@ -2607,10 +2607,6 @@
         <translation>歯をリセット</translation>
     </message>
     <message>
-        <source>Bur %1: %2</source>
-        <translation>バー%1：%2</translation>
-    </message>
-    <message>
         <source>Handpiece: %1</source>
         <translation>ハンドピース：%1</translation>
     </message>
@@ -2670,6 +2666,11 @@
         <source>%1: %2</source>
         <extracomment>%1 who remarked something on an attempt, %2 the words</extracomment>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Bur: %1</source>
+        <extracomment>%1: a bur such as &quot;Pear, No. 330&quot;</extracomment>
+        <translation>バー: %1</translation>
     </message>
 </context>
 <context>
@@ -11029,6 +11030,10 @@ unsaved</source>
         <source>Another one of the same kind is plugged in too. The one that was plugged in first counts.</source>
         <translation>同じ種類のものがもう一つ接続されています。先に接続したものが使われます。</translation>
     </message>
+    <message>
+        <source>Work without this pedal</source>
+        <translation>このペダルを使わずに作業</translation>
+    </message>
 </context>
 <context>
     <name>ui::devices::PedalSetupCard</name>
@@ -11253,6 +11258,10 @@ unsaved</source>
         <source>Grit %1</source>
         <extracomment>Of a diamond bur: number of its grit in ISO 6360, such as 524</extracomment>
         <translation>粒度 %1</translation>
+    </message>
+    <message>
+        <source>This lesson does not allow it.</source>
+        <translation>この課題では使えません。</translation>
     </message>
 </context>
 <context>
@@ -11518,6 +11527,15 @@ unsaved</source>
     <message>
         <source>Show the device</source>
         <translation>デバイスを表示</translation>
+    </message>
+    <message>
+        <source>The sound is on.</source>
+        <translation>音はオンです。</translation>
+    </message>
+    <message>
+        <source>The sound is off. %1 turns it on again.</source>
+        <extracomment>%1: a key</extracomment>
+        <translation>音はオフです。%1 で再びオンにします。</translation>
     </message>
 </context>
 </TS>

@@ -92,6 +92,20 @@ private slots:
         QVERIFY(!card().isVisible());
     }
 
+    void aPedalThatIsGoneIsForgotten()
+    {
+        QSignalSpy chosen(&card(), &ui::devices::PedalCard::pedalChosen);
+        QVERIFY(child<QPushButton>("forgetPedal")->isHidden());
+        card().setPedal("guid", "Foot pedal");
+        card().setReport(with({}, PedalStage::Missing));
+        QVERIFY(child<QPushButton>("forgetPedal")->isVisible());
+        child<QPushButton>("forgetPedal")->click();
+        QCOMPARE(chosen.size(), 1);
+        QCOMPARE(chosen.front().front().toString(), QString());
+        QVERIFY(child<QPushButton>("forgetPedal")->isHidden());
+        QVERIFY(row().sign == Sign::Off);
+    }
+
     void eachStateHasItsSignAndWords()
     {
         QStringList states;

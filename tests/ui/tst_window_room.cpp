@@ -369,6 +369,49 @@ private slots:
             QVERIFY(tile->isEnabled() && !tile->toolTip().contains("does not allow"));
     }
 
+    void aNumberInFullIsThatBur()
+    {
+        auto* picker = m_window->findChild<BurPicker*>();
+        QLineEdit* search = picker->findChild<QLineEdit*>("burSearch");
+        for (const char* id : {"1", "2", "4", "33-1/2", "l"}) {
+            press(Qt::Key_0);
+            QTRY_VERIFY(search->hasFocus());
+            const auto index = core::drilling::findBur(id);
+            QTest::keyClicks(search, id);
+            spoil();
+            QTest::keyClick(search, Qt::Key_Return);
+            QTRY_VERIFY(!picker->isVisible());
+            const auto commands = sent();
+            QCOMPARE(commands.size(), 1);
+            if (index)
+                QCOMPARE(std::size_t{std::get<SetBur>(commands.front()).index}, *index);
+        }
+    }
+
+    void aBurThatIsNotAllowedIsSaidSo()
+    {
+        beginLesson(support::assigned(lessons::Task::TraceShape));
+        press(Qt::Key_0);
+        auto* picker = m_window->findChild<BurPicker*>();
+        QLineEdit* search = picker->findChild<QLineEdit*>("burSearch");
+        QTRY_VERIFY(search->hasFocus());
+        const auto tiles = picker->findChildren<BurTile*>();
+        const auto refused =
+            std::find_if(tiles.begin(), tiles.end(), [](const BurTile* tile) { return !tile->isEnabled(); });
+        QVERIFY(refused != tiles.end());
+        QTest::keyClicks(search, QString::fromStdString((*refused)->bur().id));
+        spoil();
+        QTest::keyClick(search, Qt::Key_Return);
+        QVERIFY(picker->isVisible());
+        // The lesson gives its own first bur.
+        const std::size_t index = core::drilling::findBur((*refused)->bur().id).value();
+        for (const auto& command : sent())
+            QVERIFY(!std::holds_alternative<SetBur>(command) || std::get<SetBur>(command).index != index);
+        QVERIFY(picker->findChild<QLabel*>("burNone")->isVisible());
+        QTest::keyClick(search, Qt::Key_Escape);
+        beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
+    }
+
     void anyBurIsFoundByItsNumber()
     {
         const auto index = core::drilling::findBur("856").value();

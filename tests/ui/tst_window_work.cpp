@@ -753,7 +753,7 @@ private slots:
         QVERIFY(isAt(19.5));
         for (const auto& [place, words] : {std::pair(at(20.5, 12), "pulp is exposed"),
                                            {at(40.0, 12), "Undone"},
-                                           {at(15.0, 12), "Bur 4"},
+                                           {at(15.0, 12), "Bur: Straight"},
                                            {at(26.0, 12), "Handpiece: Electric"},
                                            {at(50.0, 12), "Middle pad: answer dentin"},
                                            {at(7.0, 24), "Stroke 1, 4.0 s"},

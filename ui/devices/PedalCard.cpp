@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QFrame>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -25,7 +26,7 @@ using core::session::Controller;
 using core::session::ControllerReport;
 
 PedalCard::PedalCard(QWidget* parent)
-    : QWidget(parent), m_live(new QFrame(this)), m_setup(new PedalSetupCard(this)),
+    : QWidget(parent), m_forget(new QPushButton(this)), m_live(new QFrame(this)), m_setup(new PedalSetupCard(this)),
       m_buttons(new ControllerButtonsCard(this))
 {
     setObjectName(QStringLiteral("pedals"));
@@ -33,6 +34,8 @@ PedalCard::PedalCard(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace4);
+    m_forget->setObjectName(QStringLiteral("forgetPedal"));
+    column->addWidget(m_forget, 0, Qt::AlignLeft);
     for (QWidget* part :
          {static_cast<QWidget*>(m_live), static_cast<QWidget*>(m_setup), static_cast<QWidget*>(m_buttons)})
         column->addWidget(part);
@@ -41,6 +44,7 @@ PedalCard::PedalCard(QWidget* parent)
         showController();
     });
     connect(m_runsBur, &QCheckBox::toggled, this, &PedalCard::choosePedal);
+    connect(m_forget, &QPushButton::clicked, this, &PedalCard::forgetPedal);
     connect(m_setup, &PedalSetupCard::settingsChanged, this, &PedalCard::change);
     connect(m_setup, &PedalSetupCard::taught, this, [this] { m_runsBur->setChecked(true); });
     connect(m_buttons, &ControllerButtonsCard::settingsChanged, this, &PedalCard::change);
@@ -48,6 +52,8 @@ PedalCard::PedalCard(QWidget* parent)
         study::nameInput(m_choice, tr("Pedal or gamepad"));
         m_runsBur->setText(tr("The bur turns only while this pedal is pressed"));
         m_runsBur->setAccessibleName(m_runsBur->text());
+        m_forget->setText(tr("Work without this pedal"));
+        m_forget->setAccessibleName(m_forget->text());
         m_twice->setText(
             tr("Another one of the same kind is plugged in too. The one that was plugged in first counts."));
         showState();
@@ -201,8 +207,19 @@ void PedalCard::choosePedal(bool isPedal)
     emit pedalChosen(m_pedal, m_state.pedalName);
 }
 
+/// A pedal that was taken away for good is waited for no longer.
+void PedalCard::forgetPedal()
+{
+    m_pedal.clear();
+    m_state.pedalName.clear();
+    m_state.report.pedal = core::session::PedalStage::NotChosen;
+    emit pedalChosen({}, {});
+    showState();
+}
+
 void PedalCard::showState()
 {
+    m_forget->setVisible(m_state.isInBuild && m_state.report.pedal == core::session::PedalStage::Missing);
     m_runsBur->setAccessibleDescription(stateWords(m_state));
     emit stateChanged();
 }

@@ -14,6 +14,7 @@ class QCheckBox;
 class QComboBox;
 class QFrame;
 class QLabel;
+class QPushButton;
 
 namespace ui::devices {
 
@@ -61,13 +62,15 @@ private:
     void showState();
     void change(const ControllerSettings& settings);
     void choosePedal(bool isPedal);
+    void forgetPedal();
     [[nodiscard]] ControllerSettings settingsOf(const core::session::Controller& controller) const;
 
     ControllerState m_state;
     std::map<QString, ControllerSettings> m_settings;
     QString m_pedal;  ///< guid
     std::optional<ControllerSettings> m_shownSettings;
-    int m_shown = -1;  ///< instance of the controller that is shown
+    int m_shown = -1;       ///< instance of the controller that is shown
+    QPushButton* m_forget;  ///< a pedal that is not plugged in
     QFrame* m_live;
     QComboBox* m_choice = nullptr;
     QLabel* m_twice = nullptr;

@@ -39,6 +39,13 @@ constexpr int kMostWords = 280;         ///< characters of a remark; all of it s
 /// After Okabe and Ito, in the order of core::drilling::burs().
 constexpr std::array<QRgb, 4> kBurs{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
 
+/// The number that a bur is sold under: "330".
+QString burNumber(std::uint64_t index)
+{
+    const auto burs = core::drilling::burs();
+    return index < burs.size() ? QString::fromStdString(burs[index].id) : QStringLiteral("?");
+}
+
 double scaleStep(double lengthS, double widthPx)
 {
     for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0})
@@ -107,8 +114,7 @@ void paintMark(QPainter& painter, QPointF at, const Mark& mark)
     case Mark::Kind::Bur:
         painter.setPen(QColor(burColour(static_cast<std::uint8_t>(mark.value))));
         painter.setFont(typeface(11, QFont::DemiBold));
-        painter.drawText(QRectF(at - QPointF(8.0, 8.0), QSizeF(16.0, 16.0)), Qt::AlignCenter,
-                         QString::number(mark.value + 1));
+        painter.drawText(QRectF(at - QPointF(24.0, 8.0), QSizeF(48.0, 16.0)), Qt::AlignCenter, burNumber(mark.value));
         break;
     case Mark::Kind::Aids:
         painter.drawEllipse(at, 3.0, 3.0);
@@ -161,7 +167,8 @@ QString markWords(const Mark& mark)
     case Mark::Kind::StartAgain:
         return QCoreApplication::translate("TimeLine", "Tooth reset");
     case Mark::Kind::Bur:
-        return QCoreApplication::translate("TimeLine", "Bur %1: %2").arg(mark.value + 1).arg(burWords(mark.value));
+        //: %1: a bur such as "Pear, No. 330"
+        return QCoreApplication::translate("TimeLine", "Bur: %1").arg(burWords(mark.value));
     case Mark::Kind::Handpiece:
         return QCoreApplication::translate("TimeLine", "Handpiece: %1").arg(text::handpieceName(mark.name));
     case Mark::Kind::Aids:

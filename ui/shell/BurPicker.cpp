@@ -111,6 +111,7 @@ BurPicker::BurPicker(Actions& actions, QWidget* parent)
     setProperty("kind", "card");
     setObjectName(QStringLiteral("burPicker"));
     m_search->setObjectName(QStringLiteral("burSearch"));
+    m_none->setObjectName(QStringLiteral("burNone"));
     auto* content = new QWidget;
     auto* groups = new QVBoxLayout(content);
     groups->setContentsMargins(0, 0, 0, 0);
@@ -233,7 +234,27 @@ void BurPicker::search(const QString& words)
         group.heading->setVisible(place > 0);
         group.cells->setVisible(place > 0);
     }
+    m_none->setText(tr("There is no such bur."));
     m_none->setVisible(shown().isEmpty());
+}
+
+/// Takes the bur whose number was typed in full, or the first one that was found.
+void BurPicker::takeFound()
+{
+    const QList<Cell> cells = shown();
+    const QString words = m_search->text().trimmed();
+    auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+        return QString::fromStdString(thatBur(cell.bur).id).compare(words, Qt::CaseInsensitive) == 0;
+    });
+    if (found == cells.end())
+        found = std::find_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.tile->isEnabled(); });
+    if (found != cells.end() && found->tile->isEnabled()) {
+        found->tile->click();
+        return;
+    }
+    if (!cells.isEmpty())
+        m_none->setText(tr("This lesson does not allow it."));
+    m_none->show();
 }
 
 void BurPicker::showStars()
@@ -299,10 +320,11 @@ void BurPicker::keyPressEvent(QKeyEvent* event)
     switch (event->key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter: {
-        // Enter takes the one that is looked at, or the first one that was found.
+        if (searches)
+            return takeFound();
         const QList<Cell> cells = shown();
         for (const Cell& cell : cells)
-            if ((searches || cell.tile->hasFocus()) && cell.tile->isEnabled()) {
+            if (cell.tile->hasFocus() && cell.tile->isEnabled()) {
                 cell.tile->click();
                 return;
             }

@@ -52,6 +52,7 @@ private:
     [[nodiscard]] Cell makeCell(int bur, QWidget* parent);
     [[nodiscard]] QList<Cell> shown() const;
     void search(const QString& words);
+    void takeFound();
     void showStars();
     void takeStar(int bur, bool isFavourite);
     void step(int by);
