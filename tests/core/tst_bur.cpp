@@ -7,6 +7,7 @@
 #include "core/contact/Head.h"
 #include "core/drilling/BurFile.h"
 #include "core/drilling/BurMask.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
 

@@ -1706,6 +1706,17 @@ void MainWindow::sayWayBack()
                                                      : Actions::Back::Tooth);
 }
 
+/// Back within the page, or to what is behind it.
+void MainWindow::leavePage()
+{
+    if (auto* page = qobject_cast<Page*>(m_pages->currentWidget()); page != nullptr && page->stepBack())
+        return;
+    if (pageBehind() == m_lessonsPage)
+        openLessons();
+    else
+        goTo(pageBehind());
+}
+
 void MainWindow::goBack()
 {
     if (isAtDoor() && !m_mayLeaveDoor)
@@ -1719,12 +1730,8 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_console->isVisible()) {
         m_actions->console->trigger();
-    } else if (auto* page = qobject_cast<Page*>(m_pages->currentWidget()); page != nullptr && page->stepBack()) {
-        return;
-    } else if (pageBehind() == m_lessonsPage) {
-        openLessons();
-    } else if (m_pages->currentWidget() != m_room) {
-        goTo(pageBehind());
+    } else if (pageBehind() == m_lessonsPage || m_pages->currentWidget() != m_room) {
+        leavePage();
     } else if (m_infractionCard->isVisible()) {
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {

@@ -458,6 +458,7 @@ private:
     void goTo(QWidget* page);
     void focusRoom();
     void goBack();
+    void leavePage();
     [[nodiscard]] QWidget* pageBehind() const;
     void sayWayBack();
     /// What the student has cut off the present tooth; all zero on a whole one.
