@@ -8,7 +8,7 @@ struct PenSettings
 {
     static constexpr double kLeastCurve = 0.5;
     static constexpr double kMostCurve = 3.0;
-    static constexpr double kLeastShare = 0.05;  ///< a pen that touches presses a little
+    static constexpr double kLeastShare = 0.05;  ///< of the lightest touch
 
     double curve = 1.0;  ///< exponent: 1 is a straight line; with more, a light touch presses more weakly
     bool operator==(const PenSettings&) const = default;

@@ -62,7 +62,7 @@ public:
     virtual void press(QWidget& button) = 0;
     /// Presses what opens the lessons from the practice room.
     virtual void openLessons(QWidget& button) { press(button); }
-    /// Goes to a lesson in the list, by its title, and starts it.
+    /// Selects the lesson with this title in the list and starts it.
     virtual void start(QListView& list, const QString& lesson, QWidget& button) = 0;
     virtual void raiseSlider(QSlider& slider) = 0;
     /// Sets the force from the 0.6 N of the beginning to 1.1 N.

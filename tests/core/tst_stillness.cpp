@@ -108,7 +108,7 @@ private slots:
             for (const double wanted : {-500.0, -20.0, 0.0, 20.0, 500.0}) {
                 const double rest = reachableRestMm(wanted, scale);
                 QVERIFY(std::abs(rest) <= std::abs(wanted));
-                // The bottom of a deep cavity and a lifted bur, at the edge of the tooth.
+                // The hand has to reach the bottom of a deep cavity and a bur lifted above the edge of the tooth.
                 QVERIFY(std::hypot(8.0 * scale, rest - 9.0 * scale) <= core::session::kHandReachMm + 1e-9);
                 QVERIFY(std::hypot(8.0 * scale, rest + 6.0 * scale) <= core::session::kHandReachMm + 1e-9);
             }

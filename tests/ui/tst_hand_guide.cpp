@@ -248,7 +248,7 @@ private slots:
         const auto setup = changed.back().back().value<DeviceSetup>();
         QCOMPARE(setup.scale, 2.5);
         QCOMPARE(setup.restMm, core::session::reachableRestMm(30.0, 2.5));
-        QCOMPARE(child<QDoubleSpinBox>("scale")->value(), 2.5);  // on the page of devices
+        QCOMPARE(child<QDoubleSpinBox>("scale")->value(), 2.5);  // the page of devices shows the change
     }
 
     void everyStateCanBeDrawn_data()

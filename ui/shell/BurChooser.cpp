@@ -28,7 +28,7 @@ constexpr double kNeckSeenMm = 0.4;
 constexpr double kShankPx = 13.0;
 constexpr double kRingPx = 5.0;
 constexpr double kBladePx = 4.0;     ///< from blade to blade
-constexpr double kBladeSlope = 0.6;  ///< sideways for each pixel up
+constexpr double kBladeSlope = 0.6;  ///< of a groove: horizontal pixels per vertical pixel
 constexpr double kGrainPx = 2.0;
 
 /// Both halves of the head, tip at the origin, y upwards negative.
