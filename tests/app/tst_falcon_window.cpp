@@ -110,7 +110,8 @@ private slots:
         WAIT_FOR(child<QLabel>("gripHeight")->text().contains("20 mm above"));
         click("storeHeight");
         WAIT_FOR(child<QLabel>("restHeight")->text().contains("20 mm above"));
-        actions().back->trigger();
+        actions().back->trigger();  // to the devices
+        actions().back->trigger();  // to the tooth
         // The hand is 6 mm above the top of the tooth now.
         falcon.moveTip({0.0, 0.0, 26.0}, 100ms);
         WAIT_FOR(glm::distance(servo().deviceMm, glm::dvec3(0.0, 0.0, 6.0)) < 0.7);
