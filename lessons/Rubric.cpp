@@ -50,13 +50,14 @@ core::Status checkCriterion(const Rubric& rubric, const CriterionRule& rule)
     if (rule.once)
         if (auto sound = checkNumber(rubric, rule, "once", rule.once->reaches, -kLargestRubricNumber); !sound)
             return sound;
-    if (rule.critical && rule.once)
-        return wrong(core::ErrorCode::BadStructure, rubric, rule, "once",
-                     {QT_TRANSLATE_NOOP("Fault", "a critical criterion earns nothing, it has nothing to wait for")});
+    if (rule.capTenths < 0 || rule.capTenths > kFullTenths || (rule.capTenths != 0 && !rule.critical))
+        return wrong(
+            core::ErrorCode::OutOfRange, rubric, rule, "caps_at",
+            {QT_TRANSLATE_NOOP("Fault", "must lie between 0.1 and 100 points, at a criterion without weight")});
     if (rule.critical && rule.weightTenths != 0)
         return wrong(core::ErrorCode::BadStructure, rubric, rule, "weight",
-                     {QT_TRANSLATE_NOOP("Fault", "a critical criterion has none; it fails the attempt and takes all "
-                                                 "points that are left")});
+                     {QT_TRANSLATE_NOOP("Fault", "a critical criterion has none; it limits the points of the whole "
+                                                 "attempt")});
     if (!rule.critical && rule.weightTenths <= 0)
         return wrong(core::ErrorCode::OutOfRange, rubric, rule, "weight",
                      {QT_TRANSLATE_NOOP("Fault", "must be at least 0.1 points")});
@@ -120,6 +121,7 @@ Criterion judge(const CriterionRule& rule, const Values& values)
     line.span = rule.span;
     line.weightTenths = rule.weightTenths;
     line.critical = rule.critical;
+    line.capTenths = rule.capTenths;
     line.once = rule.once;
     line.measured = valueOf(rule.measure, values);
     if (line.measured) {
@@ -133,8 +135,23 @@ Criterion judge(const CriterionRule& rule, const Values& values)
             !line.onceMeasured || rule.once->reaches - *line.onceMeasured >
                                       roundingOf(std::abs(*line.onceMeasured) + std::abs(rule.once->reaches));
     }
-    line.share = line.isTooEarly ? 1.0 : shareOf(line);
+    // Too early to earn anything, and too early to have failed.
+    const double tooEarly = line.critical ? 0.0 : 1.0;
+    line.share = line.isTooEarly ? tooEarly : shareOf(line);
     return line;
+}
+
+/// What the points that are left are limited to by the critical errors: the lowest limit takes all that lies above it.
+int limited(int left, std::vector<Criterion>& lines)
+{
+    Criterion* lowest = nullptr;
+    for (Criterion& line : lines)
+        if (line.critical && line.share > 0.0 && (lowest == nullptr || line.capTenths < lowest->capTenths))
+            lowest = &line;
+    if (lowest == nullptr || lowest->capTenths >= left)
+        return left;
+    lowest->lostTenths = left - lowest->capTenths;
+    return lowest->capTenths;
 }
 
 }  // namespace
@@ -219,13 +236,7 @@ ScoreSheet grade(const Rubric& rubric, const Values& values)
     int left = kFullTenths;
     for (const Criterion& line : sheet.criteria)
         left -= line.lostTenths;
-    for (Criterion& line : sheet.criteria) {
-        if (line.critical && line.share > 0.0) {
-            line.lostTenths = left;  // the first to fail takes what is left, the others find nothing
-            left = 0;
-        }
-    }
-    sheet.totalTenths = left;
+    sheet.totalTenths = limited(left, sheet.criteria);
     return sheet;
 }
 

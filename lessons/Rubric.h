@@ -36,7 +36,8 @@ struct CriterionRule
     std::optional<Once> once;
     double span = 0.0;      ///< an error of so much beyond the tolerance costs the whole weight; 0: any does
     int weightTenths = 0;   ///< tenths of a point that can be lost here; 0 for a critical one
-    bool critical = false;  ///< any error beyond the tolerance fails the attempt and takes all that is left
+    bool critical = false;  ///< any error beyond the tolerance takes all points above capTenths
+    int capTenths = 0;      ///< what a critical error leaves at most; 0: nothing, and the attempt fails
     bool operator==(const CriterionRule&) const = default;
 };
 

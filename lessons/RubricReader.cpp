@@ -62,6 +62,16 @@ CriterionRule takeCriterion(JsonKeys& keys)
     rule.target = keys.number("target", -kLargestRubricNumber, kLargestRubricNumber, rule.unit.c_str(), 0.0);
     rule.tolerance = keys.number("tolerance", 0.0, kLargestRubricNumber, rule.unit.c_str(), 0.0);
     rule.critical = keys.flag("critical", false);
+    if (keys.has("caps_at")) {
+        rule.capTenths = takeTenths(keys, "caps_at", 0);
+        if (rule.critical)
+            keys.fault("caps_at", {QT_TRANSLATE_NOOP("Fault", "a critical criterion leaves no points; give one of the "
+                                                              "two")});
+        else if (rule.capTenths == 0)
+            keys.fault("caps_at", {QT_TRANSLATE_NOOP("Fault", "must be at least 0.1 points; an error that leaves none "
+                                                              "is \"critical\"")});
+        rule.critical = true;
+    }
     rule.span = keys.number("span", 0.0, kLargestRubricNumber, rule.unit.c_str(), 0.0);
     if (auto allowance = keys.object("allowance")) {
         if (!allowance->has("each"))

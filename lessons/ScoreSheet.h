@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,11 +43,13 @@ struct Criterion
     double span = 0.0;
     int weightTenths = 0;
     bool critical = false;
+    int capTenths = 0;  ///< what a critical error leaves at most
     std::optional<Once> once;
     std::optional<double> onceMeasured;  ///< of the measure that `once` names
     bool isTooEarly = false;             ///< what `once` asks for has not been done
     double error = 0.0;                  ///< beyond the tolerance, in `unit`; 0 where nothing was measured
-    double share = 0.0;  ///< of the weight that is lost, 0 .. 1; 1 where nothing was measured or it is too early
+    double share =
+        0.0;  ///< of the weight that is lost, 0 .. 1; 1 where nothing was measured or it is too early (critical: 0)
     int lostTenths = 0;  ///< tenths of a point, exactly
     bool operator==(const Criterion&) const = default;
 };
@@ -65,13 +68,16 @@ struct ScoreSheet
     int totalTenths = 0;  ///< 0 .. 1000
     bool operator==(const ScoreSheet&) const = default;
 
-    [[nodiscard]] bool failedCritically() const
+    /// The points that the most serious error leaves at most; nothing without such an error.
+    [[nodiscard]] std::optional<int> limitTenths() const
     {
+        std::optional<int> limit;
         for (const Criterion& criterion : criteria)
             if (criterion.critical && criterion.share > 0.0)
-                return true;
-        return false;
+                limit = limit ? std::min(*limit, criterion.capTenths) : criterion.capTenths;
+        return limit;
     }
+    [[nodiscard]] bool failedCritically() const { return limitTenths() == 0; }
     [[nodiscard]] bool passed() const { return totalTenths >= passMarkTenths && !failedCritically(); }
 };
 

@@ -117,6 +117,8 @@ std::optional<Criterion> criterionIn(const QJsonObject& object)
     criterion.error = line.number(QLatin1String("error"));
     criterion.share = line.number(QLatin1String("share"));
     criterion.lostTenths = line.count(QLatin1String("lost_tenths"));
+    if (!line.value(QLatin1String("cap_tenths")).isUndefined())
+        criterion.capTenths = line.count(QLatin1String("cap_tenths"));
     if (!line.areThere())
         return std::nullopt;
     const QJsonValue condition = line.value(QLatin1String("once"));
@@ -152,6 +154,8 @@ QByteArray toJson(const ScoreSheet& sheet, const std::optional<PresetUsed>& pres
             {"share", criterion.share},
             {"lost_tenths", criterion.lostTenths},
         };
+        if (criterion.capTenths != 0)
+            line.insert(QStringLiteral("cap_tenths"), criterion.capTenths);
         if (criterion.once)
             line.insert(QStringLiteral("once"),
                         QJsonObject{

@@ -608,6 +608,21 @@
         <source>The measured value was not saved</source>
         <translation>Der gemessene Wert wurde nicht gespeichert</translation>
     </message>
+    <message>
+        <source>Counts as soon as %1</source>
+        <extracomment>%1: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
+        <translation>Zählt, sobald %1</translation>
+    </message>
+    <message>
+        <source>Not measured, so the score is limited to %1 points</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>Nicht gemessen, daher ist die Punktzahl auf %1 begrenzt</translation>
+    </message>
+    <message>
+        <source>Allowed: %1. The score is limited to %2 points</source>
+        <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;; %2: points of a score</extracomment>
+        <translation>Erlaubt: %1. Die Punktzahl ist auf %2 begrenzt</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -1435,14 +1450,6 @@
         <translation>%1 %2 liegt nicht zwischen %3 und %4</translation>
     </message>
     <message>
-        <source>a critical criterion earns nothing, it has nothing to wait for</source>
-        <translation>ein kritisches Kriterium bringt keine Punkte, es hat auf nichts zu warten</translation>
-    </message>
-    <message>
-        <source>a critical criterion has none; it fails the attempt and takes all points that are left</source>
-        <translation>ein kritisches Kriterium hat keines; es lässt den Versuch scheitern und nimmt alle übrigen Punkte</translation>
-    </message>
-    <message>
         <source>must be at least 0.1 points</source>
         <translation>muss mindestens 0,1 Punkte sein</translation>
     </message>
@@ -1853,6 +1860,22 @@
     <message>
         <source>Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.</source>
         <translation>Pedale und Gamepads können nicht gelesen werden (%1). Maus und Tastatur gehen ohne sie.</translation>
+    </message>
+    <message>
+        <source>must lie between 0.1 and 100 points, at a criterion without weight</source>
+        <translation>muss zwischen 0,1 und 100 Punkten liegen, bei einem Kriterium ohne Gewicht</translation>
+    </message>
+    <message>
+        <source>a critical criterion has none; it limits the points of the whole attempt</source>
+        <translation>ein kritisches Kriterium hat keines; es begrenzt die Punkte des ganzen Versuchs</translation>
+    </message>
+    <message>
+        <source>a critical criterion leaves no points; give one of the two</source>
+        <translation>ein kritisches Kriterium lässt keine Punkte übrig; geben Sie nur eines von beiden an</translation>
+    </message>
+    <message>
+        <source>must be at least 0.1 points; an error that leaves none is &quot;critical&quot;</source>
+        <translation>muss mindestens 0,1 Punkte sein; ein Fehler, der keine übrig lässt, ist &quot;critical&quot;</translation>
     </message>
 </context>
 <context>
@@ -2362,6 +2385,16 @@
     <message>
         <source>This exercise has no expert&apos;s attempt.</source>
         <translation>Zu dieser Übung gibt es keinen Versuch eines Experten.</translation>
+    </message>
+    <message>
+        <source>beyond it the score is limited to %1 points</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>darüber ist die Punktzahl auf %1 begrenzt</translation>
+    </message>
+    <message>
+        <source>%1: limits the score to %2 points</source>
+        <extracomment>%1 is a criterion; %2: points of a score</extracomment>
+        <translation>%1: begrenzt die Punktzahl auf %2</translation>
     </message>
 </context>
 <context>
@@ -9529,6 +9562,10 @@ ungesichert</translation>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
         <translation>%1 Arbeit unvollständig</translation>
     </message>
+    <message>
+        <source>This error limits the score to %1 points</source>
+        <translation>Dieser Fehler begrenzt die Punktzahl auf %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ExerciseCard</name>
@@ -10338,6 +10375,11 @@ ungesichert</translation>
         <source>Span of: %1</source>
         <translation>Spanne von: %1</translation>
     </message>
+    <message>
+        <source>at most %1</source>
+        <extracomment>%1: the points that an error leaves at most</extracomment>
+        <translation>höchstens %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ScorePage</name>
@@ -10622,6 +10664,11 @@ ungesichert</translation>
     <message>
         <source>Show the moment in the replay</source>
         <translation>Den Moment in der Wiedergabe zeigen</translation>
+    </message>
+    <message>
+        <source>Not passed: an error limits the score to %1</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>Nicht bestanden: Ein Fehler begrenzt die Punktzahl auf %1</translation>
     </message>
 </context>
 <context>

@@ -608,6 +608,21 @@
         <source>The measured value was not saved</source>
         <translation>El valor medido no se guardó</translation>
     </message>
+    <message>
+        <source>Counts as soon as %1</source>
+        <extracomment>%1: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
+        <translation>Cuenta en cuanto %1</translation>
+    </message>
+    <message>
+        <source>Not measured, so the score is limited to %1 points</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>No medido, por lo que la puntuación se limita a %1 puntos</translation>
+    </message>
+    <message>
+        <source>Allowed: %1. The score is limited to %2 points</source>
+        <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;; %2: points of a score</extracomment>
+        <translation>Permitido: %1. La nota se limita a %2 puntos</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -1435,14 +1450,6 @@
         <translation>%1 %2 no está entre %3 y %4</translation>
     </message>
     <message>
-        <source>a critical criterion earns nothing, it has nothing to wait for</source>
-        <translation>un criterio crítico no da puntos, no tiene nada que esperar</translation>
-    </message>
-    <message>
-        <source>a critical criterion has none; it fails the attempt and takes all points that are left</source>
-        <translation>un criterio crítico no tiene ninguno; hace fallar el intento y quita todos los puntos que quedan</translation>
-    </message>
-    <message>
         <source>must be at least 0.1 points</source>
         <translation>debe ser de al menos 0,1 puntos</translation>
     </message>
@@ -1853,6 +1860,22 @@
     <message>
         <source>Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.</source>
         <translation>No se pueden leer pedales ni mandos (%1). El ratón y el teclado funcionan sin ellos.</translation>
+    </message>
+    <message>
+        <source>must lie between 0.1 and 100 points, at a criterion without weight</source>
+        <translation>debe estar entre 0,1 y 100 puntos, en un criterio sin peso</translation>
+    </message>
+    <message>
+        <source>a critical criterion has none; it limits the points of the whole attempt</source>
+        <translation>un criterio crítico no tiene; limita los puntos de todo el intento</translation>
+    </message>
+    <message>
+        <source>a critical criterion leaves no points; give one of the two</source>
+        <translation>un criterio crítico no deja puntos; indique solo uno de los dos</translation>
+    </message>
+    <message>
+        <source>must be at least 0.1 points; an error that leaves none is &quot;critical&quot;</source>
+        <translation>debe ser de al menos 0,1 puntos; un error que no deja ninguno es &quot;critical&quot;</translation>
     </message>
 </context>
 <context>
@@ -2362,6 +2385,16 @@
     <message>
         <source>This exercise has no expert&apos;s attempt.</source>
         <translation>Este ejercicio no tiene un intento del experto.</translation>
+    </message>
+    <message>
+        <source>beyond it the score is limited to %1 points</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>más allá, la puntuación se limita a %1 puntos</translation>
+    </message>
+    <message>
+        <source>%1: limits the score to %2 points</source>
+        <extracomment>%1 is a criterion; %2: points of a score</extracomment>
+        <translation>%1: limita la puntuación a %2 puntos</translation>
     </message>
 </context>
 <context>
@@ -9529,6 +9562,10 @@ sin guardar</translation>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
         <translation>%1 trabajo incompleto</translation>
     </message>
+    <message>
+        <source>This error limits the score to %1 points</source>
+        <translation>Este error limita la puntuación a %1 puntos</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ExerciseCard</name>
@@ -10338,6 +10375,11 @@ sin guardar</translation>
         <source>Span of: %1</source>
         <translation>Margen de: %1</translation>
     </message>
+    <message>
+        <source>at most %1</source>
+        <extracomment>%1: the points that an error leaves at most</extracomment>
+        <translation>como máximo %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ScorePage</name>
@@ -10622,6 +10664,11 @@ sin guardar</translation>
     <message>
         <source>Show the moment in the replay</source>
         <translation>Mostrar el momento en la repetición</translation>
+    </message>
+    <message>
+        <source>Not passed: an error limits the score to %1</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>No aprobado: un error limita la puntuación a %1</translation>
     </message>
 </context>
 <context>

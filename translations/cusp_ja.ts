@@ -606,6 +606,21 @@
         <source>The measured value was not saved</source>
         <translation>測定した値は保存されていません</translation>
     </message>
+    <message>
+        <source>Counts as soon as %1</source>
+        <extracomment>%1: what has to be done: &quot;50 % of the decay is removed&quot;</extracomment>
+        <translation>%1以降に判定されます</translation>
+    </message>
+    <message>
+        <source>Not measured, so the score is limited to %1 points</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>測定されていないため、得点は最大%1点です</translation>
+    </message>
+    <message>
+        <source>Allowed: %1. The score is limited to %2 points</source>
+        <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;; %2: points of a score</extracomment>
+        <translation>許容：%1。得点は最大%2点です</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -1433,14 +1448,6 @@
         <translation>%1 %2は%3から%4の間にありません</translation>
     </message>
     <message>
-        <source>a critical criterion earns nothing, it has nothing to wait for</source>
-        <translation>必須の評価項目は得点にならないため、待つ条件はありません</translation>
-    </message>
-    <message>
-        <source>a critical criterion has none; it fails the attempt and takes all points that are left</source>
-        <translation>必須の評価項目に配点はありません。満たさないと試行は不合格になり、残りの点をすべて失います</translation>
-    </message>
-    <message>
         <source>must be at least 0.1 points</source>
         <translation>0.1点以上でなければなりません</translation>
     </message>
@@ -1851,6 +1858,22 @@
     <message>
         <source>Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.</source>
         <translation>ペダルとゲームパッドを読み取れません（%1）。マウスとキーボードはそのまま使えます。</translation>
+    </message>
+    <message>
+        <source>must lie between 0.1 and 100 points, at a criterion without weight</source>
+        <translation>0.1から100点の間で、配点のない項目に指定します</translation>
+    </message>
+    <message>
+        <source>a critical criterion has none; it limits the points of the whole attempt</source>
+        <translation>重大な項目にはありません。全体の得点を制限します</translation>
+    </message>
+    <message>
+        <source>a critical criterion leaves no points; give one of the two</source>
+        <translation>重大な項目は得点を残しません。どちらか一方を指定してください</translation>
+    </message>
+    <message>
+        <source>must be at least 0.1 points; an error that leaves none is &quot;critical&quot;</source>
+        <translation>0.1点以上にしてください。得点を残さない誤りは &quot;critical&quot; です</translation>
     </message>
 </context>
 <context>
@@ -2359,6 +2382,16 @@
     <message>
         <source>This exercise has no expert&apos;s attempt.</source>
         <translation>この練習にはエキスパートの試行がありません。</translation>
+    </message>
+    <message>
+        <source>beyond it the score is limited to %1 points</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>それを超えると得点は最大%1点</translation>
+    </message>
+    <message>
+        <source>%1: limits the score to %2 points</source>
+        <extracomment>%1 is a criterion; %2: points of a score</extracomment>
+        <translation>%1：得点は最大%2点</translation>
     </message>
 </context>
 <context>
@@ -9472,6 +9505,10 @@ unsaved</source>
         <source>Show every moment</source>
         <translation>すべての時点を表示します</translation>
     </message>
+    <message>
+        <source>This error limits the score to %1 points</source>
+        <translation>この誤りにより得点は最大%1点になります</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ExerciseCard</name>
@@ -10275,6 +10312,11 @@ unsaved</source>
         <source>All weights: %1 points; they must make 100</source>
         <translation>配点の合計：%1点。100点にしてください</translation>
     </message>
+    <message>
+        <source>at most %1</source>
+        <extracomment>%1: the points that an error leaves at most</extracomment>
+        <translation>最大%1点</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ScorePage</name>
@@ -10557,6 +10599,11 @@ unsaved</source>
     <message>
         <source>Show the moment in the replay</source>
         <translation>再生でその場面を見る</translation>
+    </message>
+    <message>
+        <source>Not passed: an error limits the score to %1</source>
+        <extracomment>%1: points of a score</extracomment>
+        <translation>不合格：誤りにより得点は最大%1点</translation>
     </message>
 </context>
 <context>

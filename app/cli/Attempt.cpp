@@ -211,7 +211,8 @@ QString toText(const lessons::ScoreSheet& sheet)
                                      ? QStringLiteral("%1 %2").arg(*criterion.measured, 0, 'f', 3).arg(unit)
                                      : QStringLiteral("not measured");
         const QString rule =
-            criterion.critical
+            criterion.capTenths > 0 ? QStringLiteral("at most %1 points").arg(points(criterion.capTenths))
+            : criterion.critical
                 ? QStringLiteral("critical")
                 : QStringLiteral("span %1, %2 points").arg(criterion.span).arg(points(criterion.weightTenths));
         const QString once = criterion.isTooEarly ? QStringLiteral(", earned once %1 reaches %2")

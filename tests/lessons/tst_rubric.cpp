@@ -174,11 +174,12 @@ private slots:
         QVERIFY(wrong.criteria[1].error > 0.0);
         QCOMPARE(wrong.criteria[1].lostTenths, 500);
         QCOMPARE(lostByError(wrong.criteria[1], Verdict::SumOfErrors), 375);
-        // What fails an attempt earns nothing, so it has nothing to wait for.
+        // What fails an attempt does not fail it before.
         rubric.criteria[1].critical = true;
         rubric.criteria[1].weightTenths = 0;
         rubric.criteria[0].weightTenths = 1000;
-        QVERIFY(support::isRefused(check(rubric), "once"));
+        QCOMPARE(graded({{"a", 0.0}, {"b", 9.0}, {"done", 12.0}}).totalTenths, 1000);
+        QVERIFY(graded({{"a", 0.0}, {"b", 9.0}, {"done", 60.0}}).failedCritically());
     }
 
     void theWorstErrorDecides()
@@ -211,6 +212,41 @@ private slots:
         Rubric lenient = rubric;
         lenient.passMarkTenths = 0;
         QVERIFY(!grade(lenient, {{"a", 9.0}, {"b", 9.0}, {"harm", 1.0}, {"worse", 0.0}}).passed());
+    }
+
+    void theLowestLimitCounts()
+    {
+        Rubric rubric = twoHalves();
+        rubric.criteria.push_back(rule("thin", 0.0, 0.1, 0.0, 0));
+        rubric.criteria.push_back(rule("thinner", 0.0, 0.5, 0.0, 0));
+        rubric.criteria[2].critical = rubric.criteria[3].critical = true;
+        rubric.criteria[2].capTenths = 650;
+        rubric.criteria[3].capTenths = 500;
+        QVERIFY(support::succeeds(check(rubric)));
+        const auto graded = [&](double a, double thin, double thinner) {
+            return grade(rubric, {{"a", a}, {"b", 1.5}, {"thin", thin}, {"thinner", thinner}});
+        };
+        QVERIFY(graded(2.0, 0.1, 0.5).passed());
+        ScoreSheet sheet = graded(2.0, 0.2, 0.2);
+        QCOMPARE(sheet.totalTenths, 650);
+        QCOMPARE(sheet.criteria[0].lostTenths, 250);  // what the rest cost stays
+        QCOMPARE(sheet.criteria[2].lostTenths, 100);
+        QVERIFY(!sheet.passed() && !sheet.failedCritically() && sheet.limitTenths() == 650);
+        sheet = graded(2.0, 0.6, 0.6);
+        QCOMPARE(sheet.totalTenths, 500);
+        QCOMPARE(sheet.criteria[2].lostTenths, 0);
+        QCOMPARE(sheet.criteria[3].lostTenths, 250);
+        // Who has fewer points already loses none.
+        sheet = graded(9.0, 0.6, 0.6);
+        QCOMPARE(sheet.totalTenths, 500);
+        QCOMPARE(sheet.criteria[3].lostTenths, 0);
+        QVERIFY(sheetIn(toJson(sheet).toStdString()) == sheet);
+        // Before there is anything to judge, it limits nothing.
+        rubric.criteria[2].once = Once{"a", "mm", 5.0};
+        QCOMPARE(graded(2.0, 0.2, 0.2).totalTenths, 750);
+        QCOMPARE(graded(6.0, 0.2, 0.2).totalTenths, 500);
+        rubric.criteria[0].capTenths = 100;
+        QVERIFY(support::isRefused(check(rubric), "caps_at"));
     }
 
     void theSumIsAlwaysExact()

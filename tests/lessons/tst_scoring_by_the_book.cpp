@@ -64,6 +64,7 @@ struct BookRule
     Units span = 0;
     int weight = 0;
     bool critical = false;
+    int cap = 0;  ///< of a critical one
 };
 
 struct BookRubric
@@ -139,7 +140,7 @@ BookLine lineByTheBook(const BookRule& rule, const std::vector<BookValue>& value
     line.measured = values[rule.measure].reading == Reading::Number;
     line.tooEarly = isTooEarly(rule, values);
     if (!line.measured) {
-        line.share = {1, 1};
+        line.share = {rule.critical && line.tooEarly ? 0 : 1, 1};
         return line;
     }
     const Units above = (values[rule.measure].units - rule.target) * scale;
@@ -151,7 +152,7 @@ BookLine lineByTheBook(const BookRule& rule, const std::vector<BookValue>& value
     if (line.error > 0)
         line.share = line.error < line.whole ? Fraction{line.error, line.whole} : Fraction{1, 1};
     if (line.tooEarly)
-        line.share = {1, 1};
+        line.share = {rule.critical ? 0 : 1, 1};
     return line;
 }
 
@@ -189,12 +190,17 @@ BookSheet byTheBook(const BookRubric& rubric, const std::vector<BookValue>& valu
         sheet.open = sheet.open || (half && !decided);
     }
     bool failed = false;
-    for (std::size_t i = 0; i < rules.size(); ++i)
+    std::optional<std::size_t> gravest;
+    for (std::size_t i = rules.size(); i-- > 0;)
         if (rules[i].critical && lines[i].share.part > 0) {
-            lines[i].lost = left;
-            left = 0;
-            failed = true;
+            failed = failed || rules[i].cap == 0;
+            if (!gravest || rules[i].cap <= rules[*gravest].cap)
+                gravest = i;
         }
+    if (gravest) {
+        lines[*gravest].lost = std::max(0, left - rules[*gravest].cap);
+        left = std::min(left, rules[*gravest].cap);
+    }
     sheet.total = left;
     sheet.passed = sheet.total >= rubric.passMark && !failed;
 
@@ -243,7 +249,7 @@ std::string differenceInDoubles(const BookRubric& rubric, const std::vector<Book
             const BookValue& done = values[*rule.once];
             const double limit = std::max(1e-9, 1e-14 * (std::abs(real(done.units)) + std::abs(real(rule.reaches))));
             if (done.reading != Reading::Number || real(rule.reaches) - real(done.units) > limit)
-                share = 1.0;
+                share = rule.critical ? 0.0 : 1.0;
         }
         const Criterion& got = sheet.criteria.at(shares.size());
         if (got.tolerance != tolerance || got.error != error || got.share != share)
@@ -255,11 +261,14 @@ std::string differenceInDoubles(const BookRubric& rubric, const std::vector<Book
     int lost = 0;
     bool found = false;
     bool failed = false;
+    int limit = 1000;
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const BookRule& rule = rubric.rules[i];
-        failed = failed || (rule.critical && shares[i] > 0.0);
-        if (rule.critical)
+        if (rule.critical) {
+            failed = failed || (rule.cap == 0 && shares[i] > 0.0);
+            limit = shares[i] > 0.0 ? std::min(limit, rule.cap) : limit;
             continue;
+        }
         const bool worst = !found && shares[i] == largest;
         found = found || worst;
         const int stake = !rubric.worstError ? rule.weight : worst ? 1000 : 0;
@@ -268,7 +277,7 @@ std::string differenceInDoubles(const BookRubric& rubric, const std::vector<Book
             return "in doubles, lost by criterion " + std::to_string(i);
         lost += loses;
     }
-    const int total = failed ? 0 : 1000 - lost;
+    const int total = std::min(1000 - lost, limit);
     if (sheet.totalTenths != total || sheet.passed() != (total >= rubric.passMark && !failed))
         return std::string("in doubles, total or passed");
     return {};
@@ -342,7 +351,7 @@ Attempt randomAttempt(std::uint64_t seed)
     for (int criticals = std::max(0, rng.below(6) - 2); criticals > 0; --criticals) {
         BookRule rule = randomRule(rng, measures, rubric.scale);
         rule.critical = true;
-        rule.once.reset();
+        rule.cap = rng.below(2) == 0 ? 0 : 1 + rng.below(1000);
         const auto place = rng.below(static_cast<int>(rubric.rules.size()) + 1);
         rubric.rules.insert(rubric.rules.begin() + place, rule);
     }
@@ -400,6 +409,7 @@ Rubric toRubric(const BookRubric& book)
         criterion.span = number(rule.span, book.scale);
         criterion.weightTenths = rule.weight;
         criterion.critical = rule.critical;
+        criterion.capTenths = rule.cap;
         rubric.criteria.push_back(criterion);
     }
     return rubric;
@@ -559,11 +569,14 @@ private slots:
             met["exact halves"] += book.halves;
             met["worst error"] += attempt.rubric.worstError ? 1 : 0;
             int criticals = 0;
+            int caps = 0;
             int shares = 0;
             for (std::size_t i = 0; i < book.lines.size(); ++i) {
                 const BookRule& rule = attempt.rubric.rules[i];
                 const BookLine& line = book.lines[i];
                 criticals += rule.critical && line.share.part > 0 ? 1 : 0;
+                caps += rule.cap > 0 && line.lost > 0 ? 1 : 0;
+                met["too early to fail"] += rule.critical && line.tooEarly && line.error > 0 ? 1 : 0;
                 shares += !rule.critical && line.share.part == line.share.whole ? 1 : 0;
                 met["unmeasured"] += line.measured ? 0 : 1;
                 met["too early"] += line.tooEarly ? 1 : 0;
@@ -581,6 +594,7 @@ private slots:
             }
             met["failed critically"] += criticals > 0 ? 1 : 0;
             met["failed critically twice"] += criticals > 1 ? 1 : 0;
+            met["limited"] += caps;
             met["equal worst errors"] += attempt.rubric.worstError && shares > 1 ? 1 : 0;
         }
         qInfo("compared %d; left out %d that hang on the last bit of a double", compared, open);

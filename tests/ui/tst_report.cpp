@@ -296,6 +296,12 @@ private slots:
         card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
         card.sheet.criteria.front().critical = true;
         card.sheet.criteria.front().share = 1.0;
+        ScoreCard limited = m_card;
+        limited.sheet.criteria.front().critical = true;
+        limited.sheet.criteria.front().capTenths = 650;
+        limited.sheet.criteria.front().share = 1.0;
+        limited.sheet.totalTenths = 650;
+        row("limited", limited, {"Not passed: an error limits the score to 65.0"});
         row("harm, aids and a breach", card,
             {ui::study::ScorePage::verdictWords(card.sheet, {}), "Not passed: critical error",
              "1 breach(es) of the rules: ", " at 0:37", "Aids in use: section, ideal", "Middle half", "Class median",

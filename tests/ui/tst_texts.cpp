@@ -389,6 +389,15 @@ private slots:
         QTest::newRow("critical")
             << criterion("a", 0.2, "mm2", Side::Over, 0, 0, 0, 0)
             << "Allowed: up to 0.00 mm². The attempt fails and the remaining 100.0 points are lost";
+        lessons::Criterion capped = criterion("a", 1.2, "mm", Side::Under, 1.4, 0, 0, 0);
+        capped.capTenths = 650;
+        QTest::newRow("limited") << capped << "Allowed: at least 1.40 mm. The score is limited to 65.0 points";
+        capped.measured.reset();
+        QTest::newRow("limited, not measured") << capped << "Not measured, so the score is limited to 65.0 points";
+        capped.share = 0.0;
+        capped.isTooEarly = true;
+        capped.once = lessons::Once{"caries_removed_percent", "percent", 50.0};
+        QTest::newRow("too early for a limit") << capped << "Counts as soon as 50 % of the decay is removed";
         QTest::newRow("not measured") << criterion("a", {}, "mm", Side::Over, 0, 0, 1, 150)
                                       << "Not measured, so it earns none of its 15.0 points";
         lessons::Criterion early = criterion("a", 0, "mm3", Side::Over, 0, 4, 20, 400);

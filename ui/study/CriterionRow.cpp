@@ -128,9 +128,10 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
                                              : palette().color(QPalette::PlaceholderText));
     lost->setObjectName(QStringLiteral("lost_") + id);
     //: Tooltip on the points of one criterion
-    lost->setToolTip(criterion.critical
-                         ? tr("The attempt fails and all remaining points are lost")
-                         : tr("At most %1 points can be lost here").arg(text::points(criterion.weightTenths)));
+    lost->setToolTip(
+        criterion.capTenths > 0 ? tr("This error limits the score to %1 points").arg(text::points(criterion.capTenths))
+        : criterion.critical    ? tr("The attempt fails and all remaining points are lost")
+                                : tr("At most %1 points can be lost here").arg(text::points(criterion.weightTenths)));
     m_slot->addWidget(lost, 0, 2);
     m_worked = words(text::criterionWorked(criterion, verdict), kSmall, QFont::Normal, QPalette::PlaceholderText, this);
     m_worked->setWordWrap(true);

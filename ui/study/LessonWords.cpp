@@ -232,6 +232,10 @@ QString ruleWords(const ::lessons::CriterionRule& rule)
         //: %1: what has to be done before points are earned: "50 % of the decay is removed"
         words += QCoreApplication::translate("Lesson", " as soon as %1").arg(text::onceWords(*rule.once));
     words += QStringLiteral("; ");
+    if (rule.capTenths > 0)
+        //: %1: points of a score
+        return words + QCoreApplication::translate("Lesson", "beyond it the score is limited to %1 points")
+                           .arg(text::points(rule.capTenths));
     if (rule.critical)
         return words + QCoreApplication::translate("Lesson", "beyond it the attempt fails");
     const QString points = text::points(rule.weightTenths);
@@ -298,12 +302,16 @@ QStringList criteriaWords(const ::lessons::Rubric& rubric)
     QStringList lines;
     for (const ::lessons::CriterionRule& rule : rubric.criteria) {
         const QString name = titleOf(rule);
-        lines << (rule.critical
-                      //: %1 is a criterion
-                      ? QCoreApplication::translate("Lesson", "%1: fails the attempt").arg(name)
-                      //: %1 is a criterion, %2 what it may cost
-                      : QCoreApplication::translate("Lesson", "%1: %2 points")
-                            .arg(name, text::points(rule.weightTenths)));
+        lines << (rule.capTenths > 0
+                      //: %1 is a criterion; %2: points of a score
+                      ? QCoreApplication::translate("Lesson", "%1: limits the score to %2 points")
+                            .arg(name, text::points(rule.capTenths))
+                      : rule.critical
+                            //: %1 is a criterion
+                            ? QCoreApplication::translate("Lesson", "%1: fails the attempt").arg(name)
+                            //: %1 is a criterion, %2 what it may cost
+                            : QCoreApplication::translate("Lesson", "%1: %2 points")
+                                  .arg(name, text::points(rule.weightTenths)));
     }
     return lines;
 }

@@ -134,7 +134,10 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
         inputs.tolerance->setObjectName(QStringLiteral("tolerance.") + QString::fromStdString(rule.id));
         inputs.tolerance->setFixedWidth(kInputPx - kSpace2);
         if (rule.critical) {
-            grid->addWidget(quiet(tr("fails"), kBody), row, 2);
+            //: %1: the points that an error leaves at most
+            grid->addWidget(
+                quiet(rule.capTenths > 0 ? tr("at most %1").arg(text::points(rule.capTenths)) : tr("fails"), kBody),
+                row, 2);
         } else {
             inputs.weight = add(numberInput(0.1, 100.0, 1, {}, {}, m_inputs), "weight", 2);
             inputs.weight->setFixedWidth(kInputPx - kSpace6);

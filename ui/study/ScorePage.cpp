@@ -692,9 +692,14 @@ QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optiona
     if (givenTenths)
         return *givenTenths >= sheet.passMarkTenths ? tr("Passed (teacher's decision)")
                                                     : tr("Not passed (teacher's decision)");
-    return sheet.passed()             ? tr("Passed")
-           : sheet.failedCritically() ? tr("Not passed: critical error")
-                                      : tr("Not passed yet");
+    if (sheet.passed())
+        return tr("Passed");
+    const std::optional<int> limit = sheet.limitTenths();
+    if (!limit)
+        return tr("Not passed yet");
+    //: %1: points of a score
+    return *limit > 0 ? tr("Not passed: an error limits the score to %1").arg(text::points(*limit))
+                      : tr("Not passed: critical error");
 }
 
 QString ScorePage::sumWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)

@@ -724,11 +724,18 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
 {
     if (criterion.measure.empty())
         return QCoreApplication::translate("Criterion", "The measured value was not saved");
+    if (criterion.critical && criterion.isTooEarly)
+        //: %1: what has to be done: "50 % of the decay is removed"
+        return QCoreApplication::translate("Criterion", "Counts as soon as %1").arg(onceWords(*criterion.once));
     if (criterion.isTooEarly && criterion.lostTenths > 0)
         //: %1: points of a score, %2: what has to be done: "50 % of the decay is removed"
         return QCoreApplication::translate("Criterion", "None of its %1 points are earned before %2")
             .arg(points(verdict == lessons::Verdict::WorstError ? lessons::kFullTenths : criterion.weightTenths),
                  onceWords(*criterion.once));
+    if (!criterion.measured && criterion.capTenths > 0)
+        //: %1: points of a score
+        return QCoreApplication::translate("Criterion", "Not measured, so the score is limited to %1 points")
+            .arg(points(criterion.capTenths));
     if (!criterion.measured)
         return criterion.critical
                    ? QCoreApplication::translate(
@@ -738,6 +745,10 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
                          .arg(points(criterion.weightTenths));
     if (!(criterion.share > 0.0))
         return QCoreApplication::translate("Criterion", "%1: nothing lost").arg(freeRange(criterion));
+    if (criterion.capTenths > 0)
+        //: %1 is a range: "up to 0.00 mm²"; %2: points of a score
+        return QCoreApplication::translate("Criterion", "Allowed: %1. The score is limited to %2 points")
+            .arg(freeRange(criterion), points(criterion.capTenths));
     if (criterion.critical)
         //: %1 is a range: "up to 0.00 mm²"
         return QCoreApplication::translate("Criterion",
