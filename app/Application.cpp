@@ -1494,8 +1494,7 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
     if (!done || done->findings.generation != m_ownGeneration)
         return;
     const core::session::Findings& found = done->findings;
-    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids,
-                                   found.practised};
+    const lessons::Conduct conduct{found.process, found.infractions, found.aids, found.practised};
     const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
@@ -1818,7 +1817,7 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
             const ui::study::ScoredWork work{std::make_shared<const core::terrain::Tooth>(marked->outcome.tooth),
                                              assignment ? assignment->shownIdeal() : nullptr,
                                              marked->mark.measured,
-                                             marked->infractions,
+                                             marked->conduct.infractions,
                                              marked->conduct.aids,
                                              lessons::presetUsed(recording),
                                              assignment ? assignment->exercise : std::nullopt};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/Assignment.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 
@@ -361,12 +363,23 @@ markAgain(const core::recording::Recording& recording,
         });
     if (!outcome)
         return tl::unexpected(outcome.error());
-    Conduct conduct{examiner.process(), static_cast<int>(examiner.infractions().size()), examiner.aids(),
-                    examiner.practised()};
+    Conduct conduct{examiner.process(), examiner.infractions(), examiner.aids(), examiner.practised()};
     auto marked = mark(*assignment, outcome->tooth, conduct);
     if (!marked)
         return tl::unexpected(marked.error());
-    return Remarked{std::move(*outcome), std::move(*marked), std::move(conduct), examiner.infractions()};
+    return Remarked{std::move(*outcome), std::move(*marked), std::move(conduct)};
+}
+
+void Conduct::addTo(core::grading::Measured& measured) const
+{
+    const auto isHit = [](const core::grading::Infraction& infraction) {
+        return infraction.breach == core::grading::Breach::NeighbourHit;
+    };
+    measured.process = process;
+    measured.infractions = static_cast<int>(infractions.size());
+    measured.neighbourHits = static_cast<int>(std::count_if(infractions.begin(), infractions.end(), isHit));
+    measured.aidsUsed = std::popcount(aids);
+    measured.practised = practised;
 }
 
 core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
@@ -374,12 +387,10 @@ core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth
 {
     Mark result;
     result.measured.measures = core::grading::measure(tooth, assignment.shownIdeal());
-    if (conduct) {
-        result.measured.process = conduct->process;
-        result.measured.infractions = conduct->infractions;
-        result.measured.aidsUsed = conduct->aidsUsed();
-        result.measured.practised = conduct->practised;
-    }
+    if (!assignment.ideal && !assignment.exercise)
+        result.measured.lesion = core::grading::measureLesionCut(tooth);
+    if (conduct)
+        conduct->addTo(result.measured);
     if (assignment.ideal) {
         auto deviation = core::grading::measureDeviation(tooth, *assignment.ideal, assignment.leeway);
         if (!deviation)

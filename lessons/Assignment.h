@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <bit>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -97,10 +96,12 @@ struct Mark
 struct Conduct
 {
     core::grading::Process process;
-    int infractions = 0;
+    std::vector<core::grading::Infraction> infractions;
     std::uint8_t aids = 0;                              ///< bits of core::session::Aid that were in use
     std::optional<core::grading::Practised> practised;  ///< of an exercise
-    [[nodiscard]] int aidsUsed() const { return std::popcount(aids); }
+
+    /// Sets what is measured of the way of an attempt.
+    void addTo(core::grading::Measured& measured) const;
 };
 
 /// What an examiner of this assignment watches.
@@ -118,7 +119,6 @@ struct Remarked
     core::recording::ReplayOutcome outcome;
     Mark mark;
     Conduct conduct;
-    std::vector<core::grading::Infraction> infractions;
 };
 
 /// Replays a recording, marks it for the lesson it was made for, and says what went wrong when: what was said while it

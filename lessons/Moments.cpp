@@ -173,8 +173,7 @@ private:
     [[nodiscard]] double secondsNow() const { return std::chrono::duration<double>(m_time).count(); }
     [[nodiscard]] Conduct conduct() const
     {
-        return {m_examiner.process(), static_cast<int>(m_examiner.infractions().size()), m_examiner.aids(),
-                m_examiner.practised()};
+        return {m_examiner.process(), m_examiner.infractions(), m_examiner.aids(), m_examiner.practised()};
     }
 
     [[nodiscard]] core::Status endPart()
@@ -218,10 +217,7 @@ private:
         if (m_wayPlaces.empty())
             return;
         const Conduct now = conduct();
-        m_measured.process = now.process;
-        m_measured.infractions = now.infractions;
-        m_measured.aidsUsed = now.aidsUsed();
-        m_measured.practised = now.practised;
+        now.addTo(m_measured);
         Values values;
         const auto take = [&](const std::string& id) {
             if (const auto measure = core::grading::findMeasure(id))

@@ -115,7 +115,7 @@ int replayCommand(const QStringList& arguments)
                            {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
                            {QStringLiteral("measures"), toJson(remarked->mark.measured)},
                            {QStringLiteral("score"), toJsonObject(sheet)},
-                           {QStringLiteral("infractions"), toJson(remarked->infractions)}};
+                           {QStringLiteral("infractions"), toJson(remarked->conduct.infractions)}};
         if (explained) {
             answer.insert(QStringLiteral("moments"), toJson(explained->moments));
             answer.insert(QStringLiteral("moments_s"), explained->momentsS);
@@ -143,7 +143,7 @@ int replayCommand(const QStringList& arguments)
                   .arg(hashText(outcome.stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString(),
                        printable(presetText(*recording))) +
               toText(sheet) + (explained ? toText(explained->moments) + toText(explained->noise) : QString()) +
-              toText(remarked->infractions));
+              toText(remarked->conduct.infractions));
     return kDone;
 }
 

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/grading/AreaExcess.h"
 #include "core/grading/Columns.h"
 #include "core/grading/CutForm.h"
 #include "core/grading/Outline.h"
@@ -169,7 +170,12 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     DepthError error;
     double area = 0.0;
     std::vector<std::pair<double, double>> sizes;
+    std::vector<std::pair<double, double>> depths;
+    std::vector<std::pair<double, double>> heights;
+    AreaExcess gouge;
     sizes.reserve(floor.size());
+    depths.reserve(floor.size());
+    heights.reserve(floor.size());
     error.tooDeepMm.node = error.tooShallowMm.node = floor.empty() ? 0 : floor.front();
     for (const std::size_t k : floor) {
         const double here = ends.nowAt(k) - ends.idealAt(k);
@@ -177,6 +183,9 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
         error.meanMm += std::abs(here) * ends.area(k);
         error.signedMm += here * ends.area(k);
         sizes.emplace_back(std::abs(here), ends.area(k));
+        depths.emplace_back(std::max(0.0, -here), ends.area(k));
+        heights.emplace_back(std::max(0.0, here), ends.area(k));
+        gouge.add(-here, ends.area(k), k);
         if (-here > error.tooDeepMm.value)
             error.tooDeepMm = {-here, k};
         if (here > error.tooShallowMm.value)
@@ -187,6 +196,9 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     error.meanMm /= area;
     error.signedMm /= area;
     error.p95Mm = percentile(sizes, kPercentile);
+    error.deepP95Mm = percentile(depths, kPercentile);
+    error.shallowP95Mm = percentile(heights, kPercentile);
+    error.gougeMm = gouge.over(kLocalMm2);
     return error;
 }
 

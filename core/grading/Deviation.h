@@ -36,15 +36,21 @@ inline constexpr double kFloorMarginMm = 0.2;
 /// Two places of the floor so far apart along x or y make a step.
 inline constexpr double kStepRunMm = 0.2;
 
+/// A place that is too deep counts from this area on, mm2: about that of a small bur's end.
+inline constexpr double kLocalMm2 = 0.5;
+
 /// Depth of the floor against the ideal (teeth.md section 7: floor depth; courseware.md 3.3: depth error).
 /// The error of a column is its height less the ideal one: negative is too deep.
 struct DepthError
 {
-    double meanMm = 0.0;    ///< of the error's size
-    double signedMm = 0.0;  ///< of the error itself
-    double p95Mm = 0.0;     ///< 95 % of the floor's area are off by no more than this
-    Placed tooDeepMm;       ///< most that the floor lies too low, 0 or more
-    Placed tooShallowMm;    ///< most that it lies too high, 0 or more
+    double meanMm = 0.0;        ///< of the error's size
+    double signedMm = 0.0;      ///< of the error itself
+    double p95Mm = 0.0;         ///< 95 % of the floor's area are off by no more than this
+    Placed tooDeepMm;           ///< most that the floor lies too low, 0 or more
+    Placed tooShallowMm;        ///< most that it lies too high, 0 or more
+    double deepP95Mm = 0.0;     ///< 95 % of the floor's area lie no lower than so much below the ideal
+    double shallowP95Mm = 0.0;  ///< and no higher than so much above it
+    Placed gougeMm;             ///< kLocalMm2 of the floor lie so much below the ideal, or more
     bool operator==(const DepthError&) const = default;
 };
 

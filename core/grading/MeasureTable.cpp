@@ -13,6 +13,7 @@ using Node = std::optional<std::size_t>;
 using terrain::Material;
 
 constexpr std::string_view kMetrics = "courseware.md 3.3";
+constexpr std::string_view kSturdevant = "Sturdevant's Art and Science of Operative Dentistry";
 constexpr std::string_view kForms = "teeth.md 7, ideal values of a Class I preparation";
 constexpr std::string_view kPad = "teeth.md 7, training shapes; courseware.md 3.1 (Simodont)";
 constexpr std::string_view kFirstMinutes = "ours: the first five minutes at the device";
@@ -101,6 +102,16 @@ std::optional<Placed> wallAcross(const Measured& m, int sign)
 
 constexpr std::array kSides{Side::MinusX, Side::PlusX, Side::MinusY, Side::PlusY};
 
+Value ofLesionCut(const Measured& m, Placed LesionCut::*part)
+{
+    return m.lesion ? Value(((*m.lesion).*part).value) : std::nullopt;
+}
+
+Node nodeOfLesionCut(const Measured& m, Placed LesionCut::*part)
+{
+    return m.lesion ? worstOf((*m.lesion).*part) : std::nullopt;
+}
+
 /// The wall that leans most (`sign` 1) or least (-1).
 std::optional<Placed> extremeWall(const Measured& m, double sign)
 {
@@ -166,10 +177,30 @@ Value isthmusError(const Measured& m)
     return here->value - m.deviation->idealForm.isthmusMm->value;
 }
 
+/// The mesial ridge (`inDeviation` and `inLesion` name it) or the distal one, in a preparation or where decay was
+/// removed.
+std::optional<Placed> ridge(const Measured& m, std::optional<Placed> Form::*inDeviation,
+                            std::optional<Placed> LesionCut::*inLesion)
+{
+    if (!m.deviation && m.lesion)
+        return (*m.lesion).*inLesion;
+    return inForm(m, inDeviation);
+}
+
+std::optional<Placed> mesialRidge(const Measured& m)
+{
+    return ridge(m, &Form::ridgeMesialMm, &LesionCut::ridgeMesialMm);
+}
+
+std::optional<Placed> distalRidge(const Measured& m)
+{
+    return ridge(m, &Form::ridgeDistalMm, &LesionCut::ridgeDistalMm);
+}
+
 std::optional<Placed> leastRidge(const Measured& m)
 {
-    const auto mesial = inForm(m, &Form::ridgeMesialMm);
-    const auto distal = inForm(m, &Form::ridgeDistalMm);
+    const auto mesial = mesialRidge(m);
+    const auto distal = distalRidge(m);
     return !distal || (mesial && mesial->value <= distal->value) ? mesial : distal;
 }
 
@@ -225,6 +256,22 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
     {"caries_largest_island_mm3", "mm3",
      "Largest piece of decay left; columns hang together where they share an edge and their decay overlaps in height.",
      kMetrics, [](const Measured& m) -> Value { return ofLesion(m, m.measures.largestIslandMm3); }, cariesNode},
+    {"caries_at_junction_mm2", "mm2",
+     "Area, seen from above, in which decay is left within 0.5 mm of the enamel-dentin junction.", kSturdevant,
+     [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::junctionMm2); },
+     [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::junctionMm2); }},
+    {"caries_on_floor_mm2", "mm2", "Area, seen from above, in which decay is left deeper than that.", kSturdevant,
+     [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::floorMm2); },
+     [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::floorMm2); }},
+    {"beyond_lesion_mm", "mm",
+     "Distance, seen from above, from the smallest cavity that clears the decay to what was cut 0.2 mm deep or deeper; "
+     "0.1 mm² are as far away, or farther.",
+     kSturdevant, [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::beyondMm); },
+     [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::beyondMm); }},
+    {"below_lesion_mm", "mm",
+     "Depth of the cut below the decay there was, and below what was deeper within 0.8 mm; 0.5 mm² are as deep, or deeper.",
+     kSturdevant, [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::belowMm); },
+     [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::belowMm); }},
     {"lesion_mm3", "mm3", "Decay before anything was cut.", kMetrics,
      [](const Measured& m) -> Value { return m.measures.lesionMm3; }, nullptr},
     {"access_mm3", "mm3", "Sound tissue straight above the lesion, which has to go with it.", kMetrics,
@@ -337,6 +384,28 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Node {
          return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) { return worstOf(d.tooShallowMm); });
      }},
+    {"depth_deep_p95_mm", "mm", "Distance below the ideal floor that 95 percent of the floor do not exceed.", kSturdevant,
+     [](const Measured& m) -> Value {
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.deepP95Mm; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) { return worstOf(d.tooDeepMm); });
+     }},
+    {"depth_shallow_p95_mm", "mm", "Distance above the ideal floor that 95 percent of the floor do not exceed.",
+     kSturdevant,
+     [](const Measured& m) -> Value {
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.shallowP95Mm; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) { return worstOf(d.tooShallowMm); });
+     }},
+    {"floor_gouge_mm", "mm", "Distance below the ideal floor of its deepest 0.5 mm².", kSturdevant,
+     [](const Measured& m) -> Value {
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.gougeMm.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) { return worstOf(d.gougeMm); });
+     }},
 
     {"outline_mean_mm", "mm", "Mean distance between the outline cut and the ideal one.", kMetrics,
      [](const Measured& m) -> Value {
@@ -381,11 +450,11 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
     {"isthmus_error_mm", "mm", "Isthmus width less that of the ideal, measured the same way.", kForms, isthmusError,
      [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::isthmusMm)); }},
     {"ridge_mesial_mm", "mm", "Least distance from the cut to the mesial surface of the tooth, between the cusps.", kForms,
-     [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::ridgeMesialMm)); },
-     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::ridgeMesialMm)); }},
+     [](const Measured& m) -> Value { return valueOf(mesialRidge(m)); },
+     [](const Measured& m) -> Node { return nodeOf(mesialRidge(m)); }},
     {"ridge_distal_mm", "mm", "Least distance from the cut to the distal surface of the tooth, between the cusps.", kForms,
-     [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::ridgeDistalMm)); },
-     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::ridgeDistalMm)); }},
+     [](const Measured& m) -> Value { return valueOf(distalRidge(m)); },
+     [](const Measured& m) -> Node { return nodeOf(distalRidge(m)); }},
     {"ridge_least_mm", "mm", "The thinner of the two marginal ridges left.", kForms,
      [](const Measured& m) -> Value { return valueOf(leastRidge(m)); },
      [](const Measured& m) -> Node { return nodeOf(leastRidge(m)); }},
@@ -540,6 +609,8 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.contactBurOffS; }); }, nullptr},
     {"undo_count", "", "Times that the tooth was put back to an earlier state.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.undos; }); }, nullptr},
+    {"neighbour_hits", "", "Times that the turning bur touched a tooth beside.", kSturdevant,
+     [](const Measured& m) -> Value { return m.neighbourHits; }, nullptr},
     {"infractions", "", "Breaches of the lesson's rules.", kMetrics,
      [](const Measured& m) -> Value { return m.infractions; }, nullptr},
     {"aids_used", "", "Aids that were used at any time: section, depth gauge, X-ray, heat map, mirror, ideal, colour of the bur, fixture.",
@@ -612,6 +683,7 @@ bool isOfProcess(const MeasureInfo& measure)
     Measured way;
     way.process = complete;
     way.infractions = 0;
+    way.neighbourHits = 0;
     way.aidsUsed = 0;
     return isOfExercise(measure) || (measure.value(way).has_value() && !measure.value(Measured{}).has_value());
 }

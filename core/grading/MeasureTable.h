@@ -8,6 +8,7 @@
 
 #include "core/grading/Deviation.h"
 #include "core/grading/Exercise.h"
+#include "core/grading/LesionCut.h"
 #include "core/grading/Measures.h"
 #include "core/grading/Process.h"
 
@@ -17,8 +18,10 @@ namespace core::grading {
 struct Measured
 {
     Measures measures;
+    std::optional<LesionCut> lesion;     ///< nothing without a lesion
     std::optional<Deviation> deviation;  ///< nothing without an ideal preparation
     std::optional<Process> process;      ///< nothing without a recording
+    std::optional<int> neighbourHits;    ///< times the turning bur touched a tooth beside; nothing without a recording
     std::optional<int> infractions;      ///< against the lesson's rules; nothing without a recording
     std::optional<int> aidsUsed;         ///< how many of session::Aid; nothing without a recording
     std::optional<Practised> practised;  ///< nothing without an exercise and a recording

@@ -40,7 +40,7 @@ private slots:
         QVERIFY(marked.has_value());
         QVERIFY(marked->outcome.agreesWithWitness);
         QVERIFY2(marked->mark.sheet.totalTenths >= 980, qPrintable(QString::number(marked->mark.sheet.totalTenths)));
-        QVERIFY(marked->infractions.empty());
+        QVERIFY(marked->conduct.infractions.empty());
         // Beside the tooth, a tick takes less room than the three floats of its position.
         const core::recording::Recording begun(first->recording->settings(), assignment.anatomy,
                                                assignment.lesson->json);

@@ -411,8 +411,8 @@ private slots:
                 all = Named{{pads.madeOf[0], pads.madeOf[1], pads.madeOf[2]}, 3};
             }
             const core::terrain::Tooth tooth(assignment.anatomy);
-            QCOMPARE(mark(assignment, tooth, Conduct{{}, 0, 0, all})->sheet.totalTenths, kFullTenths);
-            QVERIFY2(!mark(assignment, tooth, Conduct{{}, 0, 0, nothing})->sheet.passed(), lesson.id.c_str());
+            QCOMPARE(mark(assignment, tooth, Conduct{{}, {}, 0, all})->sheet.totalTenths, kFullTenths);
+            QVERIFY2(!mark(assignment, tooth, Conduct{{}, {}, 0, nothing})->sheet.passed(), lesson.id.c_str());
             // Live and in every replay: what the recording keeps is the same exercise.
             const Assignment again = assignmentOf(assignment.anatomy, lesson.json).value();
             QVERIFY(again.exercise == assignment.exercise);

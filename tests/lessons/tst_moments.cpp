@@ -93,9 +93,9 @@ bool isSound(const Assignment& assignment, const Recording& recording, const Mom
         core::recording::replay(recording, [&](const ServoEvent& event, const core::recording::Replayer& servo) {
             examiner.take(event, servo);
         });
-    const auto marked = mark(assignment, outcome->tooth,
-                             Conduct{examiner.process(), static_cast<int>(examiner.infractions().size()),
-                                     examiner.aids(), examiner.practised()});
+    const auto marked =
+        mark(assignment, outcome->tooth,
+             Conduct{examiner.process(), examiner.infractions(), examiner.aids(), examiner.practised()});
     if (!(found.sheet == marked->sheet) || found.ofCriteria.size() != found.sheet.criteria.size())
         return false;
     for (std::size_t k = 0; k < found.ofCriteria.size(); ++k) {

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grading/LesionCut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/grading/AreaExcess.h"
+#include "core/grading/Columns.h"
+#include "core/grading/CutForm.h"
+#include "core/grading/IdealCavity.h"
+#include "core/grading/Outline.h"
+#include "core/teeth/ToothBuilder.h"
+#include "core/teeth/ToothTable.h"
+
+namespace core::grading {
+namespace {
+
+using terrain::Grid;
+using terrain::Tooth;
+using terrain::ToothAnatomy;
+
+/// The columns of the smallest cavity, and where it ends.
+class Cavity
+{
+public:
+    Cavity(const ToothAnatomy& anatomy, IdealTop top) : m_anatomy(anatomy), m_top(std::move(top))
+    {
+        const Grid& grid = anatomy.grid;
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i)
+                if (has(i, j) && !(has(i - 1, j) && has(i + 1, j) && has(i, j - 1) && has(i, j + 1)))
+                    m_edge.push_back(grid.nodeMm(i, j));
+    }
+    [[nodiscard]] bool isEmpty() const { return m_edge.empty(); }
+    [[nodiscard]] bool has(int i, int j) const
+    {
+        if (!m_anatomy.grid.contains(i, j))
+            return false;
+        const std::size_t k = m_anatomy.grid.index(i, j);
+        return wasSolid(m_anatomy, k) && (*m_top)[k] < m_anatomy.top[k];
+    }
+    [[nodiscard]] double floorMm(std::size_t k) const
+    {
+        return static_cast<double>(std::max((*m_top)[k], m_anatomy.bottom[k]));
+    }
+    /// Distance, seen from above, from a place outside to the nearest column.
+    [[nodiscard]] double distanceMm(glm::dvec2 placeMm) const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (const glm::dvec2 edge : m_edge)
+            least = std::min(least, glm::dot(edge - placeMm, edge - placeMm));
+        return std::sqrt(least);
+    }
+    /// The lowest floor within kLesionReachMm of a node; nothing where there is no cavity as near as that.
+    [[nodiscard]] std::optional<double> lowestFloorMm(int i, int j) const
+    {
+        const Grid& grid = m_anatomy.grid;
+        const int reach = static_cast<int>(std::floor(kLesionReachMm / grid.cellMm + 1.0e-6));
+        std::optional<double> lowest;
+        for (int dj = -reach; dj <= reach; ++dj)
+            for (int di = -reach; di <= reach; ++di)
+                if (di * di + dj * dj <= reach * reach && has(i + di, j + dj)) {
+                    const double floor = floorMm(grid.index(i + di, j + dj));
+                    lowest = std::min(lowest.value_or(floor), floor);
+                }
+        return lowest;
+    }
+
+private:
+    const ToothAnatomy& m_anatomy;
+    IdealTop m_top;
+    std::vector<glm::dvec2> m_edge;
+};
+
+/// Adds the decay that is left in a column to one of the two areas.
+void addDecayLeft(const Tooth& tooth, std::size_t k, LesionCut& result, double& mostAtJunction, double& mostOnFloor)
+{
+    const Decay left = decayIn(tooth, k);
+    if (!left.any())
+        return;
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    const auto area = static_cast<double>(anatomy.areaMm2[k]);
+    const auto junction = static_cast<double>(anatomy.layers[k].dej);
+    const double height = static_cast<double>(left.roof) - static_cast<double>(left.floor);
+    const bool isAtJunction = static_cast<double>(left.roof) > junction - kAtJunctionMm;
+    Placed& here = isAtJunction ? result.junctionMm2 : result.floorMm2;
+    double& most = isAtJunction ? mostAtJunction : mostOnFloor;
+    here.value += area;
+    if (height > most) {
+        most = height;
+        here.node = k;
+    }
+}
+
+void findRidges(const Tooth& tooth, LesionCut& result)
+{
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    if (!teeth::isGenerated(anatomy) || anatomy.fdi % 10 <= 3)  // front teeth have none across the mouth
+        return;
+    std::vector<float> end = anatomy.top;
+    for (std::size_t k = 0; k < end.size(); ++k)
+        if (wasSolid(anatomy, k))
+            end[k] = std::min(end[k], endOf(tooth, k));
+    const Outline outline(anatomy, end);
+    const CutSurface surface{anatomy, end, outline};
+    result.ridgeMesialMm = ridgeOf(surface, -1);
+    result.ridgeDistalMm = ridgeOf(surface, 1);
+}
+
+}  // namespace
+
+std::optional<LesionCut> measureLesionCut(const Tooth& tooth)
+{
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    IdealTop top = idealCavity(anatomy);
+    if (top == nullptr)
+        return {};
+    const Cavity cavity(anatomy, std::move(top));
+    if (cavity.isEmpty())
+        return {};
+    const Grid& grid = anatomy.grid;
+    LesionCut result;
+    AreaExcess beyond;
+    AreaExcess below;
+    double mostAtJunction = 0.0;
+    double mostOnFloor = 0.0;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            addDecayLeft(tooth, k, result, mostAtJunction, mostOnFloor);
+            if (!isCut(tooth, k))
+                continue;
+            const auto end = static_cast<double>(endOf(tooth, k));
+            const auto area = static_cast<double>(anatomy.areaMm2[k]);
+            if (!cavity.has(i, j) && static_cast<double>(anatomy.top[k]) - end >= kStrayDepthMm)
+                beyond.add(cavity.distanceMm(grid.nodeMm(i, j)), area, k);
+            if (const auto floor = cavity.lowestFloorMm(i, j))
+                below.add(*floor - end, area, k);
+        }
+    }
+    result.beyondMm = beyond.over(kStrayMm2);
+    result.belowMm = below.over(kLocalMm2);
+    findRidges(tooth, result);
+    return result;
+}
+
+}  // namespace core::grading
