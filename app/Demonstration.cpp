@@ -16,6 +16,16 @@ constexpr std::uint64_t kMostTicks = 600'000;  ///< ten minutes
 constexpr std::uint64_t kTicksPerDecision = 16;
 constexpr std::uint64_t kTicksAfterwards = 500;
 
+/// The handpieces and the first bur of a lesson.
+haptics::SimulationOptions optionsFor(const lessons::Assignment& assignment)
+{
+    haptics::SimulationOptions options;
+    options.settings = lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr, {});
+    if (assignment.lesson && !assignment.lesson->burs.empty())
+        options.burIndex = core::drilling::findBur(assignment.lesson->burs.front()).value_or(options.burIndex);
+    return options;
+}
+
 core::Result<haptics::SimulationOutcome> letWork(haptics::IdealHand hand, const lessons::Assignment& assignment,
                                                  const haptics::SimulationOptions& options, bool simulatedFalcon)
 {
@@ -49,22 +59,27 @@ haptics::IdealHand handFor(const lessons::Assignment& assignment, std::size_t bu
     return haptics::IdealHand(anatomy, wanted, bur, assignment.neighbours.get());
 }
 
+core::Result<haptics::SimulationOutcome> cutInstead(const lessons::Assignment& assignment,
+                                                    const std::vector<float>& wanted)
+{
+    const haptics::SimulationOptions options = optionsFor(assignment);
+    const core::drilling::Bur& bur = core::drilling::burs()[options.burIndex];
+    return letWork(haptics::IdealHand(*assignment.anatomy, wanted, bur, assignment.neighbours.get()), assignment,
+                   options, false);
+}
+
 core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& assignment, bool simulatedFalcon)
 {
     if (assignment.exercise)
         return core::unexpected(core::ErrorCode::WrongKind,
                                 "nothing is to be cut in this exercise, so there is nothing to show; choose a lesson "
                                 "in which something is");
-    haptics::SimulationOptions options;
+    haptics::SimulationOptions options = optionsFor(assignment);
     options.record = true;
-    options.settings = lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr, {});
     if (simulatedFalcon)
         haptics::falcon::addFalconFeel(options.settings.force);
-    if (assignment.lesson) {
+    if (assignment.lesson)
         options.lesson = assignment.lesson->json;
-        if (!assignment.lesson->burs.empty())
-            options.burIndex = core::drilling::findBur(assignment.lesson->burs.front()).value_or(options.burIndex);
-    }
     return letWork(handFor(assignment, options.burIndex), assignment, options, simulatedFalcon);
 }
 

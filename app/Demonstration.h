@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "haptics/simulated/IdealHand.h"
 #include "haptics/simulated/Simulation.h"
 #include "lessons/Assignment.h"
@@ -16,5 +18,10 @@ namespace app {
 /// @param simulatedFalcon  the hand holds a simulated Falcon, and no pointer
 [[nodiscard]] core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& assignment,
                                                                    bool simulatedFalcon);
+
+/// An attempt by such a hand that cuts another surface than the one asked for.
+/// @param wanted  top of each column afterwards, mm, [side * side]
+[[nodiscard]] core::Result<haptics::SimulationOutcome> cutInstead(const lessons::Assignment& assignment,
+                                                                  const std::vector<float>& wanted);
 
 }  // namespace app

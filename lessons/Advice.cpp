@@ -61,7 +61,9 @@ constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"perforated_mm2", R
                                                             {"unsupported_enamel_mm3", Rule::UnsupportedEnamel},
                                                             {"ridge_", Rule::RidgeThin},
                                                             {"wall_", Rule::WallsLean},
+                                                            {"floor_slope_deg", Rule::FloorTilted},
                                                             {"floor_", Rule::FloorUneven},
+                                                            {"neighbour_hits", Rule::NeighbourTouched},
                                                             {"force_", Rule::PushedTooHard},
                                                             {"hold_", Rule::ForceNotHeld},
                                                             {"time_", Rule::TooSlow},
@@ -83,6 +85,8 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
     };
     if (id == "pulp_exposed_mm2" && line.side == Side::Under)
         return Finding{Rule::PulpNotReached};
+    if (id == "remaining_over_pulp_mm" && value > 0.0)
+        return Finding{Rule::NearPulp, value};
     if (isOneOf(id, {"pulp_", "remaining_over_pulp"}))
         return fastOr(Rule::PulpOpenedFast, Rule::PulpOpened, 0.0);
     if (id.starts_with("caries_")) {
@@ -91,6 +95,14 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
     }
     if (id == "sound_overcut_mm3")
         return fastOr(Rule::SoundTissueFast, Rule::SoundTissue, value);
+    if (id == "beyond_lesion_mm")
+        return Finding{Rule::FarFromDecay, value};
+    if (id == "below_lesion_mm")
+        return Finding{Rule::BelowDecay, value};
+    if (id == "floor_into_dentin_mm")
+        return Finding{Rule::FloorInEnamel};
+    if (id == "floor_gouge_mm")
+        return fastOr(Rule::TooDeepFast, Rule::TooDeep, value);
     const auto [deep, shallow] = depthOf(measured);
     if (isOneOf(id, {"depth_too_deep", "overcut_below", "leeway_bottom", "container_bottom"}))
         return fastOr(Rule::TooDeepFast, Rule::TooDeep, deep);
@@ -99,11 +111,14 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
     if (isOneOf(id, {"depth_", "outline_"}) && left > 50.0)
         return Finding{Rule::NotAllCut, left};
     if (id.starts_with("depth_"))
-        return deep >= shallow && id != "depth_too_shallow_mm" ? fastOr(Rule::TooDeepFast, Rule::TooDeep, deep)
-                                                               : Finding{Rule::TooShallow, shallow};
+        return deep >= shallow && !isOneOf(id, {"depth_too_shallow", "depth_shallow"})
+                   ? fastOr(Rule::TooDeepFast, Rule::TooDeep, deep)
+                   : Finding{Rule::TooShallow, shallow};
     if (isOneOf(id, {"undercut_", "ideal_cut", "target_removed"}))
         return Finding{Rule::NotAllCut, id == "undercut_percent" ? value : std::max(0.0, 100.0 - value)};
     const auto [beyond, behind] = outlineOf(measured);
+    if (id == "beyond_ideal_mm")
+        return Finding{Rule::OutlineBeyond, value};
     if (isOneOf(id, {"outline_over", "overcut_", "leeway_sides", "container_sides"}))
         return Finding{Rule::OutlineBeyond, beyond};
     if (id.starts_with("outline_"))
@@ -137,7 +152,16 @@ std::vector<Advice> adviceOn(const ScoreSheet& sheet, const Measured& measured,
         const Criterion& second = sheet.criteria[b.criterion];
         return first.critical != second.critical ? first.critical : first.lostTenths > second.lostTenths;
     });
-    return all;
+    std::vector<Advice> each;
+    for (const Advice& advice : all) {
+        const auto same =
+            std::find_if(each.begin(), each.end(), [&](const Advice& told) { return told.rule == advice.rule; });
+        if (same == each.end())
+            each.push_back(advice);
+        else if (sheet.criteria[same->criterion].critical && !sheet.criteria[advice.criterion].critical)
+            same->criterion = advice.criterion;
+    }
+    return each;
 }
 
 }  // namespace lessons

@@ -20,21 +20,27 @@ struct Advice
         PulpOpenedFast,  ///< amount: feed, mm/s
         PulpOpened,
         PulpNotReached,   ///< of an access cavity
+        NearPulp,         ///< amount: mm of dentin that is left
         DecayLeft,        ///< amount: per cent of the lesion
         SoundTissueFast,  ///< amount: feed, mm/s
         SoundTissue,      ///< amount: mm3
+        FarFromDecay,     ///< amount: mm
+        BelowDecay,       ///< amount: mm
         TooDeepFast,      ///< amount: feed, mm/s
         TooDeep,          ///< amount: mm, or the unit of the criterion where no depth was measured
         TooShallow,       ///< amount: mm
-        NotAllCut,        ///< amount: per cent of the preparation that still stands
-        OutlineBeyond,    ///< amount: mm, 0 where no outline was measured
-        OutlineShort,     ///< amount: mm
-        RidgeThin,        ///< amount: mm
-        IsthmusWide,      ///< amount: mm
-        IsthmusNarrow,    ///< amount: mm
-        WallsLean,        ///< amount: degrees from the ideal
-        FloorUneven,      ///< amount: mm
+        FloorInEnamel,
+        NotAllCut,      ///< amount: per cent of the preparation that still stands
+        OutlineBeyond,  ///< amount: mm, 0 where no outline was measured
+        OutlineShort,   ///< amount: mm
+        RidgeThin,      ///< amount: mm
+        IsthmusWide,    ///< amount: mm
+        IsthmusNarrow,  ///< amount: mm
+        WallsLean,      ///< amount: degrees from the ideal
+        FloorUneven,    ///< amount: mm
+        FloorTilted,    ///< amount: degrees
         UnsupportedEnamel,
+        NeighbourTouched,
         PushedTooHard,
         ForceNotHeld,
         TooSlow,
@@ -52,8 +58,9 @@ struct Advice
 /// From this feed on, the advice is to go slower. A pointer starts with 0.5 mm/s.
 inline constexpr double kFastFeedMmPerS = 0.8;
 
-/// Finds what to do better: one piece of advice for each criterion that lost points and for which there is a rule.
-/// Critical errors come first, then the criterion that lost most. Pure; any thread.
+/// Finds what to do better: one piece of advice for each rule, for the criteria that lost points. Of two criteria with
+/// the same advice it names the one with a weight, which tells what is asked for. Critical errors come first, then the
+/// criterion that lost most. Pure; any thread.
 /// @param moments  the moments of each criterion of the sheet; empty while they are not known
 [[nodiscard]] std::vector<Advice> adviceOn(const ScoreSheet& sheet, const core::grading::Measured& measured,
                                            const std::vector<std::vector<Moment>>& moments);

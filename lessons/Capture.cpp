@@ -71,7 +71,8 @@ QJsonObject withTolerances(QJsonObject rubric, const Tolerances& tolerances)
     for (qsizetype k = 0; k < criteria.size(); ++k) {
         QJsonObject criterion = criteria[k].toObject();
         for (const Meant& meant : kMeant)
-            if (criterion.value(QStringLiteral("measure")).toString() == QLatin1String(meant.measure))
+            if (criterion.contains(QStringLiteral("weight")) &&
+                criterion.value(QStringLiteral("measure")).toString() == QLatin1String(meant.measure))
                 criterion.insert(QStringLiteral("tolerance"), tolerances.*meant.tolerance);
         criteria[k] = criterion;
     }
@@ -83,7 +84,7 @@ Tolerances tolerancesOf(const Rubric& rubric, Tolerances otherwise)
 {
     for (const CriterionRule& rule : rubric.criteria)
         for (const Meant& meant : kMeant)
-            if (rule.measure == meant.measure)
+            if (!rule.critical && rule.measure == meant.measure)
                 otherwise.*meant.tolerance = rule.tolerance;
     return otherwise;
 }

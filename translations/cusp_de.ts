@@ -9438,6 +9438,33 @@ ungesichert</translation>
         <source>You cut the tooth. In this exercise the bur only touches it: do not press the drill.</source>
         <translation>Sie haben den Zahn angeschnitten. In dieser Übung berührt ihn der Bohrer nur: Schalten Sie den Bohrer nicht ein.</translation>
     </message>
+    <message>
+        <source>Only %1 mm of dentin is left over the pulp. Watch the figure for the remaining dentin, and stop earlier.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Über der Pulpa sind nur noch %1 mm Dentin. Achten Sie auf die Anzeige des verbliebenen Dentins und hören Sie früher auf.</translation>
+    </message>
+    <message>
+        <source>You cut the tooth %1 mm away from the decay. Lift the bur before you move it, and cut at the decay only.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Sie haben den Zahn %1 mm neben der Karies beschliffen. Heben Sie den Bohrer ab, bevor Sie ihn bewegen, und bohren Sie nur an der Karies.</translation>
+    </message>
+    <message>
+        <source>The cavity goes %1 mm below the decay. Stop as soon as no brown is left at the bottom.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Die Kavität reicht %1 mm unter die Karies. Hören Sie auf, sobald am Boden nichts Braunes mehr ist.</translation>
+    </message>
+    <message>
+        <source>The floor is still in enamel. Lower it until it lies just inside dentin.</source>
+        <translation>Der Boden liegt noch im Schmelz. Senken Sie ihn, bis er gerade im Dentin liegt.</translation>
+    </message>
+    <message>
+        <source>The floor is tilted by %1°. Keep the depth stop on, and compare both ends in the section.</source>
+        <translation>Der Boden ist um %1° geneigt. Lassen Sie den Tiefenanschlag an und vergleichen Sie beide Enden im Schnitt.</translation>
+    </message>
+    <message>
+        <source>The turning bur touched the neighbouring tooth. Leave a thin shell of enamel towards it, and break it off last.</source>
+        <translation>Der drehende Bohrer hat den Nachbarzahn berührt. Lassen Sie zu ihm hin eine dünne Schmelzwand stehen und entfernen Sie sie zuletzt.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

@@ -9438,6 +9438,33 @@ sin guardar</translation>
         <source>You cut the tooth. In this exercise the bur only touches it: do not press the drill.</source>
         <translation>Ha cortado el diente. En este ejercicio la fresa solo lo toca: no accione la fresa.</translation>
     </message>
+    <message>
+        <source>Only %1 mm of dentin is left over the pulp. Watch the figure for the remaining dentin, and stop earlier.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Solo quedan %1 mm de dentina sobre la pulpa. Vigile la cifra de la dentina restante y deténgase antes.</translation>
+    </message>
+    <message>
+        <source>You cut the tooth %1 mm away from the decay. Lift the bur before you move it, and cut at the decay only.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Talló el diente a %1 mm de la caries. Levante la fresa antes de moverla y talle solo en la caries.</translation>
+    </message>
+    <message>
+        <source>The cavity goes %1 mm below the decay. Stop as soon as no brown is left at the bottom.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>La cavidad llega %1 mm por debajo de la caries. Deténgase en cuanto no quede marrón en el fondo.</translation>
+    </message>
+    <message>
+        <source>The floor is still in enamel. Lower it until it lies just inside dentin.</source>
+        <translation>El piso está todavía en esmalte. Bájelo hasta que quede justo en dentina.</translation>
+    </message>
+    <message>
+        <source>The floor is tilted by %1°. Keep the depth stop on, and compare both ends in the section.</source>
+        <translation>El piso está inclinado %1°. Mantenga el tope de profundidad y compare ambos extremos en el corte.</translation>
+    </message>
+    <message>
+        <source>The turning bur touched the neighbouring tooth. Leave a thin shell of enamel towards it, and break it off last.</source>
+        <translation>La fresa en marcha tocó el diente vecino. Deje una pared fina de esmalte hacia él y quítela al final.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

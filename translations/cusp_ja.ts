@@ -9385,6 +9385,33 @@ unsaved</source>
         <source>You cut the tooth. In this exercise the bur only touches it: do not press the drill.</source>
         <translation>歯を削りました。この練習ではバーで触れるだけです。回転させないでください。</translation>
     </message>
+    <message>
+        <source>Only %1 mm of dentin is left over the pulp. Watch the figure for the remaining dentin, and stop earlier.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>歯髄上に残る象牙質は%1 mmだけです。残存象牙質の数値を見て、早めに止めてください。</translation>
+    </message>
+    <message>
+        <source>You cut the tooth %1 mm away from the decay. Lift the bur before you move it, and cut at the decay only.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>う蝕から%1 mm離れた所を切削しました。動かす前にバーを離し、う蝕だけを切削してください。</translation>
+    </message>
+    <message>
+        <source>The cavity goes %1 mm below the decay. Stop as soon as no brown is left at the bottom.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>窩洞がう蝕より%1 mm深くなっています。底の茶色がなくなったら止めてください。</translation>
+    </message>
+    <message>
+        <source>The floor is still in enamel. Lower it until it lies just inside dentin.</source>
+        <translation>窩底がまだエナメル質内です。象牙質にわずかに入るまで下げてください。</translation>
+    </message>
+    <message>
+        <source>The floor is tilted by %1°. Keep the depth stop on, and compare both ends in the section.</source>
+        <translation>窩底が%1°傾いています。深さストッパーを使い、断面で両端を比べてください。</translation>
+    </message>
+    <message>
+        <source>The turning bur touched the neighbouring tooth. Leave a thin shell of enamel towards it, and break it off last.</source>
+        <translation>回転中のバーが隣在歯に触れました。隣側に薄いエナメル質を残し、最後に除去してください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

@@ -43,6 +43,7 @@ constexpr Suite kSuites[] = {
     {"falcon", "a Falcon's packets and kinematics", bench::falconSuite, 2.0},
     {"tracking", "head tracking: a tag in rendered pictures, errors and times", bench::trackingSuite, 95.0},
     {"sound", "sound of the handpiece: time, latency, pitch and materials", bench::soundSuite, 5.0},
+    {"marks", "points against the letters of a strict instructor, for spoiled attempts", bench::marksSuite, 200.0},
     {"replay", "an attempt replayed, and looked at here and there", bench::replaySuite, 25.0},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "core/grading/AreaExcess.h"
 #include "core/grading/Columns.h"
@@ -172,7 +173,6 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     std::vector<std::pair<double, double>> sizes;
     std::vector<std::pair<double, double>> depths;
     std::vector<std::pair<double, double>> heights;
-    AreaExcess gouge;
     sizes.reserve(floor.size());
     depths.reserve(floor.size());
     heights.reserve(floor.size());
@@ -185,7 +185,6 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
         sizes.emplace_back(std::abs(here), ends.area(k));
         depths.emplace_back(std::max(0.0, -here), ends.area(k));
         heights.emplace_back(std::max(0.0, here), ends.area(k));
-        gouge.add(-here, ends.area(k), k);
         if (-here > error.tooDeepMm.value)
             error.tooDeepMm = {-here, k};
         if (here > error.tooShallowMm.value)
@@ -198,8 +197,17 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     error.p95Mm = percentile(sizes, kPercentile);
     error.deepP95Mm = percentile(depths, kPercentile);
     error.shallowP95Mm = percentile(heights, kPercentile);
-    error.gougeMm = gouge.over(kLocalMm2);
     return error;
+}
+
+/// Also where the floor is too narrow to speak for itself: a wall aside does not lower it.
+Placed gougeOf(const Ends& ends, const std::vector<Part>& parts)
+{
+    AreaExcess gouge;
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        if (parts[k] == Part::Floor && wasSolid(ends.anatomy, k))
+            gouge.add(ends.idealAt(k) - ends.nowAt(k), ends.area(k), k);
+    return gouge.over(kLocalMm2);
 }
 
 std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor)
@@ -215,51 +223,103 @@ std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size
     return area > 0.0 ? std::optional(depth / area) : std::nullopt;
 }
 
+/// A plane through the error in height of a floor.
+struct ErrorPlane
+{
+    glm::dvec2 middleMm{0.0};
+    double meanMm = 0.0;  ///< at the middle
+    glm::dvec2 slope{0.0};
+
+    [[nodiscard]] double at(glm::dvec2 placeMm) const { return meanMm + glm::dot(slope, placeMm - middleMm); }
+};
+
+double errorAt(const Ends& ends, std::size_t k)
+{
+    return ends.nowAt(k) - ends.idealAt(k);
+}
+
+/// The plane that fits best, with a weight for each column; nothing for columns in a row.
+std::optional<ErrorPlane> planeThrough(const Ends& ends, const std::vector<std::size_t>& columns,
+                                       const std::vector<double>& weights)
+{
+    const Grid& grid = ends.anatomy.grid;
+    ErrorPlane plane;
+    double all = 0.0;
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+        all += weights[n];
+        plane.middleMm += grid.nodeMm(columns[n]) * weights[n];
+        plane.meanMm += errorAt(ends, columns[n]) * weights[n];
+    }
+    if (!(all > 0.0))
+        return {};
+    plane.middleMm /= all;
+    plane.meanMm /= all;
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    glm::dvec2 moment(0.0);
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+        const glm::dvec2 way = grid.nodeMm(columns[n]) - plane.middleMm;
+        xx += way.x * way.x * weights[n];
+        xy += way.x * way.y * weights[n];
+        yy += way.y * way.y * weights[n];
+        moment += way * ((errorAt(ends, columns[n]) - plane.meanMm) * weights[n]);
+    }
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 1.0e-9 * (xx + yy) * (xx + yy)))
+        return {};
+    plane.slope = glm::dvec2(yy * moment.x - xy * moment.y, xx * moment.y - xy * moment.x) / determinant;
+    return plane;
+}
+
+/// How most of a floor slopes along x or y: the median over pairs of its columns kSlopeRunMm apart, so that a gouge, a
+/// step or waves do not tilt it. 0 where few have such a neighbour: a narrow floor says nothing of its slope across.
+double slopeOfMost(const Ends& ends, const std::vector<std::size_t>& floor, glm::ivec2 along)
+{
+    const Grid& grid = ends.anatomy.grid;
+    std::vector<bool> isFloor(grid.count(), false);
+    for (const std::size_t k : floor)
+        isFloor[k] = true;
+    const int run = std::max(1, static_cast<int>(std::lround(kSlopeRunMm / grid.cellMm)));
+    std::vector<double> slopes;
+    for (const std::size_t k : floor) {
+        const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side)) + run * along.x;
+        const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side)) + run * along.y;
+        if (grid.contains(i, j) && isFloor[grid.index(i, j)])
+            slopes.push_back((errorAt(ends, grid.index(i, j)) - errorAt(ends, k)) / (run * grid.cellMm));
+    }
+    if (slopes.empty() || slopes.size() < floor.size() / 8)
+        return 0.0;
+    const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+    std::nth_element(slopes.begin(), middle, slopes.end());
+    return *middle;
+}
+
 std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::size_t>& floor)
 {
     const Grid& grid = ends.anatomy.grid;
     // In an untouched place there is no floor yet.
     std::vector<std::size_t> cut;
-    for (const std::size_t k : floor)
-        if (ends.top(k) - ends.nowAt(k) > kOutlineDepthMm)
-            cut.push_back(k);
-    const auto errorAt = [&](std::size_t k) { return ends.nowAt(k) - ends.idealAt(k); };
-
+    std::vector<double> areas;
     double area = 0.0;
-    glm::dvec2 middle(0.0);
-    double mean = 0.0;
-    for (const std::size_t k : cut) {
-        area += ends.area(k);
-        middle += grid.nodeMm(k) * ends.area(k);
-        mean += errorAt(k) * ends.area(k);
-    }
-    if (!(area > 0.0))
+    for (const std::size_t k : floor)
+        if (ends.top(k) - ends.nowAt(k) > kOutlineDepthMm) {
+            cut.push_back(k);
+            areas.push_back(ends.area(k));
+            area += ends.area(k);
+        }
+    const auto plane = planeThrough(ends, cut, areas);
+    if (!plane)
         return {};
-    middle /= area;
-    mean /= area;
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    glm::dvec2 moment(0.0);
-    for (const std::size_t k : cut) {
-        const glm::dvec2 way = grid.nodeMm(k) - middle;
-        xx += way.x * way.x * ends.area(k);
-        xy += way.x * way.y * ends.area(k);
-        yy += way.y * way.y * ends.area(k);
-        moment += way * ((errorAt(k) - mean) * ends.area(k));
-    }
-    const double determinant = xx * yy - xy * xy;
-    if (!(determinant > 1.0e-9 * (xx + yy) * (xx + yy)))
-        return {};
-    const glm::dvec2 slope = glm::dvec2(yy * moment.x - xy * moment.y, xx * moment.y - xy * moment.x) / determinant;
 
     FloorForm form;
+    const glm::dvec2 slope(slopeOfMost(ends, cut, {1, 0}), slopeOfMost(ends, cut, {0, 1}));
     form.slopeDeg = atanDeg(std::sqrt(glm::dot(slope, slope)));
     form.stepMm.node = cut.front();
     std::vector<double> rest(grid.count(), std::numeric_limits<double>::quiet_NaN());
     double sum2 = 0.0;
     for (const std::size_t k : cut) {
-        rest[k] = errorAt(k) - mean - glm::dot(slope, grid.nodeMm(k) - middle);
+        rest[k] = errorAt(ends, k) - plane->at(grid.nodeMm(k));
         sum2 += rest[k] * rest[k] * ends.area(k);
     }
     form.flatnessMm = std::sqrt(sum2 / area);
@@ -315,6 +375,19 @@ std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Out
     result.signedMm /= length;
     result.p95Mm = percentile(sizes, kPercentile);
     return result;
+}
+
+Placed beyondOf(const Ends& ends, const Outline& ideal)
+{
+    const Grid& grid = ends.anatomy.grid;
+    AreaExcess beyond;
+    if (ideal.segments().empty())
+        return {};
+    for (std::size_t k = 0; k < grid.count(); ++k)
+        if (wasSolid(ends.anatomy, k) && ends.top(k) - ends.nowAt(k) >= kStrayDepthMm &&
+            !(ideal.insideMm(grid.nodeMm(k)) > 0.0))
+            beyond.add(ideal.distanceMm(grid.nodeMm(k)), ends.area(k), k);
+    return beyond.over(kStrayMm2);
 }
 
 // ------------------------------------------------------------------------------------------------ unsupported enamel
@@ -589,11 +662,14 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
 
     const std::vector<std::size_t> floor = floorOf(ends, ideal.parts);
     result.depth = depthErrorOf(ends, floor);
+    if (result.depth)
+        result.depth->gougeMm = gougeOf(ends, ideal.parts);
     result.floor = floorFormOf(ends, floor);
 
     const Outline cutOutline(anatomy, ends.now);
     const Outline idealOutline(anatomy, ends.ideal);
     result.outline = outlineDeviationOf(cutOutline, idealOutline);
+    result.beyondMm = beyondOf(ends, idealOutline);
 
     const bool knowsSides = teeth::isGenerated(anatomy) && teeth::findToothSizes(anatomy.fdi).has_value();
     if (knowsSides)

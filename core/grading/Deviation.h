@@ -39,6 +39,13 @@ inline constexpr double kStepRunMm = 0.2;
 /// A place that is too deep counts from this area on, mm2: about that of a small bur's end.
 inline constexpr double kLocalMm2 = 0.5;
 
+/// So deep and so large, a cut elsewhere is more than a scratch that is polished away: mm and mm2.
+inline constexpr double kStrayDepthMm = 0.2;
+inline constexpr double kStrayMm2 = 0.1;
+
+/// The slope of a floor is that between places so far apart.
+inline constexpr double kSlopeRunMm = 0.3;
+
 /// Depth of the floor against the ideal (teeth.md section 7: floor depth; courseware.md 3.3: depth error).
 /// The error of a column is its height less the ideal one: negative is too deep.
 struct DepthError
@@ -50,7 +57,7 @@ struct DepthError
     Placed tooShallowMm;        ///< most that it lies too high, 0 or more
     double deepP95Mm = 0.0;     ///< 95 % of the floor's area lie no lower than so much below the ideal
     double shallowP95Mm = 0.0;  ///< and no higher than so much above it
-    Placed gougeMm;             ///< kLocalMm2 of the floor lie so much below the ideal, or more
+    Placed gougeMm;             ///< kLocalMm2 of the floor, its edge included, lie so much below the ideal, or more
     bool operator==(const DepthError&) const = default;
 };
 
@@ -72,7 +79,7 @@ struct OutlineDeviation
 struct FloorForm
 {
     double flatnessMm = 0.0;  ///< root mean square distance, along z, from the plane that fits the depth error best
-    double slopeDeg = 0.0;    ///< of that plane
+    double slopeDeg = 0.0;    ///< of most of the floor: a gouge or a step does not tilt it
     Placed stepMm;            ///< largest change of the rest within kStepRunMm along x or y
     /// Mean depth of the floor below the enamel-dentin junction, mm (teeth.md section 7: into dentine); negative in
     /// enamel. Nothing where the floor lies over no junction.
@@ -156,9 +163,11 @@ struct Deviation
 
     std::optional<DepthError> depth;          ///< nothing for an ideal without Floor
     std::optional<OutlineDeviation> outline;  ///< nothing unless both ideal and cut have an outline
-    std::optional<FloorForm> floor;           ///< nothing unless three columns of the Floor, not in a row, are cut
-    Form form;                                ///< of the cut
-    Form idealForm;                           ///< of the ideal, measured the same way
+    Placed
+        beyondMm;  ///< kStrayMm2 of the cut, lowered by kStrayDepthMm or more, are so far outside the ideal, or farther
+    std::optional<FloorForm> floor;  ///< nothing unless three columns of the Floor, not in a row, are cut
+    Form form;                       ///< of the cut
+    Form idealForm;                  ///< of the ideal, measured the same way
     /// mm3 of enamel that has lost its dentin (teeth.md section 7: cavosurface; it breaks away under load), and where
     /// its height is greatest. Counted is enamel still there of which one of these is true:
     ///  - decay is left straight below it;

@@ -12,10 +12,6 @@ namespace core::grading {
 /// undermines. What lies deeper is decay on the floor.
 inline constexpr double kAtJunctionMm = 0.5;
 
-/// So deep and so large, a cut away from the lesion is more than a scratch that is polished away: mm and mm2.
-inline constexpr double kStrayDepthMm = 0.2;
-inline constexpr double kStrayMm2 = 0.1;
-
 /// The floor of a lesion is followed by a bur no finer than this: next to a deep place its neighbours may be as deep.
 inline constexpr double kLesionReachMm = 0.8;
 

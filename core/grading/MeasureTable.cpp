@@ -443,6 +443,14 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Node {
          return ofPart<Node>(m, &Deviation::outline, [](const OutlineDeviation& o) { return worstOf(o.underMm); });
      }},
+    {"beyond_ideal_mm", "mm",
+     "Distance, seen from above, from the ideal outline to what was cut 0.2 mm deep or deeper outside it; 0.1 mm² are as "
+     "far away, or farther.",
+     kSturdevant,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return Value(d.beyondMm.value); });
+     },
+     [](const Measured& m) -> Node { return ofDeviation(m, [](const Deviation& d) { return worstOf(d.beyondMm); }); }},
 
     {"isthmus_width_mm", "mm", "Shortest run of cut across the isthmus; 0 where the cut is interrupted there.", kForms,
      [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::isthmusMm)); },
@@ -492,7 +500,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
          return floor ? Value(floor->flatnessMm) : std::nullopt;
      },
      worstStep},
-    {"floor_slope_deg", "deg", "Slope of the floor against the ideal one, once half of the ideal is cut.", kForms,
+    {"floor_slope_deg", "deg", "Slope of most of the floor against the ideal one, once half of the ideal is cut.", kForms,
      [](const Measured& m) -> Value {
          const auto floor = formedFloor(m);
          return floor ? Value(floor->slopeDeg) : std::nullopt;

@@ -114,7 +114,7 @@ private slots:
                      "depth_error_mean_mm depth_error_signed_mm depth_error_p95_mm depth_too_deep_mm "
                      "depth_too_shallow_mm depth_deep_p95_mm depth_shallow_p95_mm floor_gouge_mm outline_mean_mm "
                      "outline_signed_mm outline_p95_mm outline_max_mm "
-                     "outline_over_mm outline_under_mm isthmus_width_mm isthmus_error_mm ridge_mesial_mm "
+                     "outline_over_mm outline_under_mm beyond_ideal_mm isthmus_width_mm isthmus_error_mm ridge_mesial_mm "
                      "ridge_distal_mm ridge_least_mm wall_angle_mesial_deg wall_angle_distal_deg "
                      "wall_angle_buccal_deg wall_angle_lingual_deg wall_angle_least_deg wall_angle_most_deg "
                      "wall_angle_error_deg wall_roughness_mm floor_flatness_mm floor_slope_deg floor_step_mm "

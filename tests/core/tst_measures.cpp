@@ -5,6 +5,7 @@
 
 #include "core/base/Rng.h"
 #include "core/grading/IdealCavity.h"
+#include "core/grading/LesionCut.h"
 #include "core/grading/Measures.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
@@ -104,6 +105,51 @@ private slots:
         QVERIFY(isNear(m.overcutMm3, 0.01 * (8 * 3.5 + 64 * 0.5)));
         const double sound = removed(m, Material::Enamel) + removed(m, Material::Dentin);
         QVERIFY(isNear(sound, m.overcutMm3 + m.accessMm3));
+    }
+
+    void aCutIsMeasuredAgainstItsLesion()
+    {
+        const auto anatomy = decayedBlock();  // without a tooth's number: no ridges
+        const auto after = [&](const std::vector<std::pair<support::Nodes, float>>& cuts) {
+            Tooth tooth(anatomy);
+            for (const auto& [nodes, toMm] : cuts)
+                cut(tooth, nodes, toMm);
+            return grading::measureLesionCut(tooth).value();
+        };
+        const grading::LesionCut clean = after({{{28, 35, 28, 35}, -3.0F}});
+        QVERIFY(clean == grading::LesionCut{});
+        const double junction = static_cast<double>(anatomy->layers[anatomy->grid.index(30, 30)].dej);
+        // Decay on the floor of all columns, and in two of them up to its roof.
+        const float onFloor = static_cast<float>(junction - grading::kAtJunctionMm - 0.1);
+        const grading::LesionCut left = after({{{28, 35, 28, 34}, onFloor}, {{28, 33, 35, 35}, onFloor}});
+        QVERIFY(onFloor > -3.0F);
+        QVERIFY(isNear(left.junctionMm2.value, 0.02) && isNear(left.floorMm2.value, 0.62));
+        // Half a millimetre deeper over 1 mm2, and a hole 2 mm away.
+        QVERIFY(isNear(after({{{26, 37, 26, 37}, -3.5F}}).belowMm.value, 0.5));
+        QVERIFY(isNear(after({{{30, 33, 30, 33}, -3.5F}}).belowMm.value, 0.0));  // 0.16 mm2
+        const double away = after({{{28, 35, 28, 35}, -3.0F}, {{55, 58, 30, 33}, -0.5F}}).beyondMm.value;
+        QVERIFY2(away > 1.9 && away < 2.3, qPrintable(QString::number(away)));
+        QVERIFY(isNear(after({{{28, 35, 28, 35}, -3.0F}, {{55, 58, 30, 33}, -0.1F}}).beyondMm.value, 0.0));
+        QVERIFY(!grading::measureLesionCut(Tooth(support::slab(-2.0F))).has_value());
+    }
+
+    void theRidgesAreMeasuredInAToothWithDecay()
+    {
+        const auto anatomy = support::builtTooth(36);
+        const auto widened = [&](double halfMm) {
+            return grading::measureLesionCut(support::lowered(anatomy,
+                                                              [halfMm](glm::dvec2 p) {
+                                                                  return std::abs(p.x) < halfMm && std::abs(p.y) < 1.0
+                                                                             ? -3.0
+                                                                             : 10.0;
+                                                              }))
+                .value();
+        };
+        const grading::LesionCut narrow = widened(1.5);
+        const grading::LesionCut wide = widened(2.5);
+        QVERIFY(isNear(narrow.ridgeMesialMm->value - wide.ridgeMesialMm->value, 1.0, 0.15));
+        QVERIFY(isNear(narrow.ridgeDistalMm->value - wide.ridgeDistalMm->value, 1.0, 0.15));
+        QVERIFY(!grading::measureLesionCut(Tooth(anatomy))->ridgeMesialMm.has_value());
     }
 
     void countsTheLargestIsland()

@@ -367,7 +367,7 @@ private slots:
         for (const Criterion& line : marked.sheet.criteria) {
             if (line.id == "depth") {
                 QVERIFY(std::abs(line.measured.value() - 0.5) < 0.01);
-                QCOMPARE(line.lostTenths, 67);  // 20 points * (0.5 - 0.25) / 0.75
+                QCOMPARE(line.lostTenths, 72);  // 12 points * (0.5 - 0.2) / 0.5
             } else if (line.id == "outline" || line.id == "isthmus" || line.id == "ridge" || line.id == "floor") {
                 QCOMPARE(line.lostTenths, 0);
             }

@@ -58,19 +58,24 @@ private slots:
     void theExampleOfTheDocumentIsRight()
     {
         const Rubric rubric = decayRemoval();
-        QCOMPARE(rubric.criteria.size(), std::size_t{4});
-        const ScoreSheet sheet = grade(rubric, {{"caries_left_percent", 4.2},
-                                                {"caries_removed_percent", 95.8},
-                                                {"sound_overcut_mm3", 6.0},
-                                                {"smallest_cavity_mm3", 2.0},
-                                                {"pulp_exposed_mm2", 0.0},
-                                                {"perforated_mm2", 0.0}});
-        QCOMPARE(sheet.criteria[0].lostTenths, 192);
-        QCOMPARE(sheet.criteria[1].tolerance, 5.0);
-        QCOMPARE(sheet.criteria[1].lostTenths, 15);
-        QCOMPARE(sheet.criteria[2].lostTenths, 0);
-        QCOMPARE(sheet.totalTenths, 793);
+        Values values{{"caries_left_percent", 2.8}, {"caries_removed_percent", 97.2},
+                      {"sound_overcut_mm3", 7.4},   {"smallest_cavity_mm3", 6.0},
+                      {"below_lesion_mm", 0.26},    {"remaining_over_pulp_mm", 1.4},
+                      {"pulp_exposed_mm2", 0.0},    {"perforated_mm2", 0.0},
+                      {"beyond_lesion_mm", 0.4},    {"caries_at_junction_mm2", 0.1},
+                      {"removed_mm3", 8.0}};
+        ScoreSheet sheet = grade(rubric, values);
+        QCOMPARE(sheet.criteria[0].lostTenths, 160);
+        QCOMPARE(sheet.criteria[1].tolerance, 2.5 + 0.35 * 6.0);
+        QCOMPARE(sheet.criteria[1].lostTenths, 50);
+        QCOMPARE(sheet.criteria[2].lostTenths, 40);
+        QCOMPARE(sheet.criteria[3].lostTenths, 0);
+        QCOMPARE(sheet.totalTenths, 750);
         QVERIFY(sheet.passed());
+        values["caries_at_junction_mm2"] = 0.8;
+        sheet = grade(rubric, values);
+        QCOMPARE(sheet.totalTenths, 500);
+        QVERIFY(!sheet.passed() && sheet.limitTenths() == 500);
     }
 
     void eachSideCountsItsOwnErrors_data()
@@ -101,7 +106,8 @@ private slots:
     void whatComesFromRoundingIsNoError()
     {
         Rubric rubric = decayRemoval();
-        CriterionRule& rule = rubric.criteria[2];
+        CriterionRule& rule = *std::find_if(rubric.criteria.begin(), rubric.criteria.end(),
+                                            [](const CriterionRule& one) { return one.id == "pulp_exposure"; });
         QVERIFY(rule.critical);
         const auto failedAt = [&rubric](double value) {
             return grade(rubric, {{"caries_left_percent", 0.0},

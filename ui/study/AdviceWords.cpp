@@ -34,6 +34,11 @@ QString AdviceWords::of(const ::lessons::Advice& advice, const ::lessons::Criter
                   "when the floor is firm dentin.");
     case Rule::PulpNotReached:
         return tr("The pulp chamber is not open yet. Go on at the place that the X-ray shows until its roof is gone.");
+    case Rule::NearPulp:
+        //: %1 is a length in mm
+        return tr("Only %1 mm of dentin is left over the pulp. Watch the figure for the remaining dentin, and stop "
+                  "earlier.")
+            .arg(number);
     case Rule::DecayLeft:
         //: %1 is a share in per cent
         return tr("%1 % of the decay is still in the tooth. Clean the walls first and then the floor, until no brown "
@@ -47,6 +52,23 @@ QString AdviceWords::of(const ::lessons::Advice& advice, const ::lessons::Criter
         //: %1 is a volume in mm³
         return tr("You removed %1 mm³ of sound tissue. Follow the brown edge, and take a smaller bur near it.")
             .arg(number);
+    case Rule::FarFromDecay:
+        //: %1 is a length in mm
+        return tr("You cut the tooth %1 mm away from the decay. Lift the bur before you move it, and cut at the decay "
+                  "only.")
+            .arg(number);
+    case Rule::BelowDecay:
+        //: %1 is a length in mm
+        return tr("The cavity goes %1 mm below the decay. Stop as soon as no brown is left at the bottom.").arg(number);
+    case Rule::FloorInEnamel:
+        return tr("The floor is still in enamel. Lower it until it lies just inside dentin.");
+    case Rule::FloorTilted:
+        return tr("The floor is tilted by %1°. Keep the depth stop on, and compare both ends in the section.")
+            .arg(whole);
+    case Rule::NeighbourTouched:
+        return tr(
+            "The turning bur touched the neighbouring tooth. Leave a thin shell of enamel towards it, and break it off "
+            "last.");
     case Rule::UnsupportedEnamel:
         return tr("Enamel is left without dentin under it. Remove the overhanging edge.");
     case Rule::TooDeepFast:

@@ -83,6 +83,8 @@ struct Context
 
 /// A recording of continuous drilling played to its end, and looked at here and there.
 [[nodiscard]] core::Result<Figures> replaySuite(const Context& context);
+/// Points of the program against the letters of a strict instructor, for attempts that were spoiled in a known way.
+[[nodiscard]] core::Result<Figures> marksSuite(const Context& context);
 /// A servo in its thread at 1 kHz, by turns alone and with the live measures of a lesson beside it, and what those
 /// take.
 [[nodiscard]] core::Result<Figures> liveSuite(const Context& context);
