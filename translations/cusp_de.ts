@@ -2245,10 +2245,6 @@
         <translation>unbegrenzt</translation>
     </message>
     <message>
-        <source>%1: fails the attempt</source>
-        <translation>%1: Versuch nicht bestanden</translation>
-    </message>
-    <message>
         <source>%1: %2 points</source>
         <translation>%1: %2 Punkte</translation>
     </message>
@@ -2392,9 +2388,14 @@
         <translation>darüber ist die Punktzahl auf %1 begrenzt</translation>
     </message>
     <message>
-        <source>%1: limits the score to %2 points</source>
-        <extracomment>%1 is a criterion; %2: points of a score</extracomment>
-        <translation>%1: begrenzt die Punktzahl auf %2</translation>
+        <source>At most %1 points: %2</source>
+        <extracomment>%1: points of a score; %2: serious errors, with semicolons between</extracomment>
+        <translation>Höchstens %1 Punkte: %2</translation>
+    </message>
+    <message>
+        <source>Fails the attempt: %1</source>
+        <extracomment>%1: serious errors, with semicolons between</extracomment>
+        <translation>Lässt den Versuch scheitern: %1</translation>
     </message>
 </context>
 <context>

@@ -2245,10 +2245,6 @@
         <translation>sin límite</translation>
     </message>
     <message>
-        <source>%1: fails the attempt</source>
-        <translation>%1: intento no aprobado</translation>
-    </message>
-    <message>
         <source>%1: %2 points</source>
         <translation>%1: %2 puntos</translation>
     </message>
@@ -2392,9 +2388,14 @@
         <translation>más allá, la puntuación se limita a %1 puntos</translation>
     </message>
     <message>
-        <source>%1: limits the score to %2 points</source>
-        <extracomment>%1 is a criterion; %2: points of a score</extracomment>
-        <translation>%1: limita la puntuación a %2 puntos</translation>
+        <source>At most %1 points: %2</source>
+        <extracomment>%1: points of a score; %2: serious errors, with semicolons between</extracomment>
+        <translation>Como máximo %1 puntos: %2</translation>
+    </message>
+    <message>
+        <source>Fails the attempt: %1</source>
+        <extracomment>%1: serious errors, with semicolons between</extracomment>
+        <translation>Suspende el intento: %1</translation>
     </message>
 </context>
 <context>

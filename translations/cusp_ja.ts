@@ -2317,10 +2317,6 @@
         <translation>窩底の平坦さ %1 mm</translation>
     </message>
     <message>
-        <source>%1: fails the attempt</source>
-        <translation>%1：不合格となります</translation>
-    </message>
-    <message>
         <source>%1: %2 points</source>
         <translation>%1：%2点</translation>
     </message>
@@ -2389,9 +2385,14 @@
         <translation>それを超えると得点は最大%1点</translation>
     </message>
     <message>
-        <source>%1: limits the score to %2 points</source>
-        <extracomment>%1 is a criterion; %2: points of a score</extracomment>
-        <translation>%1：得点は最大%2点</translation>
+        <source>At most %1 points: %2</source>
+        <extracomment>%1: points of a score; %2: serious errors, with semicolons between</extracomment>
+        <translation>最大%1点：%2</translation>
+    </message>
+    <message>
+        <source>Fails the attempt: %1</source>
+        <extracomment>%1: serious errors, with semicolons between</extracomment>
+        <translation>不合格になる：%1</translation>
     </message>
 </context>
 <context>

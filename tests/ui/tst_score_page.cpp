@@ -311,6 +311,29 @@ private slots:
         QVERIFY(!child<QLabel>("sum")->isVisible() && !child<QLabel>("worked_depth")->isVisible());
     }
 
+    void aLimitThatTookNothingIsADetail()
+    {
+        Faulty made = faulty("class1-36");
+        const auto limit = [&](const char* id) -> lessons::Criterion& {
+            return *std::find_if(made.sheet.criteria.begin(), made.sheet.criteria.end(),
+                                 [id](const lessons::Criterion& one) { return one.id == id; });
+        };
+        limit("thin").lostTenths = 0;
+        limit("in_enamel").lostTenths = 120;
+        show(made);
+        const auto isShown = [this](const char* name) { return child<CriterionRow>(name)->isVisible(); };
+        QVERIFY(!isShown("criterion_thin") && isShown("criterion_in_enamel"));
+        QVERIFY(isShown("criterion_pulp_exposure") && isShown("criterion_depth"));
+        // The arrow keys pass over what is hidden.
+        auto* last = child<CriterionRow>("criterion_perforation");
+        last->setFocus();
+        QTest::keyClick(last, Qt::Key_Down);
+        QVERIFY(!QApplication::focusWidget()->isHidden() && QApplication::focusWidget() != last);
+        child<QToolButton>("scoreDetails")->click();
+        QVERIFY(isShown("criterion_thin"));
+        child<QToolButton>("scoreDetails")->click();
+    }
+
     void breachesLeadToTheirMoments()
     {
         using core::grading::Breach;

@@ -148,6 +148,8 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
 void CriterionRow::setDetailed(bool detailed)
 {
     m_worked->setVisible(detailed);
+    // A limit that took nothing is one of many.
+    setHidden(!detailed && m_criterion.capTenths > 0 && m_criterion.lostTenths == 0);
 }
 
 void CriterionRow::bePlain()
@@ -240,7 +242,8 @@ void CriterionRow::keyPressEvent(QKeyEvent* event)
         QAbstractButton::keyPressEvent(event);
         return;
     }
-    const auto rows = parentWidget()->findChildren<CriterionRow*>(QString(), Qt::FindDirectChildrenOnly);
+    auto rows = parentWidget()->findChildren<CriterionRow*>(QString(), Qt::FindDirectChildrenOnly);
+    rows.removeIf([](const CriterionRow* row) { return row->isHidden(); });
     if (CriterionRow* next = rows.value(rows.indexOf(this) + step)) {
         next->setChecked(true);
         next->setFocus(Qt::TabFocusReason);

@@ -166,6 +166,15 @@ QString withLimit(const QString& name, const QString& language, double before, d
     return QString(name).replace(limit, shown(now));
 }
 
+/// The value from which on there is an error.
+double limitOf(const QJsonObject& criterion)
+{
+    const double target = criterion.value(QStringLiteral("target")).toDouble();
+    const double tolerance = criterion.value(QStringLiteral("tolerance")).toDouble();
+    return criterion.value(QStringLiteral("side")).toString() == QLatin1String("under") ? target - tolerance
+                                                                                        : target + tolerance;
+}
+
 /// A name in one language, or in several.
 QJsonValue withLimit(const QJsonValue& names, double before, double now)
 {
@@ -213,7 +222,7 @@ std::shared_ptr<const Weighed> weigh(const QJsonObject& draft, const QString& fi
                 weighed->outlineMm = tolerances.outlineMm;
                 weighed->depthMm = tolerances.depthMm;
                 for (const ::lessons::CriterionRule& rule : lesson->rubric.criteria)
-                    weighed->spanMm = rule.measure == "outline_p95_mm" ? rule.span : weighed->spanMm;
+                    weighed->spanMm = !rule.critical && rule.measure == "outline_p95_mm" ? rule.span : weighed->spanMm;
                 weighed->band = core::preparation::toleranceBand(anatomy, *assignment->ideal, tolerances.outlineMm,
                                                                  tolerances.depthMm);
             }
@@ -445,13 +454,14 @@ void LessonDraft::setCriterion(int index, const char* key, double value)
     if (index < 0 || index >= criteria.size())
         return;
     QJsonObject criterion = criteria[index].toObject();
-    // What fails an attempt is often called by its limit: "Floor more than 1 mm too deep".
-    if (key == std::string_view("tolerance") && criterion.value(QStringLiteral("critical")).toBool() &&
-        criterion.contains(QStringLiteral("title")))
-        criterion.insert(QStringLiteral("title"),
-                         withLimit(criterion.value(QStringLiteral("title")),
-                                   criterion.value(QStringLiteral("tolerance")).toDouble(), value));
+    const double before = limitOf(criterion);
     criterion.insert(QLatin1String(key), value);
+    // A serious error is often called by its limit: "Floor more than 1 mm too deep".
+    const bool isSerious =
+        criterion.value(QStringLiteral("critical")).toBool() || criterion.contains(QStringLiteral("caps_at"));
+    if (isSerious && criterion.contains(QStringLiteral("title")))
+        criterion.insert(QStringLiteral("title"),
+                         withLimit(criterion.value(QStringLiteral("title")), before, limitOf(criterion)));
     criteria[index] = criterion;
     changed.insert(QStringLiteral("criteria"), criteria);
     next.insert(QStringLiteral("rubric"), changed);

@@ -2,6 +2,8 @@
 #include "ui/study/LessonWords.h"
 
 #include <cmath>
+#include <functional>
+#include <map>
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -300,18 +302,22 @@ QString dueWords(const QDateTime& due, const QDateTime& now)
 QStringList criteriaWords(const ::lessons::Rubric& rubric)
 {
     QStringList lines;
+    std::map<int, QStringList, std::greater<>> limits;  // by points, the least serious first
     for (const ::lessons::CriterionRule& rule : rubric.criteria) {
-        const QString name = titleOf(rule);
-        lines << (rule.capTenths > 0
-                      //: %1 is a criterion; %2: points of a score
-                      ? QCoreApplication::translate("Lesson", "%1: limits the score to %2 points")
-                            .arg(name, text::points(rule.capTenths))
-                      : rule.critical
-                            //: %1 is a criterion
-                            ? QCoreApplication::translate("Lesson", "%1: fails the attempt").arg(name)
-                            //: %1 is a criterion, %2 what it may cost
-                            : QCoreApplication::translate("Lesson", "%1: %2 points")
-                                  .arg(name, text::points(rule.weightTenths)));
+        if (rule.critical)
+            limits[rule.capTenths] << titleOf(rule);
+        else
+            //: %1 is a criterion, %2 what it may cost
+            lines << QCoreApplication::translate("Lesson", "%1: %2 points")
+                         .arg(titleOf(rule), text::points(rule.weightTenths));
+    }
+    for (const auto& [tenths, names] : limits) {
+        const QString named = names.join(QStringLiteral("; "));
+        lines << (tenths > 0
+                      //: %1: points of a score; %2: serious errors, with semicolons between
+                      ? QCoreApplication::translate("Lesson", "At most %1 points: %2").arg(text::points(tenths), named)
+                      //: %1: serious errors, with semicolons between
+                      : QCoreApplication::translate("Lesson", "Fails the attempt: %1").arg(named));
     }
     return lines;
 }

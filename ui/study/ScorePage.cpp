@@ -695,7 +695,7 @@ QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optiona
     if (sheet.passed())
         return tr("Passed");
     const std::optional<int> limit = sheet.limitTenths();
-    if (!limit)
+    if (!limit || *limit > sheet.totalTenths)
         return tr("Not passed yet");
     //: %1: points of a score
     return *limit > 0 ? tr("Not passed: an error limits the score to %1").arg(text::points(*limit))
