@@ -471,7 +471,7 @@ private:
         default:  // 24, 25
             buccal = lobes({1});
             lingual = lobes({2});
-            mesialRidge = lobes({3});
+            mesialRidge = m_fdi == 24 ? lobes({3, 4}) : lobes({3});
             distalRidge = lobes({m_fdi == 24 ? 5 : 4});
         }
         const Line groove = grooveAlongU(lingual, buccal, -6.0, 6.0);
@@ -548,7 +548,7 @@ private:
                 pit = k;
         const double lingually = 0.5 * m_design.isthmusMm + m_design.grooveMm;
         return planShort(groove, pit, lingually, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius,
-                         "distal pit", false, 1.0);
+                         "distal pit", false, {1.4, 0.0});
     }
 
     /// Two pits on either side of a transverse ridge.
@@ -571,19 +571,26 @@ private:
                     pit = k;
             // More of it towards the cheek: the lingual cusp is small.
             const double half = 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius;
-            if (Status done =
-                    planShort(groove, pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit", mesial, 0.9);
+            if (Status done = planShort(groove, pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit",
+                                        mesial, {1.6, 1.35});
                 !done)
                 return done;
         }
         return {};
     }
 
+    /// How far a short stroke may be moved from its pit.
+    struct Shift
+    {
+        double inwardsMm = 0.0;  ///< away from the marginal ridge
+        double buccalMm = 0.0;
+    };
+
     /// A short stroke across the tooth through a pit, moved away from the marginal ridge as far as that has to stay.
     /// @param lingualMm, buccalMm  how far the axis goes to either side of the pit
-    /// @param mostShiftMm  a transverse ridge behind it has to stay as well
+    /// @param most  a transverse ridge behind it has to stay as well
     Status planShort(const Line& groove, std::size_t pit, double lingualMm, double buccalMm, const char* name,
-                     bool mesial, double mostShiftMm)
+                     bool mesial, Shift most)
     {
         Line line = smoothed(groove, kSmoothMm);
         const double pitV = line[pit].y;
@@ -597,17 +604,22 @@ private:
         struct Change
         {
             double shift;
+            double cheekwards;
             double lingually;  ///< shorter
             double buccally;
             double half;
-            [[nodiscard]] double cost(double wide) const { return shift + 0.6 * (lingually + buccally) + wide - half; }
+            [[nodiscard]] double cost(double wide) const
+            {
+                return shift + cheekwards + 0.6 * (lingually + buccally) + wide - half;
+            }
         };
         std::vector<Change> changes;
-        for (double shift = 0.0; shift <= mostShiftMm; shift += 0.08)
-            for (double lingually = 0.0; lingually <= lingualMm; lingually += 0.12)
-                for (double buccally = 0.0; buccally <= buccalMm; buccally += 0.12)
-                    for (const double half : {m_half, 0.5 * m_half, 0.0})
-                        changes.push_back({shift, lingually, buccally, half});
+        for (double shift = 0.0; shift <= most.inwardsMm; shift += 0.08)
+            for (double cheekwards = 0.0; cheekwards <= most.buccalMm; cheekwards += 0.15)
+                for (double lingually = 0.0; lingually <= lingualMm; lingually += 0.12)
+                    for (double buccally = 0.0; buccally <= buccalMm; buccally += 0.12)
+                        for (const double half : {m_half, 0.5 * m_half, 0.0})
+                            changes.push_back({shift, cheekwards, lingually, buccally, half});
         std::stable_sort(changes.begin(), changes.end(),
                          [&](const Change& a, const Change& b) { return a.cost(m_half) < b.cost(m_half); });
         for (const Change& change : changes) {
@@ -615,7 +627,8 @@ private:
             bool fit = true;
             for (const glm::dvec2& p : line)
                 if (p.y >= pitV - lingualMm + change.lingually && p.y <= pitV + buccalMm - change.buccally && fit) {
-                    spots.push_back({p + glm::dvec2{mesial ? change.shift : -change.shift, 0.0}, change.half});
+                    spots.push_back(
+                        {p + glm::dvec2{mesial ? change.shift : -change.shift, change.cheekwards}, change.half});
                     fit = fits(spots.back(), cavity.floorMm);
                 }
             if (spots.empty() || !fit)

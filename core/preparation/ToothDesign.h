@@ -24,8 +24,8 @@ enum class Kind : std::uint8_t {
 /// UnknownName lists those there are.
 [[nodiscard]] Result<Kind> findKind(std::string_view id);
 
-/// The figures of a preparation. Those of a Class I are the ideals of teeth.md section 7 (Sturdevant and the courses
-/// named there); boxes, and everything marked [W] there, are estimates that a teacher may set.
+/// The figures of a preparation. Those of a Class I are the ideals of docs/teeth.md (Sturdevant and the courses
+/// named there); boxes, and everything that has no source there, are estimates that a teacher may set.
 struct ToothDesign
 {
     double isthmusMm = 1.0;        ///< width across the central groove

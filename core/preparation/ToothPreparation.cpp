@@ -216,11 +216,11 @@ Result<ToothDesign> fittedDesign(Kind kind, const terrain::ToothAnatomy& anatomy
         return tl::unexpected<Error>(form.error());
     const ToothDesign usual = *design;
     Error fault;
-    for (const int step : {0, 1, 2}) {
-        design->divergeDeg = step == 0 ? usual.divergeDeg : 0.0;
-        design->obliqueMm = step == 2 ? 0.5 * usual.obliqueMm : usual.obliqueMm;
-        for (int less = 0; usual.ridgeMm - 0.1 * less > kLeastRidgeMm - 0.05; ++less) {
-            design->ridgeMm = usual.ridgeMm - 0.1 * less;
+    for (int less = 0; usual.ridgeMm - 0.1 * less > kLeastRidgeMm - 0.05; ++less) {
+        design->ridgeMm = usual.ridgeMm - 0.1 * less;
+        for (const int step : {0, 1, 2}) {
+            design->divergeDeg = step == 0 ? usual.divergeDeg : 0.0;
+            design->obliqueMm = step == 2 ? 0.5 * usual.obliqueMm : usual.obliqueMm;
             const auto cavities = occlusalCavities(kind, anatomy.fdi, *form, *design);
             if (cavities)
                 return design;

@@ -8,9 +8,9 @@
 
 namespace core::preparation {
 
-/// usualDesign(), with as much less marginal ridge as a small tooth needs for any outline at all, in tenths of a
-/// millimetre and not under 0.8 (teeth.md section 7: under 1.0 to 1.2 a ridge fails); where that does not do, with end
-/// walls that stand upright and half of the ridge across. The same on every grid.
+/// usualDesign(), changed as far as a small tooth needs it for any outline at all: first with upright end walls, then
+/// with half of the ridge across, and last with less marginal ridge, in tenths of a millimetre and not under 0.8 (under
+/// 1.0 to 1.2 a ridge fails, docs/teeth.md). The same on every grid.
 [[nodiscard]] Result<ToothDesign> fittedDesign(Kind kind, const terrain::ToothAnatomy& anatomy);
 
 /// The ideal preparation of a generated tooth by rule. Its outline follows the tooth's own grooves and is the same in

@@ -18,6 +18,8 @@ constexpr int kFine = 384;
 /// Share of the crown over which the incisal edge is rounded, and what is left of its thickness at the very top.
 constexpr double kEdgeShare = 0.07;
 constexpr double kEdgeLeft = 0.12;
+/// Share of the crown below its edge at which it is as wide as the edge is drawn.
+constexpr double kEdgeWidthShare = 0.15;
 
 /// Cubic B-spline over nine even control values, t in 0 .. 1; it starts and ends in the first and the last.
 double on(const Curve& curve, double t)
@@ -90,6 +92,9 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
     const double labial = on(d.labialY, t);
     const double lingual = on(d.lingualY, t);
     const double middle = 0.5 * (labial + lingual);
+    // The uppermost sections are narrower, but lie on the same edge: none of those below rises above it.
+    const double edgeFrom = on(d.mesialX, std::max(t, kEdgeWidthShare));
+    const double edgeTo = on(d.distalX, std::max(t, kEdgeWidthShare));
 
     std::vector<glm::dvec3> fine;
     fine.reserve(kFine);
@@ -112,8 +117,8 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
         const double x = 0.5 * (mesial + distal) + 0.5 * (distal - mesial) * xi * (1.0 - taper) + shift;
         const double upper = 1.0 - t;
         const double rise = (c < 0.0 ? sizes.cejCurveMesialMm : sizes.cejCurveDistalMm) * xi * xi;
-        const double z =
-            -sizes.crownHeightMm * t + on(d.edgeZ, 0.5 + 0.5 * xi) * upper * upper * upper + rise * t * t * t;
+        const double z = -sizes.crownHeightMm * t +
+                         on(d.edgeZ, (x - edgeFrom) / (edgeTo - edgeFrom)) * upper * upper * upper + rise * t * t * t;
         fine.emplace_back(x, y, z);
     }
     std::vector<glm::dvec3> even;

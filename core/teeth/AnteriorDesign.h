@@ -11,7 +11,7 @@ namespace core::teeth {
 using Curve = std::array<double, 9>;
 
 /// Everything that makes the crown of an incisor or canine. Mean tooth, mm; x from mesial to distal, y towards the lip.
-/// The figures of 21 were fitted to a scan, the others follow the anatomy of teeth.md, section 2.
+/// The figures of 21 were fitted to a scan, the others follow the anatomy of docs/teeth.md.
 struct AnteriorDesign
 {
     // Silhouettes from the incisal edge (first value) to the CEJ (last).

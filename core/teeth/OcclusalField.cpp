@@ -43,14 +43,20 @@ struct OcclusalField::Value
 };
 
 OcclusalField::OcclusalField(const std::vector<Lobe>& lobes, double blendMm, double furrows, std::vector<Wave> wander)
-    : m_wander(std::move(wander)), m_blendMm(blendMm)
+    : m_wander(std::move(wander)), m_blendMm(blendMm), m_furrows(furrows)
 {
+    setLobes(lobes);
+}
+
+void OcclusalField::setLobes(const std::vector<Lobe>& lobes)
+{
+    m_lobes.clear();
     for (const Lobe& lobe : lobes) {
         const double angle = lobe.turnDeg * std::numbers::pi / 180.0;
         // Golden-angle phases: no two lobes are furrowed alike.
         const double phase = 2.4 * static_cast<double>(m_lobes.size());
         m_lobes.push_back(
-            {lobe, std::cos(angle), std::sin(angle), furrows * glm::dvec2{std::cos(phase), std::sin(phase)}});
+            {lobe, std::cos(angle), std::sin(angle), m_furrows * glm::dvec2{std::cos(phase), std::sin(phase)}});
     }
 }
 

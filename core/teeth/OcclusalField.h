@@ -9,6 +9,9 @@
 
 namespace core::teeth {
 
+/// Which cusp a lobe is: buccal or lingual on a premolar, the others on a molar. None: a ridge.
+enum class Cusp : std::uint8_t { None, B, L, MB, ML, DB, DL, D };
+
 /// A developmental lobe: a four-ridged pyramid with a rounded tip. Cusps, marginal ridges and oblique ridges are all
 /// lobes; the occlusal surface is the highest lobe everywhere, as a dental technician builds a crown from drops of wax,
 /// and the developmental grooves are where two lobes meet.
@@ -18,7 +21,7 @@ struct Lobe
 {
     double x = 0.0;
     double y = 0.0;
-    double z = 0.0;            ///< height of the tip
+    double z = 0.0;            ///< height of the tip; of a cusp, on the finished crown
     double turnDeg = 0.0;      ///< rotation of the ridges about the tip, from x towards y
     double slopeMesial = 0.5;  ///< fall along each of the four ridges, mm per mm
     double slopeDistal = 0.5;
@@ -27,6 +30,7 @@ struct Lobe
     double power = 1.5;   ///< 1 a pyramid with four sharp ridges, 2 a cone
     double groove = 1.0;  ///< share of the fissure depth that its grooves get
     int group = 0;        ///< lobes of one group run into each other without a fissure
+    Cusp cusp = Cusp::None;
 };
 
 /// The occlusal surface of a posterior tooth as a height over the design plane, before the sides round it off.
@@ -54,6 +58,7 @@ public:
     /// @param furrows  share by which a lobe's fall waxes and wanes round its tip: supplemental ridges and furrows
     OcclusalField(const std::vector<Lobe>& lobes, double blendMm, double furrows, std::vector<Wave> wander);
 
+    void setLobes(const std::vector<Lobe>& lobes);
     [[nodiscard]] Sample at(glm::dvec2 point) const;
     /// Height of one lobe alone, by its place in the design's list.
     [[nodiscard]] double lobeHeight(std::size_t lobe, glm::dvec2 point) const;
@@ -72,6 +77,7 @@ private:
     std::vector<Prepared> m_lobes;
     std::vector<Wave> m_wander;
     double m_blendMm;
+    double m_furrows;
 };
 
 }  // namespace core::teeth

@@ -55,7 +55,28 @@ PosteriorCrown::PosteriorCrown(PosteriorDesign design, std::vector<OcclusalField
     : m_design(std::move(design)), m_field(m_design.lobes, m_design.blendMm, m_design.furrows, std::move(wander)),
       m_beadPhase(beadPhase), m_contour(waveThrough(m_design.contourZ)), m_rise(waveThrough(m_design.domeRise)),
       m_power(waveThrough(m_design.domePower))
-{}
+{
+    alignSideGrooves();
+}
+
+void PosteriorCrown::alignSideGrooves()
+{
+    constexpr double kAt = 0.65;  // share of the way out where the fissure becomes the side groove
+    constexpr int kMostDeg = 18;
+    for (SideGroove& groove : m_design.sideGrooves) {
+        const double mean = groove.angleDeg;
+        double nearest = 0.3;
+        for (int turn = -kMostDeg; turn <= kMostDeg; ++turn) {
+            const double angle = (mean + turn) / 360.0 * kFullTurn;
+            const OcclusalField::Sample sample =
+                m_field.at(kAt * outlineMm(angle) * glm::dvec2{std::cos(angle), std::sin(angle)});
+            if (sample.groove > 0.0 && sample.grooveDistanceMm < nearest) {
+                nearest = sample.grooveDistanceMm;
+                groove.angleDeg = mean + turn;
+            }
+        }
+    }
+}
 
 double PosteriorCrown::outlineMm(double angle) const
 {
@@ -118,6 +139,31 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
         top.z -= top.carved;
     }
     return top;
+}
+
+double PosteriorCrown::tipNear(glm::dvec2 place) const
+{
+    constexpr double kReachMm = 0.6;
+    constexpr double kStepMm = 0.1;
+    double highest = -1.0e9;
+    for (double y = -kReachMm; y < kReachMm + 0.5 * kStepMm; y += kStepMm)
+        for (double x = -kReachMm; x < kReachMm + 0.5 * kStepMm; x += kStepMm)
+            if (x * x + y * y <= kReachMm * kReachMm)
+                highest = std::max(highest, top(place + glm::dvec2{x, y}).z);
+    return highest;
+}
+
+void PosteriorCrown::settleTips()
+{
+    const std::vector<Lobe> asked = m_design.lobes;
+    for (int pass = 0; pass < 4; ++pass) {
+        std::vector<Lobe> lobes = m_design.lobes;
+        for (std::size_t k = 0; k < lobes.size(); ++k)
+            if (asked[k].cusp != Cusp::None)
+                lobes[k].z += asked[k].z - tipNear({asked[k].x, asked[k].y});
+        m_design.lobes = std::move(lobes);
+        m_field.setLobes(m_design.lobes);
+    }
 }
 
 namespace {

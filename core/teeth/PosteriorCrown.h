@@ -31,6 +31,10 @@ public:
     /// Height of the surface above a point inside the outline.
     [[nodiscard]] Top top(glm::dvec2 point) const;
 
+    /// Raises or lowers the lobe of each cusp until its tip on the finished crown is as high as the design says: where
+    /// the sides round a cusp off, its tip is lower than that of its lobe.
+    void settleTips();
+
     /// Builds the crown down to the CEJ and returns the ring there.
     ///
     /// @param sizes  the CEJ lies sizes.crownHeightMm below the buccal tip
@@ -41,6 +45,10 @@ public:
     [[nodiscard]] const OcclusalField& field() const { return m_field; }
 
 private:
+    /// Turns each side groove into line with the fissure that it continues.
+    void alignSideGrooves();
+    /// The highest point of the surface near a place, design frame.
+    [[nodiscard]] double tipNear(glm::dvec2 place) const;
     /// Points of the CEJ line, from distal over buccal.
     [[nodiscard]] std::vector<glm::dvec3> cej(std::size_t count, double facialZ, const ToothSizes& sizes) const;
 

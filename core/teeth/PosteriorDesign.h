@@ -32,7 +32,7 @@ struct SideFurrow
 };
 
 /// Everything that makes the crown of a premolar or molar that tooth and not its neighbour. Mean tooth, design frame of
-/// Lobe. The figures of 36 and 24 were fitted to scans, the others follow the anatomy of teeth.md, section 2.
+/// Lobe. The figures of 36 and 24 were fitted to scans, the others follow the anatomy of docs/teeth.md.
 struct PosteriorDesign
 {
     /// Radius of the height of contour seen from above, every 22.5 degrees from distal (0) over buccal (90) and mesial

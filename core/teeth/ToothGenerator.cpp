@@ -61,12 +61,26 @@ void varyDesign(AnteriorDesign& design, Rng& rng)
         height *= draw(rng, 1.0, 0.1);
 }
 
+/// How far the height of a lobe may be from its mean: a cusp keeps its place in the order of heights, which is the same
+/// in all people.
+double mostHeightChangeMm(const std::vector<Lobe>& lobes, const Lobe& lobe)
+{
+    double most = 0.2;
+    if (lobe.cusp != Cusp::None)
+        for (const Lobe& other : lobes)
+            if (other.cusp != Cusp::None && other.cusp != lobe.cusp)
+                most = std::min(most, 0.25 * std::abs(other.z - lobe.z));
+    return most;
+}
+
 void varyDesign(PosteriorDesign& design, Rng& rng)
 {
+    const std::vector<Lobe> mean = design.lobes;
     for (Lobe& lobe : design.lobes) {
+        const double most = mostHeightChangeMm(mean, lobe);
         lobe.x = draw(rng, lobe.x, 0.15);
         lobe.y = draw(rng, lobe.y, 0.12);
-        lobe.z = draw(rng, lobe.z, 0.1);
+        lobe.z += std::clamp(draw(rng, 0.0, 0.1), -most, most);
         lobe.turnDeg = draw(rng, lobe.turnDeg, 4.0);
         for (double* slope : {&lobe.slopeMesial, &lobe.slopeDistal, &lobe.slopeBuccal, &lobe.slopeLingual})
             *slope *= draw(rng, 1.0, 0.06);
@@ -108,15 +122,22 @@ mesh::TriangleMesh place(MeshBuilder& builder, std::size_t crownVertices, const 
     return builder.finish(buccalSign(mean.fdi));
 }
 
-PosteriorCrown drawPosteriorCrown(int fdi, std::uint64_t seed)
+/// @param heightShare  the height of the drawn crown over the mean height
+PosteriorCrown drawPosteriorCrown(int fdi, std::uint64_t seed, double heightShare)
 {
     Rng rng = seeded(fdi, seed, kFormStream);
     const bool vary = seed != 0;
     PosteriorDesign design = posteriorDesign(fdi, rng, vary);
     if (vary)
         varyDesign(design, rng);
+    // A high crown has no greater steps between its cusps than a low one.
+    for (Lobe& lobe : design.lobes)
+        if (lobe.cusp != Cusp::None)
+            lobe.z /= heightShare;
     std::vector<OcclusalField::Wave> wander = drawWander(rng);
-    return PosteriorCrown(std::move(design), std::move(wander), rng.uniform(0.0, 6.28));
+    PosteriorCrown crown(std::move(design), std::move(wander), rng.uniform(0.0, 6.28));
+    crown.settleTips();
+    return crown;
 }
 
 }  // namespace
@@ -168,7 +189,7 @@ Result<CoarseTooth> generate(int fdi, std::uint64_t seed, const MeshDetail& deta
         roots = design.roots;
         cervix = buildAnteriorCrown(builder, design, mean, detail);
     } else {
-        const PosteriorCrown crown = drawPosteriorCrown(fdi, seed);
+        const PosteriorCrown crown = drawPosteriorCrown(fdi, seed, drawn.crownHeightMm / mean.crownHeightMm);
         roots = crown.design().roots;
         cervix = crown.build(builder, mean, detail);
     }
@@ -197,7 +218,8 @@ Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed)
         return tl::unexpected<Error>(drawn.error());
     if (fdi % 10 <= 3)
         return unexpected(ErrorCode::UnknownName, "tooth " + std::to_string(fdi) + " has no occlusal surface");
-    PosteriorForm form{drawPosteriorCrown(fdi, seed), {}, {}, buccalSign(fdi)};
+    PosteriorForm form{
+        drawPosteriorCrown(fdi, seed, drawn->crownHeightMm / mean->crownHeightMm), {}, {}, buccalSign(fdi)};
     MeshBuilder builder;
     static_cast<void>(form.crown.build(builder, *mean, {}));
     const Move move = moveOf(builder.points(), *mean, *drawn);

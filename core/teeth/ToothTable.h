@@ -21,7 +21,7 @@ struct ToothSizes
     double cejCurveDistalMm = 0.0;  ///< the same, distal
 };
 
-/// Standard deviations between people (teeth.md, section 1), mm.
+/// Standard deviations between people (docs/teeth.md), mm.
 inline constexpr double kCrownDiameterSdMm = 0.5;
 inline constexpr double kCrownHeightSdMm = 0.8;
 inline constexpr double kRootLengthSdMm = 1.5;
