@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "core/base/Rng.h"
 
@@ -211,6 +215,25 @@ Shadow castShadow(std::span<const XrayedTooth> teeth, const Beam& beam, const Fi
             shadow.attenuation[row * width + c] = static_cast<float>(column.sum()[row]);
     }
     return shadow;
+}
+
+double usualExposure(const terrain::ToothAnatomy& anatomy, const Beam& beam)
+{
+    constexpr double kPixelMm = 0.25;
+    constexpr float kTooth = 0.05F;      // a weaker shadow is the rim of the tooth
+    constexpr double kCrownShare = 0.9;  // of the rays through the tooth: the crown is where it weakens most
+    constexpr double kMolar = 1.95;      // attenuation of that ray through a molar
+    // Borrowed: the tooth does not outlive the call.
+    const Tooth tooth(std::shared_ptr<const ToothAnatomy>(std::shared_ptr<const ToothAnatomy>(), &anatomy));
+    const XrayedTooth one{&tooth};
+    Shadow shadow = castShadow(std::span(&one, 1), beam, shadowArea(std::span(&one, 1), beam, 0.0), kPixelMm);
+    std::erase_if(shadow.attenuation, [](float attenuation) { return attenuation < kTooth; });
+    if (shadow.attenuation.empty())
+        return 1.0;
+    const auto crown = shadow.attenuation.begin() +
+                       static_cast<std::ptrdiff_t>(kCrownShare * static_cast<double>(shadow.attenuation.size() - 1));
+    std::nth_element(shadow.attenuation.begin(), crown, shadow.attenuation.end());
+    return std::exp(static_cast<double>(*crown) - kMolar);
 }
 
 std::vector<float> quantaOn(const Shadow& shadow, const Exposure& exposure)

@@ -16,7 +16,7 @@
 /// Primary beam only. Scatter, the beam's hardening, the blur of the focal spot, bone and gums are not modelled.
 namespace core::imaging {
 
-/// Linear attenuation of decay, enamel, dentin and pulp, 1/mm: the 40 keV column of reference/teeth.md section 4, which
+/// Linear attenuation of decay, enamel, dentin and pulp, 1/mm: the 40 keV column of docs/teeth.md, which
 /// agrees with film densitometry at 70 kVp (enamel 2.97 +- 0.71, dentin 2.12 +- 0.92 1/cm measured). Decay is taken as
 /// half the mineral of sound dentin.
 inline constexpr terrain::PerMaterial kAttenuationPerMm{0.10, 0.28, 0.16, 0.028};
@@ -75,6 +75,10 @@ struct Exposure
     double relative = 1.0;                   ///< 1 is right for a molar
     std::optional<std::uint64_t> noiseSeed;  ///< none: a film without grain, which no exposure gives
 };
+
+/// Exposure with which the film of this tooth alone, uncut, shows its crown as a film of a molar does at exposure 1: a
+/// front tooth is thinner, lets more of the beam through and needs less. About 5 ms; any thread.
+[[nodiscard]] double usualExposure(const terrain::ToothAnatomy& anatomy, const Beam& beam);
 
 /// Quanta that are caught from an unweakened beam at exposure 1, to the mm2. Chosen so that the noise shows as on a
 /// fast dental film; films differ by several times.

@@ -236,6 +236,24 @@ private slots:
         QVERIFY(seenMm2 > 1.0);
     }
 
+    void filmsOfUpperTeethHangCrownDown_data() { support::rows<int>("fdi", {21, 24, 26, 31, 34, 36}); }
+
+    /// The half of the film with the crown is the lighter one.
+    void filmsOfUpperTeethHangCrownDown()
+    {
+        QFETCH(int, fdi);
+        const auto built = core::teeth::buildTooth({fdi}, {});
+        QVERIFY(built.has_value());
+        const Tooth tooth(built->anatomy);
+        const core::imaging::XrayedTooth one{&tooth};
+        const core::imaging::FilmArea area = core::imaging::shadowArea(std::span(&one, 1), {}, 1.0);
+        const QImage film = inside::radiographPicture(std::span(&one, 1), {}, area, 0.1, {});
+        const QRect upper(0, 0, film.width(), film.height() / 2);
+        const double above = pictures::mean(film, upper).brightness();
+        const double below = pictures::mean(film, upper.translated(0, upper.height())).brightness();
+        QVERIFY(fdi < 30 ? below > 1.2 * above : above > 1.2 * below);
+    }
+
     void thePanelFollowsTheBur()
     {
         const auto anatomy = block();

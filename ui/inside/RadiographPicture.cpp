@@ -23,9 +23,17 @@ int grey(double density)
 
 }  // namespace
 
+bool isUpper(int fdi)
+{
+    return fdi / 10 == 1 || fdi / 10 == 2;
+}
+
 QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, const core::imaging::Beam& beam,
                          const core::imaging::FilmArea& area, double pixelMm, const core::imaging::Exposure& exposure)
 {
+    if (teeth.empty())
+        return {};
+    const core::terrain::ToothAnatomy& first = *teeth.front().tooth->anatomy;
     std::vector<core::terrain::Tooth> whole;
     std::vector<core::imaging::XrayedTooth> pictured(teeth.begin(), teeth.end());
     whole.reserve(teeth.size());
@@ -34,7 +42,9 @@ QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, cons
         xrayed.tooth = &whole.back();
     }
     const core::imaging::Shadow shadow = core::imaging::castShadow(pictured, beam, area, pixelMm);
-    const std::vector<float> quanta = core::imaging::quantaOn(shadow, exposure);
+    core::imaging::Exposure given = exposure;
+    given.relative *= core::imaging::usualExposure(first, beam);
+    const std::vector<float> quanta = core::imaging::quantaOn(shadow, given);
     QImage picture(shadow.width, shadow.height, QImage::Format_Grayscale8);
     for (int row = 0; row < shadow.height; ++row) {
         uchar* line = picture.scanLine(row);
@@ -45,7 +55,7 @@ QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, cons
                 static_cast<uchar>(grey(core::imaging::opticalDensity(static_cast<double>(quanta[k]), pixelMm)));
         }
     }
-    return picture;
+    return isUpper(first.fdi) ? picture.mirrored(false, true) : picture;
 }
 
 }  // namespace ui::inside

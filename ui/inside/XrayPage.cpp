@@ -37,7 +37,6 @@ using core::imaging::XrayedTooth;
 constexpr int kMostAngleDeg = 90;
 constexpr int kMostTiltDeg = 45;
 constexpr int kStepsToDouble = 3;  ///< of the exposure
-constexpr int kFrontSteps = -2;    ///< an incisor or canine is thin and needs less
 constexpr int kMostSteps = 2 * kStepsToDouble;
 constexpr double kMarginMm = 1.0;
 /// The grain of the two films. Always the same two, so that a picture can be made again.
@@ -293,8 +292,7 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth)
         m_neighbours.reset();
         m_before->setFilm({});
         m_now->setFilm({});
-        const bool front = tooth.anatomy->fdi % 10 >= 1 && tooth.anatomy->fdi % 10 <= 3;
-        m_exposure->setValue(front ? kFrontSteps : 0);
+        m_exposure->setValue(0);
     }
     const bool ours = core::teeth::isGenerated(*tooth.anatomy);
     m_bitewing->setEnabled(ours);
@@ -308,7 +306,8 @@ XrayPage::Wish XrayPage::wish() const
 {
     Wish now;
     now.beam.angleRad += beamRadians(m_angle->value());
-    now.beam.tiltRad = -beamRadians(m_tilt->value());  // from above, the beam falls
+    // From above, the beam falls; the film of an upper tooth is turned over.
+    now.beam.tiltRad = (m_tooth && isUpper(m_tooth->anatomy->fdi) ? 1.0 : -1.0) * beamRadians(m_tilt->value());
     now.exposure = std::exp2(static_cast<double>(m_exposure->value()) / kStepsToDouble);
     now.bitewing = m_bitewing->isChecked();
     const QRectF room = m_now->ground();
