@@ -30,14 +30,18 @@ constexpr double kLeastRootMm = 2.5;  ///< a shorter one is a bump of the under 
 constexpr double kTaper = 0.6;
 constexpr double kFurcationMm = 1.5;   ///< below a furcation, where roots widen towards each other and canals do not
 constexpr double kOverlapMm = 1.5;     ///< length of a canal inside the pulp of the model, in a tooth with one root
-constexpr double kAboveApexMm = 0.9;   ///< distance between the end of a canal and the apex
+constexpr double kAboveApexMm = 0.5;   ///< distance between the end of a canal and the apex: the apical constriction
 constexpr double kCanalAcross = 0.17;  ///< width of a canal at its orifice, as a share of the width of the root
 constexpr double kCanalAlong = 0.24;   ///< the same along the longer axis: a flat root has a flat canal
 constexpr double kApexShare = 0.35;    ///< size of a canal at the apex, as a share of its size at the orifice
 constexpr double kLeastRadiusMm = 0.13;
 constexpr double kMostRadiusMm = 0.6;
-constexpr double kLeastDentinMm = 1.0;  ///< least thickness of the dentin below a canal
-constexpr double kJoinMm = 1.0;         ///< a canal that ends no further below the chamber is joined to it
+constexpr double kLeastDentinMm = 0.55;  ///< least thickness of the dentin below a canal
+/// Of two canals in a root, the distance of each from its middle, as a share of half the width of the root; and the
+/// width of each, as a share of that of a single canal.
+constexpr double kAsideShare = 0.5;
+constexpr double kOfTwoShare = 0.55;
+constexpr double kJoinMm = 6.0;  ///< a canal that ends no further below the chamber is joined to it
 
 /// The section of a root at one height.
 struct RootSection
@@ -194,6 +198,39 @@ glm::dvec2 mouthOver(const std::vector<glm::dvec3>& pulp, glm::dvec2 rootMm)
     return far > 0.0 ? nearest + inwards * std::min(1.0, kMostRadiusMm / far) : nearest;
 }
 
+/// Returns the part of a root in which one of its two canals runs: the buccal or the lingual half.
+/// @param side  -1 or 1, along y
+Root halfOf(Root root, double side)
+{
+    for (RootSection& section : root.sections) {
+        section.middleMm.y += side * kAsideShare * section.halfMm.y;
+        section.halfMm.y *= kOfTwoShare;
+    }
+    return root;
+}
+
+/// Returns for each canal the root, or the part of a root, that it runs in. The mesial root of a lower first or second
+/// molar has two canals, as a rule; every other root has one.
+std::vector<Root> canalRoots(const std::vector<Root>& roots, int fdi)
+{
+    const bool isLowerMolar = fdi == 36 || fdi == 37 || fdi == 46 || fdi == 47;
+    if (!isLowerMolar || roots.size() < 2)
+        return roots;
+    const auto neckX = [](const Root& root) { return root.sections.back().middleMm.x; };
+    const auto mesial =
+        std::min_element(roots.begin(), roots.end(), [&](const Root& a, const Root& b) { return neckX(a) < neckX(b); });
+    std::vector<Root> parts;
+    for (auto root = roots.begin(); root != roots.end(); ++root) {
+        if (root != mesial) {
+            parts.push_back(*root);
+            continue;
+        }
+        for (const double side : {-1.0, 1.0})
+            parts.push_back(halfOf(*root, side));
+    }
+    return parts;
+}
+
 /// Returns sections of the canal in a root, from the apex up to `topMm`, where it opens into the chamber.
 std::vector<RootSection> canalIn(const Root& root, glm::dvec2 mouthMm, double topMm)
 {
@@ -266,7 +303,7 @@ std::shared_ptr<const ToothAnatomy> made(const std::shared_ptr<const ToothAnatom
     for (std::size_t k = 0; k < anatomy->grid.count(); ++k)
         if (terrain::hasPulp(*anatomy, k))
             pulp.emplace_back(anatomy->grid.nodeMm(k), static_cast<double>(anatomy->layers[k].pulpFloor));
-    std::vector<Root> roots = RootFinder(*anatomy, reachMm).find();
+    std::vector<Root> roots = canalRoots(RootFinder(*anatomy, reachMm).find(), anatomy->fdi);
     if (pulp.empty() || roots.empty())
         return anatomy;
     const glm::dvec3 lowest =

@@ -5,7 +5,8 @@
 
 namespace core::imaging {
 
-/// Adds root canals to a tooth, for X-ray pictures and sections: they continue the pulp and taper down into each root.
+/// Adds root canals to a tooth, for X-ray pictures and sections: they continue the pulp and taper down to the apex of
+/// each root. The mesial root of a lower first or second molar has two, every other root one (docs/teeth.md).
 /// The model itself ends its pulp where vertical columns cannot follow a canal. Canals are added only where no bur
 /// comes, so what is drilled and measured does not change.
 ///

@@ -90,12 +90,12 @@ double areaOf(const std::vector<glm::dvec2>& corners)
     return 0.5 * doubled;
 }
 
-/// The smallest quadrilateral around the chamber whose mesial and distal sides lean towards or from each other: the
-/// trapezoid of a lower molar.
+/// The smallest trapezoid around the chamber of a lower molar: its longer parallel side is mesial, over two canals, and
+/// its buccal and lingual sides converge distally.
 std::vector<glm::dvec2> trapezoidAround(const std::vector<glm::dvec2>& hull)
 {
     std::vector<glm::dvec2> best;
-    for (int lean = -20; lean <= 20; lean += 2)
+    for (int lean = -20; lean <= -4; lean += 2)
         for (int turn = -12; turn <= 12; turn += 2) {
             const double radian = std::numbers::pi / 180.0;
             const auto towards = [radian](double degrees) {
@@ -139,6 +139,22 @@ std::vector<glm::dvec2> shrunk(const std::vector<glm::dvec2>& corners, double by
         sides.push_back({out, glm::dot(out, corners[k]) - byMm});
     }
     return cornersOf(sides);
+}
+
+/// Where the axis of the bur goes, so that its side comes round a polygon with the margin asked for. A bur rounds the
+/// corners of the polygon: where a molar's chamber reaches into one, the margin is made wider until the bur takes that.
+AxisRegion axisAround(const std::vector<glm::dvec2>& around, const std::vector<glm::dvec2>& chamber,
+                      const ToothDesign& design)
+{
+    constexpr double kStepMm = 0.02;
+    for (double margin = design.accessMarginMm;; margin += kStepMm) {
+        AxisRegion axis;
+        axis.addPolygon(shrunk(around, design.burRadiusMm - margin));
+        const bool takesAll = std::all_of(chamber.begin(), chamber.end(),
+                                          [&](const glm::dvec2& p) { return axis.distance(p) <= design.burRadiusMm; });
+        if (takesAll || margin >= design.burRadiusMm)
+            return axis;
+    }
 }
 
 /// 0 straight in front of the axis' region, on its labial side, rising to 1 beside and behind it.
@@ -202,9 +218,8 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
 
     const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
     const std::vector<glm::dvec2> around = isMolar ? trapezoidAround(hull) : triangleAround(hull, lingual);
-    AxisRegion axis;
-    axis.addPolygon(shrunk(around, design.burRadiusMm - design.accessMarginMm));
     const double radius = design.burRadiusMm;
+    const AxisRegion axis = axisAround(around, hull, design);
     const double tangent = std::tan(std::max(0.5, design.accessLeanDeg) * std::numbers::pi / 180.0);
     std::vector<float> top = anatomy.top;
     std::vector<Part> parts(grid.count(), Part::Keep);

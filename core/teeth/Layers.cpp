@@ -68,7 +68,7 @@ public:
         return m_person * (1.0 + 0.08 * m_patches.at(x - m_middle.x, y - m_middle.y));
     }
 
-    /// Enamel on a side wall at a height above the CEJ (reference/teeth.md section 3: within 0.12 of a CT molar).
+    /// Enamel on a side wall at a height above the CEJ (docs/teeth.md: within 0.12 of a CT molar).
     [[nodiscard]] double lateral(double aboveCervix) const
     {
         if (aboveCervix <= 0.0)
@@ -83,6 +83,9 @@ public:
         const double low = thickness / (m_figures.enamelPerHeight + kEdge / kEdgeHeight);
         return low < kEdgeHeight ? low : (thickness - kEdge) / m_figures.enamelPerHeight;
     }
+
+    /// Enamel at an incisal edge, along the axis; 0 where there is none.
+    [[nodiscard]] double edgeMm() const { return m_figures.edgeEnamel; }
 
     /// Enamel under a surface point at height z over (x, y), `side` away from the outline.
     [[nodiscard]] double thickness(double x, double y, double z, double side) const
@@ -150,6 +153,47 @@ std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Gr
     return limit;
 }
 
+/// The lowest that the junction may lie under an incisal edge: a ridge of dentin follows the edge, with flanks that
+/// fall to the sides. kNoValue far from an edge.
+std::vector<float> ridgeUnderEdge(const Lattice& lattice, const terrain::Grid& grid, std::span<const float> surface,
+                                  const Enamel& enamel, double edgeEnamelMm)
+{
+    constexpr float kBelowHighestMm = 2.0F;  // what is lower is no edge but the cingulum
+    constexpr double kNearMm = 0.5;
+    constexpr float kAlongEdge = 0.25F;  // an edge falls less than that over that distance, the sides more
+    constexpr double kFlank = 2.5;
+    constexpr double kReachMm = 1.0;
+    std::vector<float> lowest(lattice.count(), kNoValue);
+    if (edgeEnamelMm <= 0.0)
+        return lowest;
+    const float highest = *std::max_element(surface.begin(), surface.end());
+    const auto around = [&](int a, int b, double reachMm, auto&& use) {
+        const int reach = static_cast<int>(reachMm / lattice.cellMm());
+        for (int nb = std::max(0, b - reach); nb <= std::min(lattice.side() - 1, b + reach); ++nb)
+            for (int na = std::max(0, a - reach); na <= std::min(lattice.side() - 1, a + reach); ++na)
+                use(lattice.index(na, nb), lattice.cellMm() * std::hypot(na - a, nb - b));
+    };
+    for (int b = 0; b < lattice.side(); ++b) {
+        for (int a = 0; a < lattice.side(); ++a) {
+            const float here = surface[lattice.index(a, b)];
+            if (here < highest - kBelowHighestMm)
+                continue;
+            float near = here;
+            around(a, b, kNearMm, [&](std::size_t k, double) { near = std::max(near, surface[k]); });
+            if (here < near - kAlongEdge)
+                continue;
+            const double ridge =
+                static_cast<double>(here) - edgeEnamelMm * enamel.variation(grid.originMm.x + a * lattice.cellMm(),
+                                                                            grid.originMm.y + b * lattice.cellMm());
+            around(a, b, kReachMm, [&](std::size_t k, double aside) {
+                const auto flank = static_cast<float>(ridge - kFlank * aside);
+                lowest[k] = lowest[k] == kNoValue ? flank : std::max(lowest[k], flank);
+            });
+        }
+    }
+    return lowest;
+}
+
 /// Vertical distance per distance along the normal of the underside.
 double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                       std::span<const float> cervixMm, int i, int j)
@@ -196,6 +240,7 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
         }
     }
     const std::vector<float> under = lattice.ballsBelow(centres, radius);
+    const std::vector<float> ridge = ridgeUnderEdge(lattice, grid, closed, enamel, enamel.edgeMm());
 
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
@@ -209,6 +254,8 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
             const double here = enamel.thickness(at.x, at.y, surface, toSide);
             const float below = lattice.at(under, i, j);
             double dej = below == kNoValue ? surface - here : static_cast<double>(below);
+            if (const float least = lattice.at(ridge, i, j); least != kNoValue)
+                dej = std::max(dej, static_cast<double>(least));
             // The wall beside the tooth goes straight down from its outline to the CEJ, thinning all the way.
             dej = std::min(dej, cervix + enamel.heightOf(toSide / enamel.variation(at.x, at.y)));
             dej = std::min(dej, surface - std::min({kThinnestMm, here, std::max(0.0, surface - cervix)}));

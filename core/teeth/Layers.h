@@ -29,7 +29,7 @@ struct LayerOptions
 /// 0.05 + 0.32 h at h mm above it on a molar (less on premolars, canines and incisors), towards the fossa's own
 /// figure inside the occlusal table. Fissures are closed first: the junction dips under their mouth, not their base;
 /// at least 0.2 mm of enamel stays below one. The pulp has a horn under each cusp, its walls keep 1 mm of dentin on
-/// every side and end where a crown is cut off flat. Figures: reference/teeth.md, section 3 (Deutsch and Musikant 2004
+/// every side and end where a crown is cut off flat. Figures: docs/teeth.md (Deutsch and Musikant 2004
 /// for molar pulps).
 ///
 /// A column holds one junction, so enamel on the underside of a bulge is kept only where it fills the column. The

@@ -3,6 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "core/base/Rng.h"
 #include "core/teeth/Lattice.h"
@@ -13,6 +19,7 @@ namespace {
 constexpr float kDentinBesideMm = 1.2F;  ///< to the root and the side: 1 mm and what may lie between lattice nodes
 constexpr float kDentinAboveMm = 1.5F;   ///< to the enamel; a CT molar has 1.85 at least
 constexpr double kCanalRadiusMm = 0.4;
+constexpr double kLeastHorn = 0.35;  ///< height of the lowest horn of a molar, as a share of that of the highest
 
 /// A point on a map, mm.
 struct Spot
@@ -97,25 +104,77 @@ struct Footprint
     double rightX = 0.0;
 };
 
+/// Moves the mesial and the distal wall of a footprint to where the figures have them. At least kDentinBesideMm stay.
+/// @param inNeckMm  distance of each node inside the neck's outline, [side * side]
+void shiftWalls(const terrain::Grid& grid, std::span<const float> inNeckMm, const TissueFigures& figures,
+                std::vector<float>& insideMm)
+{
+    const int from = static_cast<int>(std::lround((figures.distalWall - figures.pulpWall) / grid.cellMm));
+    const int to = static_cast<int>(std::lround((figures.pulpWall - figures.mesialWall) / grid.cellMm));
+    if (to < from || (from == 0 && to == 0))
+        return;
+    const std::vector<float> before = insideMm;
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i) {
+            float& inside = insideMm[grid.index(i, j)];
+            inside = 0.0F;
+            for (int distal = i + from; distal <= i + to; ++distal)
+                if (grid.contains(distal, j))
+                    inside = std::max(inside, before[grid.index(distal, j)]);
+            inside = std::max(0.0F, std::min(inside, inNeckMm[grid.index(i, j)] - kDentinBesideMm));
+        }
+}
+
+/// Makes the buccal and the lingual side of a footprint converge distally: a trapezoid.
+void taper(const terrain::Grid& grid, double degrees, std::vector<float>& insideMm)
+{
+    if (degrees <= 0.0)
+        return;
+    double left = 1.0e9;
+    double low = 1.0e9;
+    double high = -1.0e9;
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        if (insideMm[k] <= 0.0F)
+            continue;
+        const glm::dvec2 at = grid.nodeMm(k);
+        left = std::min(left, at.x);
+        low = std::min(low, at.y);
+        high = std::max(high, at.y);
+    }
+    const double slope = std::tan(degrees * std::numbers::pi / 180.0);
+    const double shorter = 1.0 / std::sqrt(1.0 + slope * slope);
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        const glm::dvec2 at = grid.nodeMm(k);
+        const double side = 0.5 * (high - low) - std::abs(at.y - 0.5 * (high + low)) - slope * (at.x - left);
+        insideMm[k] = std::max(0.0F, std::min(insideMm[k], static_cast<float>(side * shorter)));
+    }
+}
+
 Footprint footprintOf(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
-                      std::span<const float> cervixMm, std::span<const std::uint8_t> cut, double wallMm)
+                      std::span<const float> cervixMm, std::span<const std::uint8_t> cut, const TissueFigures& figures,
+                      double wallChangeMm)
 {
     std::vector<std::uint8_t> neck(grid.count());
     for (std::size_t k = 0; k < neck.size(); ++k)
         neck[k] = top[k] > cervixMm[k] && (bottom[k] < cervixMm[k] - 0.5F || cut[k] != 0) ? 1 : 0;
     Footprint print;
-    print.insideMm = distanceInside(grid, neck);
+    const std::vector<float> inNeck = distanceInside(grid, neck);
+    print.insideMm = inNeck;
     const double widest = static_cast<double>(*std::max_element(print.insideMm.begin(), print.insideMm.end()));
     // A slender neck (lower incisor) has less wall than a broad one, never less than dentin needs.
-    const double wall = std::max(static_cast<double>(kDentinBesideMm), std::min(wallMm, 0.66 * widest));
+    const double wall =
+        std::max(static_cast<double>(kDentinBesideMm), std::min(figures.pulpWall + wallChangeMm, 0.66 * widest));
+    for (float& inside : print.insideMm)
+        inside = std::max(0.0F, inside - static_cast<float>(wall));
+    shiftWalls(grid, inNeck, figures, print.insideMm);
+    taper(grid, figures.pulpTaperDeg, print.insideMm);
 
     double sum = 0.0;
     print.leftX = 1.0e9;
     print.rightX = -1.0e9;
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
-            float& inside = print.insideMm[grid.index(i, j)];
-            inside = std::max(0.0F, inside - static_cast<float>(wall));
+            const float inside = print.insideMm[grid.index(i, j)];
             if (inside <= 0.0F)
                 continue;
             const glm::dvec2 at = grid.nodeMm(i, j);
@@ -155,6 +214,38 @@ Spot pulledInside(const terrain::Grid& grid, const Footprint& print, double x, d
     return best;
 }
 
+/// The central fossa of a molar: the lowest place of its surface, fissures filled, near the middle of its outline.
+std::optional<Spot> centralFossa(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> top,
+                                 const TissueFigures& figures)
+{
+    constexpr double kFissureHalfMouth = 0.35;
+    constexpr double kNear = 0.3;  // of half the width of the crown
+    if (figures.fossaToPulp <= 0.0)
+        return std::nullopt;
+    glm::dvec2 low(1.0e9);
+    glm::dvec2 high(-1.0e9);
+    for (std::size_t k = 0; k < grid.count(); ++k)
+        if (top[k] > terrain::kEmptyTop) {
+            low = glm::min(low, grid.nodeMm(k));
+            high = glm::max(high, grid.nodeMm(k));
+        }
+    const glm::dvec2 middle = 0.5 * (low + high);
+    const glm::dvec2 reach = 0.5 * kNear * (high - low);
+    const std::vector<float> filled =
+        lattice.close(lattice.pick(top, terrain::kEmptyTop), kFissureHalfMouth, terrain::kEmptyTop);
+    std::optional<Spot> fossa;
+    for (int b = 0; b < lattice.side(); ++b)
+        for (int a = 0; a < lattice.side(); ++a) {
+            const Spot spot{grid.originMm.x + a * lattice.cellMm(), grid.originMm.y + b * lattice.cellMm(),
+                            static_cast<double>(filled[lattice.index(a, b)])};
+            const glm::dvec2 aside = (glm::dvec2(spot.x, spot.y) - middle) / reach;
+            if (spot.z > static_cast<double>(terrain::kEmptyTop) && glm::dot(aside, aside) < 1.0 &&
+                (!fossa || spot.z < fossa->z))
+                fossa = spot;
+        }
+    return fossa;
+}
+
 /// What the pulp grows towards from above: cusp tips, or the thirds of an incisal edge.
 std::vector<Spot> hornTargets(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> top,
                               const TissueFigures& figures, const Footprint& print, double highest)
@@ -169,6 +260,20 @@ std::vector<Spot> hornTargets(const terrain::Grid& grid, const Lattice& lattice,
     const std::vector<float> smooth = lattice.smooth(surface, 0.45, terrain::kEmptyTop);
     const std::size_t most = figures.kind == ToothKind::Canine ? 1 : figures.kind == ToothKind::Premolar ? 3 : 5;
     return peaks(grid, lattice, smooth, 1.3, highest - 3.2, most);
+}
+
+/// The mesial root of a lower molar has two canals: a buccal and a lingual one.
+void divideMesial(const terrain::Grid& grid, const Footprint& print, const TissueFigures& figures,
+                  std::vector<Spot>& canals)
+{
+    constexpr double kAsideMm = 1.5;
+    if (figures.mesialCanals < 2 || canals.size() < 2)
+        return;
+    const auto mesial =
+        std::min_element(canals.begin(), canals.end(), [](const Spot& a, const Spot& b) { return a.x < b.x; });
+    const Spot middle = *mesial;
+    *mesial = pulledInside(grid, print, middle.x, middle.y - kAsideMm, 0.3);
+    canals.push_back(pulledInside(grid, print, middle.x, middle.y + kAsideMm, 0.3));
 }
 
 }  // namespace
@@ -186,7 +291,7 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
     const double chamberHeight = figures.chamberHeight > 0.0 ? figures.chamberHeight + vary(0.25) : 0.0;
     const std::vector<std::uint8_t> cut = cutColumns(grid, top, bottom, figures);
     const bool isCut = std::find(cut.begin(), cut.end(), 1) != cut.end();
-    const Footprint print = footprintOf(grid, top, bottom, cervixMm, cut, figures.pulpWall + vary(0.15));
+    const Footprint print = footprintOf(grid, top, bottom, cervixMm, cut, figures, vary(0.15));
     if (print.deepestMm < 0.1)
         return;
 
@@ -218,13 +323,25 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
     for (const Spot& target : hornTargets(grid, lattice, top, figures, print, highest)) {
         Horn horn{pulledInside(grid, print, target.x, target.y, 0.35), 0.0};
         const double aside = squared(horn.at.x - target.x) + squared(horn.at.y - target.y);
-        const double reach = tipToHorn + vary(0.2);
+        const double reach = tipToHorn + vary(0.12);
         horn.apex = target.z - std::sqrt(std::max(squared(0.8 * reach), squared(reach) - aside));
         roofMid += horn.apex;
         horns.push_back(horn);
     }
     roofMid = horns.empty() ? highest - tipToHorn : roofMid / static_cast<double>(horns.size());
     roofMid -= figures.hornHeight;
+    const std::optional<Spot> fossa = centralFossa(grid, lattice, top, figures);
+    const double fossaToPulp = figures.fossaToPulp + (fossa ? vary(0.1) : 0.0);
+    if (fossa) {
+        // Under a deep fossa the whole roof is lower, and its horns with it. The horn of a low cusp is a low one.
+        roofMid = std::min(roofMid, fossa->z - fossaToPulp);
+        double tallest = roofMid;
+        for (const Horn& horn : horns)
+            tallest = std::max(tallest, horn.apex);
+        for (Horn& horn : horns)
+            horn.apex = std::max(horn.apex - std::max(0.0, tallest - roofMid - figures.hornHeight),
+                                 roofMid + kLeastHorn * figures.hornHeight);
+    }
 
     // Canals open under the deepest places of the under surface: one to a root. Where the roots are cut off: over the
     // middle of each one's section, and towards where its end would be.
@@ -241,6 +358,7 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
                                    : -(highest + 0.75 * (deepest - highest));
         for (const Spot& apex : peaks(grid, lattice, lattice.pick(section, terrain::kEmptyTop), 1.5, least, 4))
             canals.push_back(pulledInside(grid, print, apex.x, apex.y, 0.3));
+        divideMesial(grid, print, figures, canals);
     }
 
     const double roundMm = chamberHeight > 0.0 ? std::min(0.8, print.deepestMm) : print.deepestMm;
@@ -258,7 +376,7 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
             double roof = 0.0;
             double floor = 0.0;
             if (chamberHeight > 0.0) {
-                roof = roofMid - 0.6 * (1.0 - dome);
+                roof = roofMid - 0.4 * (1.0 - dome);
                 floor = roofMid - chamberHeight + 0.4 * (1.0 - dome);
                 for (const Spot& canal : canals) {
                     const double aside = std::sqrt(squared(at.x - canal.x) + squared(at.y - canal.y)) / kCanalRadiusMm;
@@ -276,6 +394,10 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
                     roof = std::max(roof, roof + (horn.apex - roof) * squared(1.0 - aside) * (1.0 + 2.0 * aside));
             }
 
+            if (fossa) {
+                const double away = squared(at.x - fossa->x) + squared(at.y - fossa->y);
+                roof = std::min(roof, fossa->z - std::sqrt(std::max(0.0, squared(fossaToPulp) - away)));
+            }
             const float highLimit = lattice.at(ceiling, i, j);
             const float lowLimit = -lattice.at(minusGround, i, j);
             const float pulpRoof = std::min(static_cast<float>(roof), highLimit);

@@ -86,6 +86,7 @@ TissueFigures ofKind(ToothKind kind)
     case ToothKind::Canine:
         figures.enamelPerHeight = kind == ToothKind::Incisor ? 0.13 : 0.16;
         figures.cuspEnamel = kind == ToothKind::Incisor ? 1.3 : 1.7;
+        figures.edgeEnamel = kind == ToothKind::Incisor ? 2.0 : 0.0;
         figures.pulpWall = 2.2;
         figures.tipToHorn = 6.6;
         figures.hornHeight = 0.3;
@@ -103,11 +104,14 @@ TissueFigures ofKind(ToothKind kind)
         figures.cuspEnamel = 2.45;
         figures.fossaEnamel = 1.75;
         figures.pulpWall = 2.3;
-        figures.tipToHorn = 5.6;
-        figures.hornHeight = 0.9;
+        figures.tipToHorn = 6.1;
+        figures.hornHeight = 1.0;
+        figures.fossaToPulp = 4.7;
         figures.chamberHeight = 1.75;
         break;
     }
+    figures.mesialWall = figures.pulpWall;
+    figures.distalWall = figures.pulpWall;
     return figures;
 }
 
@@ -121,6 +125,14 @@ TissueFigures figuresFor(int fdi, const terrain::Grid& grid, std::span<const flo
         sizes = findToothSizes(guess(grid, top, highest));
     TissueFigures figures = ofKind(kindOf(sizes->fdi));
     figures.sizes = *sizes;
+    // The chamber of a lower molar lies in the mesial part of the crown, over two mesial canals.
+    if (sizes->fdi == 36) {
+        figures.mesialWall = 1.5;
+        figures.distalWall = 2.5;
+        figures.pulpTaperDeg = 8.0;
+    }
+    if (sizes->fdi == 36 || sizes->fdi == 37)
+        figures.mesialCanals = 2;
 
     // A crown wider than the mean is higher too; a root that flares beyond the crown must not count.
     const Outline crown = outlineAbove(grid, top, highest - 0.7 * sizes->crownHeightMm);

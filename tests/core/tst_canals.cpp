@@ -23,7 +23,7 @@ private slots:
     {
         QTest::addColumn<int>("fdi");
         QTest::addColumn<int>("roots");
-        for (const auto& [fdi, roots] : {std::pair(21, 1), {24, 1}, {26, 3}, {27, 3}, {36, 2}})
+        for (const auto& [fdi, roots] : {std::pair(21, 1), {24, 2}, {26, 3}, {27, 3}, {36, 3}, {37, 3}})
             QTest::addRow("%d", fdi) << fdi << roots;
     }
 
@@ -67,7 +67,7 @@ private slots:
         QVERIFY(changed > 20);
         // They end near the apex.
         QVERIFY2(deepest - lowest < 2.0F, qPrintable(QString("%1 over %2").arg(deepest).arg(lowest)));
-        // Each root has one, and no more are there.
+        // Each root has one, the mesial root of a lower molar two, and no more are there.
         QCOMPARE(canalsAt(*pictured, lowest + 4.5F), roots);
     }
 
@@ -100,8 +100,9 @@ private:
                 isLeft[k] = 0;
                 const int i = static_cast<int>(k) % side;
                 const int j = static_cast<int>(k) / side;
-                for (int b = j - 1; b <= j + 1; ++b)
-                    for (int a = i - 1; a <= i + 1; ++a)
+                // A canal that is one column wide somewhere may fall apart by a few columns.
+                for (int b = j - 4; b <= j + 4; ++b)
+                    for (int a = i - 4; a <= i + 4; ++a)
                         if (anatomy.grid.contains(a, b) && isLeft[anatomy.grid.index(a, b)] != 0)
                             open.push_back(anatomy.grid.index(a, b));
             }

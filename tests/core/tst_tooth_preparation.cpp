@@ -165,7 +165,7 @@ private slots:
                     QTest::addRow("%d seed %d", fdi, seed) << fdi << seed;
     }
 
-    /// The limits are those of teeth.md section 7; depths are of every column of the floor, not of the groove alone.
+    /// The limits are those of docs/teeth.md; depths are of every column of the floor, not of the groove alone.
     void classOneIsWhatTheBooksAskFor()
     {
         QFETCH(int, fdi);
@@ -491,12 +491,15 @@ private slots:
         QVERIFY(support::isRefused(makePreparation(Kind::Access, {}, *anatomyOf(26)), "21, 36"));
         for (const auto& [fdi, value, wish, about] : {std::tuple(36, &ToothDesign::isthmusMm, 0.7, "isthmus_mm"),
                                                       {36, &ToothDesign::lineAngleMm, 0.6, "line_angle_mm"},
-                                                      {36, &ToothDesign::depthMm, 3.5, "pulp"},
                                                       {24, &ToothDesign::ridgeMm, 3.0, "ridge_mm"}}) {
             ToothDesign design = *usualDesign(Kind::ClassOne, fdi);
             design.*value = wish;
             QVERIFY(support::isRefused(makePreparation(Kind::ClassOne, design, *anatomyOf(fdi)), about));
         }
+        ToothDesign deep = *usualDesign(Kind::ClassTwoMesial, 36);
+        deep.boxAxialMm = 3.0;
+        deep.boxFloorMm = 3.0;
+        QVERIFY(support::isRefused(makePreparation(Kind::ClassTwoMesial, deep, *anatomyOf(36)), "pulp"));
     }
 };
 
