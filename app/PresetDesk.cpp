@@ -238,7 +238,7 @@ void PresetDesk::take(std::vector<ReadPreset> all, const QString& inUse)
 {
     m_all = std::move(all);
     const auto chosen = lessons::findPreset(m_all, inUse);
-    const FeelPreset before = std::exchange(m_inUse, chosen.value_or(lessons::shippedPresets().front()));
+    const FeelPreset before = std::exchange(m_inUse, chosen.value_or(lessons::usualPreset(m_all)));
     m_window.setPresets(m_all, m_inUse);
     if (!(before == m_inUse))
         emit inUseChanged();
@@ -290,8 +290,8 @@ void PresetDesk::use(const QString& name, const std::optional<QString>& insteadO
                 return;
             }
             const database::sql::ReplacedSetting& replaced = used->replaced;
-            const QString before = QString::fromStdString(
-                replaced.before.empty() ? nameOf(lessons::shippedPresets().front()) : replaced.before);
+            const QString before =
+                QString::fromStdString(replaced.before.empty() ? nameOf(lessons::usualPreset(m_all)) : replaced.before);
             if (replaced.isDone) {
                 tellUsed(name, before,
                          used->wasRetired ? tr("The next tooth of everybody here feels like this. An admin had retired "

@@ -129,6 +129,19 @@ double removedMm3(const PaceTrial& trial)
     return removed;
 }
 
+double secondsTo(double depthMm, const PaceTrial& trial)
+{
+    const Scene scene = sceneOf(trial);
+    Servo servo(scene.anatomy, trial.settings, trial.bur, trial.rateHz);
+    servo.step(scene.startMm);
+    const double stretch = trial.newtons / trial.settings.force.stiffnessNPerMm;
+    const auto most = std::llround(trial.seconds * trial.rateHz);
+    for (long long tick = 1; tick <= most; ++tick)
+        if (servo.step(servo.state().anchorMm + trial.towards * stretch).anchorMm.z <= -depthMm)
+            return static_cast<double>(tick) / trial.rateHz;
+    return trial.seconds;
+}
+
 Ripple measureRipple(const PaceTrial& trial, Feeder feeder)
 {
     const Scene scene = sceneOf(trial);
@@ -172,11 +185,17 @@ double lawfulMm3PerS(const PaceTrial& trial)
 {
     const settings::HardnessPreset& preset = trial.settings.hardness;
     const settings::MaterialHardness& hardness = preset.material[static_cast<std::size_t>(trial.material)];
-    const double direction = preset.axialShare + (1.0 - preset.axialShare) * glm::length(glm::dvec2(trial.towards));
-    const double radius = drilling::burs()[trial.bur].headRadiusMm;
-    const double torque = drilling::kCuttingFriction * trial.newtons * radius;
-    const double speed = trial.settings.handpieces.front().rpmUnder(torque) * radius / drilling::kReferenceRpmMm;
-    return hardness.rateMm3PerNs * std::max(0.0, trial.newtons - hardness.thresholdN) * direction * speed;
+    const drilling::Bur& bur = drilling::burs()[trial.bur];
+    const double share = preset.shareOfEnd(bur.hasFlatEnd());
+    const double direction = share + (1.0 - share) * glm::length(glm::dvec2(trial.towards));
+    const auto under = [&](double newtons) {
+        const double torque = drilling::kCuttingFriction * newtons * bur.headRadiusMm;
+        const double speed =
+            trial.settings.handpieces.front().rpmUnder(torque) * bur.headRadiusMm / drilling::kReferenceRpmMm;
+        return hardness.rateMm3PerNs * std::max(0.0, newtons - hardness.thresholdN) * direction * speed;
+    };
+    return trial.newtons > preset.fullLoadN ? std::min(under(trial.newtons), under(preset.fullLoadN))
+                                            : under(trial.newtons);
 }
 
 }  // namespace lab

@@ -27,6 +27,9 @@ struct PaceTrial
 /// a wall, with the tip 1 mm deep.
 [[nodiscard]] double removedMm3(const PaceTrial& trial);
 
+/// Time, s, in which a bur that is pressed straight down comes so deep; the trial's seconds if it does not.
+[[nodiscard]] double secondsTo(double depthMm, const PaceTrial& trial);
+
 /// Who moves the handpiece while the force is watched.
 enum class Feeder {
     Speed,  ///< a slide, as fast as `newtons` cut by the preset's law

@@ -351,7 +351,9 @@ private:
             return;
         lesson.hardness = core::settings::hardnessFor(*read.preset, lesson.kind);
         QJsonObject whole{{"name", QString::fromStdString(lesson.hardness->name)},
-                          {"axial_share", lesson.hardness->axialShare}};
+                          {"axial_share", lesson.hardness->axialShare},
+                          {"flat_end_share", lesson.hardness->flatEndShare},
+                          {"full_load_n", lesson.hardness->fullLoadN}};
         for (std::size_t m = 0; m < kMaterials.size(); ++m)
             whole.insert(QLatin1String(kMaterials[m]),
                          QJsonObject{{"rate_mm3_per_ns", lesson.hardness->material[m].rateMm3PerNs},
@@ -408,7 +410,14 @@ private:
                 material->number("threshold_n", 0.0, core::settings::kMaxThresholdN, "N", hardness.thresholdN);
             material->nameTheRest();
         }
-        lesson.hardness->axialShare = keys->number("axial_share", 0.01, 1.0, "", lesson.hardness->axialShare);
+        using core::settings::kMinShare;
+        if (keys->has("axial_share"))  // lessons that were written before the other two mean every bur and any load
+            lesson.hardness = core::settings::withoutEndsAndFullLoad(std::move(*lesson.hardness));
+        lesson.hardness->axialShare = keys->number("axial_share", kMinShare, 1.0, "", lesson.hardness->axialShare);
+        lesson.hardness->flatEndShare =
+            keys->number("flat_end_share", kMinShare, 1.0, "", lesson.hardness->flatEndShare);
+        lesson.hardness->fullLoadN = keys->number("full_load_n", core::settings::kMinFullLoadN,
+                                                  core::settings::kNoFullLoadN, "N", lesson.hardness->fullLoadN);
         keys->nameTheRest();
     }
 

@@ -83,11 +83,22 @@ bool says(const QJsonObject& whole, const Field& field)
            (isCaries && whole.value(QLatin1String(kBothCaries)).toObject().contains(key));
 }
 
+/// The fields that format 2 brought. A file that says nothing of them is whole, and is cut as it was in format 1.
+bool isOfFormat2(const Field& field)
+{
+    return field.value == &FeelPreset::flatEndShare || field.value == &FeelPreset::fullLoadN;
+}
+
+bool isOfFormat1(const FeelPreset& preset)
+{
+    return preset == core::settings::withoutEndsAndFullLoad(preset);
+}
+
 QStringList leftOutOf(const QJsonObject& whole)
 {
     QStringList left;
     for (const Field& field : core::settings::feelFields()) {
-        if (says(whole, field))
+        if (says(whole, field) || isOfFormat2(field))
             continue;
         const QString group = groupOf(field);
         const auto fields = core::settings::feelFields();
@@ -128,7 +139,7 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
     if (!whole)
         return read;
     JsonKeys keys(*whole, file, {}, read.faults);
-    if (const qint64 format = keys.whole("format", 1, kNewestPresetVersion, kPresetFormat); format > kPresetFormat)
+    if (const qint64 format = keys.whole("format", 1, kNewestPresetVersion, 1); format > kPresetFormat)
         return complain(
             {QT_TRANSLATE_NOOP("Fault", "is %1, from a newer Cusp; this one reads %2. Update Cusp to use it"),
              {noted(format), noted(kPresetFormat)}},
@@ -137,7 +148,7 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
         return complain({QT_TRANSLATE_NOOP("Fault", "says that this is no hardness preset; choose a file that Cusp has "
                                                     "exported")},
                         QStringLiteral("kind"));
-    FeelPreset preset;
+    FeelPreset preset = core::settings::withoutEndsAndFullLoad(FeelPreset{});
     preset.name = keys.has("name") ? keys.visibleText("name", kLongestPresetName)
                                    : QFileInfo(file).completeBaseName().left(kLongestPresetName).toStdString();
     if (preset.name.empty() || !isOneLine(preset.name))
@@ -202,13 +213,16 @@ core::Status checkPreset(const FeelPreset& preset)
 
 QJsonObject toJson(const FeelPreset& preset)
 {
-    QJsonObject object{{"format", kPresetFormat},
+    const bool isFormat1 = isOfFormat1(preset);
+    QJsonObject object{{"format", isFormat1 ? 1 : kPresetFormat},
                        {"kind", kKind},
                        {"name", QString::fromStdString(preset.name)},
                        {"version", preset.version}};
     if (!preset.notes.empty())
         object.insert(QStringLiteral("notes"), QString::fromStdString(preset.notes));
     for (const Field& field : core::settings::feelFields()) {
+        if (isFormat1 && isOfFormat2(field))
+            continue;
         const QString group = groupOf(field);
         const QString key = QString::fromLatin1(keyOf(field));
         const double value = preset.*field.value;
@@ -245,7 +259,11 @@ core::Status writePreset(const QString& file, const FeelPreset& preset)
 
 const std::vector<FeelPreset>& shippedPresets()
 {
-    static const std::vector<FeelPreset> kShipped{hashed({})};
+    static const std::vector<FeelPreset> kShipped = [] {
+        FeelPreset newest;
+        newest.version = 2;
+        return std::vector<FeelPreset>{hashed(newest), hashed(core::settings::withoutEndsAndFullLoad(FeelPreset{}))};
+    }();
     return kShipped;
 }
 

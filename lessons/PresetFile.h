@@ -14,11 +14,13 @@
 #include "lessons/Fault.h"
 
 /// Hardness presets as files, *.cusppreset: one JSON object with "format", "kind", "name", "version", "notes", and the
-/// numbers of core::settings::feelFields() under their ids, the part before a point being an object's key.
+/// numbers of core::settings::feelFields() under their ids, the part before a point being an object's key. Format 2
+/// brought the share of flat ends and the full load. A preset without them is written in format 1, so that its hash
+/// stays what it was.
 namespace lessons {
 
 inline constexpr const char* kPresetSuffix = "cusppreset";
-inline constexpr int kPresetFormat = 1;
+inline constexpr int kPresetFormat = 2;
 inline constexpr qint64 kLargestPresetBytes = 64 * 1024;
 inline constexpr qsizetype kLongestPresetName = 60;
 inline constexpr qsizetype kLongestPresetNotes = 2000;
@@ -38,7 +40,8 @@ struct ReadPreset
     bool isRetired = false;  ///< by the school: attempts go on naming it, and nobody is offered it
 };
 
-/// Number by number and with its hash. What is left out is as shipped; "caries" stands for soft and firm alike, and a
+/// Number by number and with its hash. What is left out is as shipped, but for flat_end_share and full_load_n, which
+/// then make no difference; "caries" stands for soft and firm alike, and a
 /// file without a name is called as it is called itself. A preset that no light hand is held with is refused with the
 /// bound (core::settings::checkStability). Unknown keys warn.
 /// @param file  what the faults call it
@@ -59,7 +62,8 @@ struct ReadPreset
 /// An older file survives any failure.
 [[nodiscard]] core::Status writePreset(const QString& file, const core::settings::FeelPreset& preset);
 
-/// What Cusp brings along: "natural", version 1, and others if there will be.
+/// What Cusp brings along, the one to use first: "natural", version 2, and version 1, in which a bur's end and the load
+/// made no difference.
 [[nodiscard]] const std::vector<core::settings::FeelPreset>& shippedPresets();
 
 /// The preset that an attempt was made with, as it is told and kept.

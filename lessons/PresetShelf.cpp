@@ -29,6 +29,22 @@ QString fileNameOf(const FeelPreset& preset)
         .arg(QString::fromStdString(preset.hash).left(8), QLatin1String(kPresetSuffix));
 }
 
+/// A shipped preset, with the next free version of its name if the school made that version before Cusp shipped it.
+FeelPreset besideOwn(FeelPreset shipped, const std::vector<ReadPreset>& kept)
+{
+    const auto isTaken = [&](const ReadPreset& read) {
+        return read.preset && read.preset->name == shipped.name && read.preset->version == shipped.version &&
+               read.preset->hash != shipped.hash;
+    };
+    if (shipped.version == 1)  // which came with the first Cusp
+        return shipped;
+    while (std::any_of(kept.begin(), kept.end(), isTaken)) {
+        ++shipped.version;
+        shipped = hashed(std::move(shipped));
+    }
+    return shipped;
+}
+
 bool before(const ReadPreset& a, const ReadPreset& b)
 {
     if (a.preset.has_value() != b.preset.has_value())
@@ -42,11 +58,25 @@ bool before(const ReadPreset& a, const ReadPreset& b)
 
 }  // namespace
 
+FeelPreset usualPreset(const std::vector<ReadPreset>& all)
+{
+    const FeelPreset& usual = shippedPresets().front();
+    for (const ReadPreset& read : all) {
+        if (!read.preset)
+            continue;
+        FeelPreset same = usual;
+        same.version = read.preset->version;
+        if (hashOf(same) == read.preset->hash)
+            return *read.preset;
+    }
+    return usual;
+}
+
 std::vector<ReadPreset> shelved(std::vector<ReadPreset> kept)
 {
     std::vector<ReadPreset> all;
     for (const FeelPreset& shipped : shippedPresets())
-        all.push_back({{}, shipped, {}});
+        all.push_back({{}, besideOwn(shipped, kept), {}});
     for (ReadPreset& read : kept) {
         const auto isSameVersion = [&](const ReadPreset& other) {
             return read.preset && other.preset && other.preset->name == read.preset->name &&

@@ -13,8 +13,13 @@
 namespace lessons {
 
 /// What is kept, and what is shipped: every version of every preset, by name, the newest version of each first; then
-/// what cannot be read, and why. The same version with two contents: the later one cannot be read.
+/// what cannot be read, and why. The same version with two contents: the later one cannot be read. A version that Cusp
+/// ships later than the first gives way to one that the school made before, and takes the next free number.
 [[nodiscard]] std::vector<ReadPreset> shelved(std::vector<ReadPreset> kept);
+
+/// Returns the preset that is in use where nobody has chosen one: the newest that is shipped.
+/// @param all  as shelved() puts them
+[[nodiscard]] core::settings::FeelPreset usualPreset(const std::vector<ReadPreset>& all);
 
 /// As what a preset is to be kept.
 struct Placed

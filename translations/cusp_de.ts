@@ -7115,6 +7115,24 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Lower the stiffness.</source>
         <translation>Senken Sie die Steifigkeit.</translation>
     </message>
+    <message>
+        <source>Share of flat ends</source>
+        <extracomment>Of a bur whose end is flat, such as a pear or a fissure bur</extracomment>
+        <translation>Anteil flacher Enden</translation>
+    </message>
+    <message>
+        <source>Full load</source>
+        <extracomment>The load on the bur beyond which it cuts no faster</extracomment>
+        <translation>Volle Last</translation>
+    </message>
+    <message>
+        <source>What a pear or a fissure bur has of the share along the bur. At 1 the end makes no difference.</source>
+        <translation>Was ein birnenförmiger oder ein Fissurenbohrer vom Anteil längs des Bohrers hat. Bei 1 macht das Ende keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>A bur pressed harder cuts no faster. At 20 N there is no such limit.</source>
+        <translation>Ein Bohrer, der stärker gedrückt wird, schneidet nicht schneller. Bei 20 N gibt es keine solche Grenze.</translation>
+    </message>
 </context>
 <context>
     <name>ui::replay::HistoryPanel</name>

@@ -7115,6 +7115,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Lower the stiffness.</source>
         <translation>Baje la rigidez.</translation>
     </message>
+    <message>
+        <source>Share of flat ends</source>
+        <extracomment>Of a bur whose end is flat, such as a pear or a fissure bur</extracomment>
+        <translation>Parte de los extremos planos</translation>
+    </message>
+    <message>
+        <source>Full load</source>
+        <extracomment>The load on the bur beyond which it cuts no faster</extracomment>
+        <translation>Carga plena</translation>
+    </message>
+    <message>
+        <source>What a pear or a fissure bur has of the share along the bur. At 1 the end makes no difference.</source>
+        <translation>Lo que una fresa de pera o de fisura tiene de la parte a lo largo de la fresa. Con 1, el extremo no influye.</translation>
+    </message>
+    <message>
+        <source>A bur pressed harder cuts no faster. At 20 N there is no such limit.</source>
+        <translation>Una fresa que se aprieta más no corta más deprisa. Con 20 N no hay tal límite.</translation>
+    </message>
 </context>
 <context>
     <name>ui::replay::HistoryPanel</name>

@@ -7066,6 +7066,24 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Lower the stiffness.</source>
         <translation>剛性を下げてください。</translation>
     </message>
+    <message>
+        <source>Share of flat ends</source>
+        <extracomment>Of a bur whose end is flat, such as a pear or a fissure bur</extracomment>
+        <translation>平らな先端の割合</translation>
+    </message>
+    <message>
+        <source>Full load</source>
+        <extracomment>The load on the bur beyond which it cuts no faster</extracomment>
+        <translation>最大有効荷重</translation>
+    </message>
+    <message>
+        <source>What a pear or a fissure bur has of the share along the bur. At 1 the end makes no difference.</source>
+        <translation>ペアー形バーやフィッシャーバーに残る、バー軸方向の割合に対する比率。1 では先端の形による差がありません。</translation>
+    </message>
+    <message>
+        <source>A bur pressed harder cuts no faster. At 20 N there is no such limit.</source>
+        <translation>これより強く押しても切削は速くなりません。20 N ではこの限度がありません。</translation>
+    </message>
 </context>
 <context>
     <name>ui::replay::HistoryPanel</name>

@@ -96,7 +96,7 @@ core::Result<Shelf> schoolsShelf(const QCommandLineParser& parser)
         one.isRetired = one.preset && retired.contains(QString::fromStdString(one.preset->name));
     const auto inUse =
         lessons::findPreset(shelf.presets, QString::fromStdString((*settings)[database::sql::kPresetInUse]));
-    shelf.inUse = inUse ? *inUse : lessons::shippedPresets().front();
+    shelf.inUse = inUse ? *inUse : lessons::usualPreset(shelf.presets);
     return shelf;
 }
 

@@ -138,8 +138,10 @@ void addOptions(QCommandLineParser& parser)
     option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
     option("preset",
            "Hardness: natural (default), typodont, one of \"cusp preset list\", or a file such as {\"name\": \"soft\", "
-           "\"enamel\": {\"rate_mm3_per_ns\": 0.7, \"threshold_n\": 0.15}, \"axial_share\": 0.65, \"force\": "
-           "{\"stiffness_n_per_mm\": 2}}; caries, dentin and pulp as enamel; what is left out is natural.",
+           "\"enamel\": {\"rate_mm3_per_ns\": 0.7, \"threshold_n\": 0.15}, \"axial_share\": 0.65, \"flat_end_share\": "
+           "0.615, \"full_load_n\": 1.5, \"force\": {\"stiffness_n_per_mm\": 2}}; caries, dentin and pulp as enamel; "
+           "what is left out is natural, but every bur and any load cut alike if "
+           "flat_end_share and full_load_n are left out.",
            "NAME|FILE");
     option(
         "handpiece",

@@ -18,6 +18,12 @@ inline constexpr double kShankTopMm = 1.0e3;
 /// of the handpiece lies on the tooth.
 inline constexpr double kChuckMm = 8.0;
 
+/// Whether an end whose flat disc has this radius counts as flat: a hundredth of a millimetre is rounding of a ball.
+[[nodiscard]] constexpr bool isFlatEnd(double flatRadiusMm)
+{
+    return flatRadiusMm > 0.02;
+}
+
 /// Number of burs, from the first of burs(), that the panel shows by default. Benchmarks measure these.
 inline constexpr std::size_t kCommonBurs = 4;
 
@@ -74,6 +80,8 @@ struct Bur
     [[nodiscard]] std::string isoSize() const;
     /// Radius of the flat disc.
     [[nodiscard]] double flatRadiusMm() const { return hasCone() ? coneFlatMm : headRadiusMm - cornerMm; }
+    /// True for a pear, a cylinder, a cone or a fissure bur, unless its end is a dome.
+    [[nodiscard]] bool hasFlatEnd() const { return isFlatEnd(flatRadiusMm()); }
     /// How far beyond the flat disc the rounded rim goes, along the radius.
     [[nodiscard]] double bendMm() const;
     /// Height of the underside at radius r <= headRadiusMm: the lowest point of the head there.

@@ -120,13 +120,13 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     const glm::dvec3 towards = pull / gap;
 
     const double sideways = std::sqrt(towards.x * towards.x + towards.y * towards.y);
-    const double direction = m_preset.axialShare + (1.0 - m_preset.axialShare) * sideways;
+    const double share = m_preset.shareOfEnd(isFlatEnd(tooth.mask().flatMm));
+    const double direction = share + (1.0 - share) * sideways;
     const auto radiusMm = static_cast<double>(tooth.mask().radiusMm);
-    const double speed = rpmUnder(forceN, radiusMm) * radiusMm / kReferenceRpmMm;
+    const auto speedAt = [&](double newtons) { return rpmUnder(newtons, radiusMm) * radiusMm / kReferenceRpmMm; };
     terrain::PerMaterial secondsPerMm3{};
     for (std::size_t m = 0; m < secondsPerMm3.size(); ++m) {
-        const settings::MaterialHardness& hardness = m_preset.material[m];
-        const double rate = hardness.rateMm3PerNs * std::max(0.0, forceN - hardness.thresholdN) * direction * speed;
+        const double rate = paceMm3PerS(m_preset, m_preset.material[m], forceN, direction, speedAt);
         secondsPerMm3[m] = rate > 0.0 ? 1.0 / rate : kNever;
     }
 
@@ -186,9 +186,9 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     // uses the time. Then the columns just beyond are lowered by that share of their way which the time pays for.
     if (far > 0.0 && spent < kCloseEnough * granted) {
         const glm::dvec3 beyond = anchor + towards * far;
-        const double share = (granted - spent) / (farNeeded - spent);
-        if (share > kLeastShare) {
-            advance.removeTo(beyond, static_cast<float>(std::min(1.0, share)), done);
+        const double part = (granted - spent) / (farNeeded - spent);
+        if (part > kLeastShare) {
+            advance.removeTo(beyond, static_cast<float>(std::min(1.0, part)), done);
             spent = granted;
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include <glm/vec3.hpp>
@@ -29,6 +30,21 @@ struct CutRect
     [[nodiscard]] bool isEmpty() const { return i1 < i0; }
 };
 
+/// Returns the pace at which a bur takes away a material, mm3/s (see Drill).
+/// @param preset     only its full load counts here
+/// @param direction  share of the rate that is left for the direction of the push, 0 to 1
+/// @param speedAt    speed of the bur's surface under a load of so many newtons, over the reference
+template <class Speed>
+[[nodiscard]] double paceMm3PerS(const settings::HardnessPreset& preset, const settings::MaterialHardness& hardness,
+                                 double forceN, double direction, const Speed& speedAt) noexcept
+{
+    const auto under = [&](double newtons) {
+        return hardness.rateMm3PerNs * std::max(0.0, newtons - hardness.thresholdN) * direction * speedAt(newtons);
+    };
+    const bool isBeyond = forceN > preset.fullLoadN && preset.fullLoadN < settings::kNoFullLoadN;
+    return isBeyond ? std::min(under(preset.fullLoadN), under(forceN)) : under(forceN);
+}
+
 /// What one tick took away.
 struct Cut
 {
@@ -40,11 +56,11 @@ struct Cut
 /// Removes material under the bur, paced by volume (design section 3).
 ///
 /// A tick grants dt seconds. Material m comes away at rate_m = S_m * max(0, F - F0_m) * direction * speed mm3/s, with
-/// the speed of the bur's surface over the reference: the load F brakes it, until it stalls. So lowering the columns
-/// under the bur by volumes V_m takes sum V_m / rate_m seconds; the bur advances from the anchor towards the device
-/// just as far as the granted time reaches. Every column goes down by a real amount: no timer, no all-or-nothing cell,
-/// and the pace depends neither on the grid nor on the tick rate. A touch that is short and light is a brush and cuts
-/// nothing.
+/// the speed of the bur's surface over the reference: the load F brakes it, until it stalls. A load beyond the full
+/// load of the preset removes no more than that load does. So lowering the columns under the bur by volumes V_m takes
+/// sum V_m / rate_m seconds; the bur advances from the anchor towards the device just as far as the granted time
+/// reaches. Every column goes down by a real amount: no timer, no all-or-nothing cell, and the pace depends neither on
+/// the grid nor on the tick rate. A touch that is short and light is a brush and cuts nothing.
 ///
 /// Servo thread: no allocation, no lock, cost bounded by the bur's footprint. Heights only ever go down.
 class Drill
@@ -61,11 +77,7 @@ public:
     }
 
     /// Other figures of hardness from now on. The name stays behind: nothing is allocated.
-    void setHardness(const settings::HardnessPreset& preset) noexcept
-    {
-        m_preset.material = preset.material;
-        m_preset.axialShare = preset.axialShare;
-    }
+    void setHardness(const settings::HardnessPreset& preset) noexcept { m_preset.takeFigures(preset); }
 
     /// Sets the share of its full speed, 0 to 1, at which the bur turns from now on: what a pedal asks for.
     void setSpeedShare(double share) noexcept { m_speedShare = share; }

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/drilling/Feed.h"
 
-#include <algorithm>
 #include <numbers>
 
 #include "core/drilling/Drill.h"
 
 namespace core::drilling {
 
-double feedMmPerS(const settings::MaterialHardness& hardness, double axialShare, const settings::Handpiece& handpiece,
-                  const Bur& bur, double forceN) noexcept
+double feedMmPerS(const settings::HardnessPreset& preset, const settings::MaterialHardness& hardness,
+                  const settings::Handpiece& handpiece, const Bur& bur, double forceN) noexcept
 {
     const double radius = bur.headRadiusMm;
-    const double speed = handpiece.rpmUnder(kCuttingFriction * forceN * radius) * radius / kReferenceRpmMm;
-    const double mm3PerS = hardness.rateMm3PerNs * std::max(0.0, forceN - hardness.thresholdN) * axialShare * speed;
-    return mm3PerS / (std::numbers::pi * radius * radius);
+    const auto speedAt = [&](double newtons) {
+        return handpiece.rpmUnder(kCuttingFriction * newtons * radius) * radius / kReferenceRpmMm;
+    };
+    return paceMm3PerS(preset, hardness, forceN, preset.shareOfEnd(bur.hasFlatEnd()), speedAt) /
+           (std::numbers::pi * radius * radius);
 }
 
 }  // namespace core::drilling

@@ -8,8 +8,9 @@
 namespace core::drilling {
 
 /// How fast a bur sinks straight down into a material that it is pressed into with `forceN`, once its whole
-/// cross-section cuts, mm/s: Drill's law for a bur whose end is flat, solved for the advance.
-[[nodiscard]] double feedMmPerS(const settings::MaterialHardness& hardness, double axialShare,
+/// cross-section cuts, mm/s: Drill's law, solved for the advance.
+/// @param hardness  of the material; the preset gives the shares of the bur's end and the full load
+[[nodiscard]] double feedMmPerS(const settings::HardnessPreset& preset, const settings::MaterialHardness& hardness,
                                 const settings::Handpiece& handpiece, const Bur& bur, double forceN) noexcept;
 
 }  // namespace core::drilling

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include <zstd.h>
 
@@ -13,6 +14,9 @@ namespace core::recording {
 namespace {
 
 constexpr int kPackLevel = 3;
+constexpr std::uint32_t kWithNumbers = 6;
+constexpr std::uint32_t kWithSpeeds = 7;
+constexpr std::uint32_t kWithEndsAndFullLoad = 8;
 /// Columns that the undo steps of one recording may set back, all together: 44,000 steps at grid 150, half a minute's
 /// work. A small hostile file could otherwise ask for hours.
 constexpr std::uint64_t kMaxRestoredColumns = 1'000'000'000;
@@ -30,7 +34,30 @@ bool plausible(const terrain::ToothAnatomy& tooth)
     return true;
 }
 
+/// True if an attempt is cut as by Cusp before there were flat ends and full loads.
+bool isCutAsBefore(const settings::HardnessPreset& hardness)
+{
+    return hardness == settings::withoutEndsAndFullLoad(hardness);
+}
+
 }  // namespace
+
+std::uint32_t versionWith(const ServoEvent& event)
+{
+    switch (event.kind) {
+    case ServoEvent::Kind::Speed:
+        return kWithSpeeds;
+    case ServoEvent::Kind::Number:
+        return session::isOfFirstNumbers(event.value) ? kWithNumbers : kWithEndsAndFullLoad;
+    default:
+        return kOldestVersion;
+    }
+}
+
+std::uint32_t versionWith(const session::ServoSettings& settings)
+{
+    return isCutAsBefore(settings.hardness) ? kOldestVersion : kWithEndsAndFullLoad;
+}
 
 std::string pack(std::string_view raw)
 {
@@ -81,6 +108,10 @@ std::string settingsBytes(const session::ServoSettings& settings)
     }
     out.put(static_cast<std::uint8_t>(settings.breakOff.on ? 1 : 0));
     out.put(settings.breakOff.slenderness);
+    if (!isCutAsBefore(settings.hardness)) {
+        out.put(settings.hardness.flatEndShare);
+        out.put(settings.hardness.fullLoadN);
+    }
     return out.bytes();
 }
 
@@ -114,6 +145,11 @@ std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
     }
     settings.breakOff.on = in.take<std::uint8_t>() != 0;
     settings.breakOff.slenderness = in.take<double>();
+    settings.hardness = settings::withoutEndsAndFullLoad(std::move(settings.hardness));
+    if (in.left() != 0) {
+        settings.hardness.flatEndShare = in.take<double>();
+        settings.hardness.fullLoadN = in.take<double>();
+    }
     if (!in.ok() || in.left() != 0)
         return std::nullopt;
     return settings;

@@ -17,9 +17,9 @@ namespace core::recording {
 
 using session::ServoEvent;
 
-inline constexpr std::uint32_t kFormatVersion = 7;
-/// Oldest version that is read. A recording is written in the oldest version that has all of its events
-/// (versionWith()).
+inline constexpr std::uint32_t kFormatVersion = 8;
+/// Oldest version that is read. A recording is written in the oldest version that has its settings and all of its
+/// events (versionWith()).
 inline constexpr std::uint32_t kOldestVersion = 5;
 inline constexpr std::size_t kChunkEvents = 4096;
 inline constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
@@ -34,26 +34,19 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
     return kind == ServoEvent::Kind::Tick || kind == ServoEvent::Kind::NoDevice;
 }
 
-/// Returns the oldest version that has events of this kind.
-[[nodiscard]] constexpr std::uint32_t versionWith(ServoEvent::Kind kind)
-{
-    switch (kind) {
-    case ServoEvent::Kind::Speed:
-        return 7;
-    case ServoEvent::Kind::Number:
-        return 6;
-    default:
-        return kOldestVersion;
-    }
-}
+/// Returns the oldest version that has such an event, or such settings. Version 6 brought numbers of the feel, 7 the
+/// speed of a pedal, 8 the share of flat ends and the full load.
+[[nodiscard]] std::uint32_t versionWith(const ServoEvent& event);
+[[nodiscard]] std::uint32_t versionWith(const session::ServoSettings& settings);
 
 /// By Zstandard.
 [[nodiscard]] std::string pack(std::string_view raw);
 /// Nothing if it is damaged, or says that it unpacks to more than so many bytes.
 [[nodiscard]] std::optional<std::string> unpack(std::string_view packed, std::uint64_t mostBytes);
 
+/// What versionWith() says an older version knows is written as that version does.
 [[nodiscard]] std::string settingsBytes(const session::ServoSettings& settings);
-/// Their values are not checked: makeServoTick() does.
+/// Settings that end before the share of flat ends were made without one. Values are not checked: makeServoTick() does.
 [[nodiscard]] std::optional<session::ServoSettings> settingsFrom(std::string_view bytes);
 
 [[nodiscard]] std::string toothBytes(const terrain::ToothAnatomy& tooth);

@@ -52,7 +52,7 @@ void Recording::append(const ServoEvent& event)
 {
     m_tail.push_back(event);
     m_isRetuned = m_isRetuned || event.kind == ServoEvent::Kind::Number;
-    m_version = std::max(m_version, versionWith(event.kind));
+    m_version = std::max(m_version, versionWith(event));
     if (isTick(event.kind)) {
         ++m_ticks;
         m_duration += std::chrono::microseconds(event.dtUs);
@@ -107,7 +107,7 @@ std::string Recording::toBytes() const
 {
     ByteWriter out;
     out.putAll(std::span(kRecordingMagic.data(), kRecordingMagic.size()));
-    out.put(std::max(m_version, kOldestVersion));
+    out.put(std::max(m_version, versionWith(m_settings)));
     putSection(out, Section::Settings, pack(settingsBytes(m_settings)));
     if (!m_lesson.empty())
         putSection(out, Section::Lesson, pack(m_lesson));

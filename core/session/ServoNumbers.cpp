@@ -13,12 +13,18 @@ constexpr std::array<std::size_t, terrain::kMaterialCount> kRows{
     static_cast<std::size_t>(settings::Substance::SoftCaries), static_cast<std::size_t>(settings::Substance::Enamel),
     static_cast<std::size_t>(settings::Substance::Dentin), static_cast<std::size_t>(settings::Substance::Pulp)};
 constexpr std::size_t kOfMaterials = 2 * terrain::kMaterialCount;
+constexpr std::size_t kFirstNumbers = kOfMaterials + 6;
+/// The places in feelFields() of the numbers behind those of the materials.
+constexpr std::array<std::size_t, kServoNumbers - kOfMaterials> kRest{
+    2 * settings::kSubstances,     settings::kCuttingFields,     settings::kCuttingFields + 1,
+    settings::kCuttingFields + 2,  settings::kCuttingFields + 3, settings::kCuttingFields + 4,
+    2 * settings::kSubstances + 1, 2 * settings::kSubstances + 2};
 
 const NumberField<FeelPreset>& fieldOf(std::size_t index) noexcept
 {
     if (index < kOfMaterials)
         return settings::feelFields()[2 * kRows[index / 2] + index % 2];
-    return settings::feelFields()[2 * settings::kSubstances + (index - kOfMaterials)];
+    return settings::feelFields()[kRest[index - kOfMaterials]];
 }
 
 double& numberOf(ServoSettings& settings, std::size_t index) noexcept
@@ -38,8 +44,12 @@ double& numberOf(ServoSettings& settings, std::size_t index) noexcept
         return settings.force.fastDampingNSPerM;
     case 4:
         return settings.force.friction;
-    default:
+    case 5:
         return settings.force.clampN;
+    case 6:
+        return settings.hardness.flatEndShare;
+    default:
+        return settings.hardness.fullLoadN;
     }
 }
 
@@ -79,6 +89,11 @@ std::optional<SetNumber> unpackNumber(std::uint64_t packed) noexcept
                            std::bit_cast<float>(static_cast<std::uint32_t>(packed))};
     const bool isSound = packed >> 32U < kServoNumbers && isServoNumber(number);
     return isSound ? std::optional(number) : std::nullopt;
+}
+
+bool isOfFirstNumbers(std::uint64_t packed) noexcept
+{
+    return packed >> 32U < kFirstNumbers;
 }
 
 }  // namespace core::session

@@ -12,9 +12,9 @@
 namespace core::session {
 
 /// What of a servo's settings may change while it works: rate and threshold of caries, enamel, dentin and pulp, the
-/// axial share, stiffness, damping, damping of fast motion, friction, force limit. Their numbers are in recordings: new
-/// ones go to the end.
-inline constexpr std::size_t kServoNumbers = 2 * terrain::kMaterialCount + 6;
+/// axial share, stiffness, damping, damping of fast motion, friction, force limit, the share of flat ends, the full
+/// load. Their numbers are in recordings: new ones go to the end.
+inline constexpr std::size_t kServoNumbers = 2 * terrain::kMaterialCount + 8;
 using ServoNumbers = std::array<double, kServoNumbers>;
 
 [[nodiscard]] ServoNumbers numbersOf(const ServoSettings& settings);
@@ -28,5 +28,7 @@ void setServoNumber(ServoSettings& settings, const SetNumber& number) noexcept;
 [[nodiscard]] std::uint64_t packNumber(const SetNumber& number) noexcept;
 /// Nothing where isServoNumber() says no.
 [[nodiscard]] std::optional<SetNumber> unpackNumber(std::uint64_t packed) noexcept;
+/// True if the packed number is one of those up to the force limit, which recordings had first.
+[[nodiscard]] bool isOfFirstNumbers(std::uint64_t packed) noexcept;
 
 }  // namespace core::session

@@ -102,8 +102,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew, s
     m_groundIsNew = !anew;
     if (anew) {
         m_settings.force = m_firstForce;
-        m_settings.hardness.material = m_firstHardness.material;
-        m_settings.hardness.axialShare = m_firstHardness.axialShare;
+        m_settings.hardness.takeFigures(m_firstHardness);
         takeNumbers();
         const ServoState before = m_state;
         m_state = ServoState{};

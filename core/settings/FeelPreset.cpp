@@ -11,7 +11,7 @@ using Field = NumberField<FeelPreset>;
 
 // Damping: what CHAI3D lets a Falcon have (haptics.md section 5). Beyond it, and beyond 60 for fast motion, the damper
 // itself swings when the device answers late (StabilityBound.h).
-const std::array<Field, 2 * kSubstances + 6> kFields{{
+const std::array<Field, kCuttingFields + 5> kFields{{
     {"soft_caries.rate_mm3_per_ns", "rate of soft caries", kRateUnit, &FeelPreset::softCariesRate, kMinRateMm3PerNs,
      kMaxRateMm3PerNs},
     {"soft_caries.threshold_n", "threshold of soft caries", "N", &FeelPreset::softCariesFromN, 0.0, kMaxThresholdN},
@@ -29,7 +29,9 @@ const std::array<Field, 2 * kSubstances + 6> kFields{{
     {"plastic.rate_mm3_per_ns", "rate of plastic", kRateUnit, &FeelPreset::plasticRate, kMinRateMm3PerNs,
      kMaxRateMm3PerNs},
     {"plastic.threshold_n", "threshold of plastic", "N", &FeelPreset::plasticFromN, 0.0, kMaxThresholdN},
-    {"axial_share", "axial share", "", &FeelPreset::axialShare, 0.01, 1.0},
+    {"axial_share", "axial share", "", &FeelPreset::axialShare, kMinShare, 1.0},
+    {"flat_end_share", "share of flat ends", "", &FeelPreset::flatEndShare, kMinShare, 1.0},
+    {"full_load_n", "full load", "N", &FeelPreset::fullLoadN, kMinFullLoadN, kNoFullLoadN},
     {"force.stiffness_n_per_mm", "stiffness", "N/mm", &FeelPreset::stiffnessNPerMm, 0.2, 20.0},
     {"force.damping_ns_per_m", "damping", "N s/m", &FeelPreset::dampingNSPerM, 0.0, 20.0},
     {"force.fast_damping_ns_per_m", "damping of fast motion", "N s/m", &FeelPreset::fastDampingNSPerM, 0.0, 60.0},
@@ -65,6 +67,13 @@ MaterialHardness hardnessOf(const FeelPreset& preset, Substance substance)
     return {preset.*rateField(substance).value, preset.*thresholdField(substance).value};
 }
 
+FeelPreset withoutEndsAndFullLoad(FeelPreset preset)
+{
+    preset.flatEndShare = 1.0;
+    preset.fullLoadN = kNoFullLoadN;
+    return preset;
+}
+
 std::string labelOf(const FeelPreset& preset)
 {
     return labelWith(preset, kShownHash);
@@ -75,6 +84,8 @@ HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth)
     HardnessPreset hardness;
     hardness.name = labelWith(preset, std::string::npos);  // by which an attempt names it
     hardness.axialShare = preset.axialShare;
+    hardness.flatEndShare = preset.flatEndShare;
+    hardness.fullLoadN = preset.fullLoadN;
     if (tooth.isPlastic)
         hardness.material.fill(hardnessOf(preset, Substance::Plastic));
     else
@@ -110,6 +121,8 @@ FeelPreset feltAs(FeelPreset base, const HardnessPreset& hardness, const contact
         put(Substance::Pulp, terrain::Material::Pulp);
     }
     base.axialShare = hardness.axialShare;
+    base.flatEndShare = hardness.flatEndShare;
+    base.fullLoadN = hardness.fullLoadN;
     base.stiffnessNPerMm = force.stiffnessNPerMm;
     base.dampingNSPerM = force.dampingNSPerM;
     base.fastDampingNSPerM = force.fastDampingNSPerM;

@@ -20,7 +20,7 @@ inline constexpr std::size_t kSubstances = 6;
 /// How drilling feels, as a school sets it: how every substance yields, and what turns the distance between hand and
 /// bur into a force. A named version of it is never changed; a change is another version.
 ///
-/// The defaults are what is shipped: rates of haptics.md 8.1 and teeth.md section 5 (weak), forces of docs/method.md.
+/// The defaults are what is shipped; docs/method.md names their sources.
 struct FeelPreset
 {
     std::string name = "natural";
@@ -41,7 +41,10 @@ struct FeelPreset
     double pulpFromN = 0.0;
     double plasticRate = 2.5;
     double plasticFromN = 0.12;
-    double axialShare = 0.65;  ///< as HardnessPreset
+    // As HardnessPreset.
+    double axialShare = 0.65;
+    double flatEndShare = 0.615;
+    double fullLoadN = 1.5;
 
     // As contact::ForceSettings. The rest of those is the device's.
     double stiffnessNPerMm = 2.0;
@@ -53,12 +56,19 @@ struct FeelPreset
 };
 
 /// Every number of a preset with its range, in the order of files and tables: rate and threshold of each substance, the
-/// axial share, the forces. An id's parts are the keys of the file, from the outside in.
+/// shares along the axis and the full load, the forces. An id's parts are the keys of the file, from the outside in.
 [[nodiscard]] std::span<const NumberField<FeelPreset>> feelFields();
 [[nodiscard]] const NumberField<FeelPreset>& rateField(Substance substance);
 [[nodiscard]] const NumberField<FeelPreset>& thresholdField(Substance substance);
 /// How a substance yields.
 [[nodiscard]] MaterialHardness hardnessOf(const FeelPreset& preset, Substance substance);
+
+/// How many of feelFields(), from the first on, say how a tooth is cut; the others are forces.
+inline constexpr std::size_t kCuttingFields = 2 * kSubstances + 3;
+
+/// The same preset, cut as by Cusp before there were flat ends and full loads: what a file means that says nothing of
+/// them.
+[[nodiscard]] FeelPreset withoutEndsAndFullLoad(FeelPreset preset);
 
 /// What a tooth is made of, as far as its layers do not say it.
 struct ToothKind

@@ -33,9 +33,15 @@ Status check(const HardnessPreset& preset)
             return unexpected(ErrorCode::OutOfRange, "Hardness preset '" + preset.name + "': the threshold of " +
                                                          std::string(kNames[m]) + " must lie between 0 and 10 N.");
     }
-    if (!within(preset.axialShare, 0.01, 1.0))
+    if (!within(preset.axialShare, kMinShare, 1.0))
         return unexpected(ErrorCode::OutOfRange,
                           "Hardness preset '" + preset.name + "': the axial share must lie between 0.01 and 1.");
+    if (!within(preset.flatEndShare, kMinShare, 1.0))
+        return unexpected(ErrorCode::OutOfRange,
+                          "Hardness preset '" + preset.name + "': the share of flat ends must lie between 0.01 and 1.");
+    if (!within(preset.fullLoadN, kMinFullLoadN, kNoFullLoadN))
+        return unexpected(ErrorCode::OutOfRange,
+                          "Hardness preset '" + preset.name + "': the full load must lie between 0.2 and 20 N.");
     return {};
 }
 

@@ -9,8 +9,8 @@
 
 namespace core::settings {
 
-/// How one material yields: dV/dt = rate * max(0, F - threshold) (haptics.md 8.1, Preston's law), at the speed that
-/// drilling::kReferenceRpmMm stands for.
+/// How one material yields: dV/dt = rate * max(0, F - threshold) (Preston's law) up to the full load of the preset, at
+/// the speed that drilling::kReferenceRpmMm stands for.
 struct MaterialHardness
 {
     double rateMm3PerNs = 0.7;  ///< volume a second for each newton above the threshold, pushing sideways
@@ -18,8 +18,11 @@ struct MaterialHardness
     bool operator==(const MaterialHardness&) const = default;
 };
 
-/// What a tooth feels like to cut. Values of the shipped presets: haptics.md 8.1, teeth.md section 5 (weak, so
-/// settings).
+/// The full load of a preset whose pace grows with the load without end: the largest force limit that a preset may
+/// have.
+inline constexpr double kNoFullLoadN = 20.0;
+
+/// What a tooth feels like to cut. docs/method.md names the sources of the shipped values.
 struct HardnessPreset
 {
     std::string name = "natural";
@@ -29,15 +32,44 @@ struct HardnessPreset
         {2.2, 0.10},  // dentin
         {20.0, 0.0},  // pulp gives way
     }};
-    /// Share of the rate that is left when pushing along the bur's axis: end cutting is slower than side cutting. With
-    /// 0.65 ten light strokes make the trench that dentists asked for (haptics.md 8.3).
+    /// Share of the rate that is left when a bur is pushed along its axis: the end cuts more slowly than the side.
     double axialShare = 0.65;
+    /// Share of axialShare that a bur with a flat end has, as a pear or a fissure bur (Bur::hasFlatEnd()): 0.40 of the
+    /// rate is left. 1: the shape of the end makes no difference.
+    double flatEndShare = 0.615;
+    /// Load beyond which a bur removes no more, N. From kNoFullLoadN on the pace grows with any load.
+    double fullLoadN = 1.5;
     bool operator==(const HardnessPreset&) const = default;
+
+    /// Returns what is left of the rate when a bur is pushed along its axis.
+    [[nodiscard]] double shareOfEnd(bool isFlat) const noexcept
+    {
+        return isFlat ? axialShare * flatEndShare : axialShare;
+    }
+    /// Takes everything but the name of another preset. Allocates nothing.
+    void takeFigures(const HardnessPreset& other) noexcept
+    {
+        material = other.material;
+        axialShare = other.axialShare;
+        flatEndShare = other.flatEndShare;
+        fullLoadN = other.fullLoadN;
+    }
 };
+
+/// The same material figures, cut as by Cusp before there were flat ends and full loads: what a recording or a preset
+/// means that says nothing of them.
+[[nodiscard]] inline HardnessPreset withoutEndsAndFullLoad(HardnessPreset preset)
+{
+    preset.flatEndShare = 1.0;
+    preset.fullLoadN = kNoFullLoadN;
+    return preset;
+}
 
 inline constexpr double kMinRateMm3PerNs = 0.0;
 inline constexpr double kMaxRateMm3PerNs = 100.0;
 inline constexpr double kMaxThresholdN = 10.0;
+inline constexpr double kMinShare = 0.01;  ///< of axialShare and flatEndShare; the largest is 1
+inline constexpr double kMinFullLoadN = 0.2;
 
 /// "natural" or "typodont" (one plastic throughout); UnknownName otherwise.
 [[nodiscard]] Result<HardnessPreset> findHardnessPreset(std::string_view name);

@@ -46,7 +46,7 @@ private slots:
     void aPresetIsTriedOnABlockAndKept()
     {
         start();
-        QVERIFY(recording().settings().hardness.name.starts_with("natural v1 #"));
+        QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
         openPresets();
         tryOnBlock("presetTry");
         auto* card = child<ui::presets::TrialCard>();
@@ -94,19 +94,19 @@ private slots:
         QCOMPARE(page().draft().enamelRate, 0.175);
         QCOMPARE(child<ui::presets::PresetsPage>()->findChild<QSlider*>("dial0")->value(), enamel->maximum());
         click("presetSave");
-        QCOMPARE(page().draft().version, 2);
-        QVERIFY(message().contains("natural, version 2"));
+        QCOMPARE(page().draft().version, 3);
+        QVERIFY(message().contains("natural, version 3"));
         auto* list = child<QListWidget>("presetList");
-        QVERIFY(list->count() == 2 && !list->item(0)->text().contains("shipped"));
+        QVERIFY(list->count() == 3 && !list->item(0)->text().contains("shipped"));
         click("presetUse");
         chooseTooth(26);
         QVERIFY(!card->isVisible());
-        QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
+        QVERIFY(recording().settings().hardness.name.starts_with("natural v3 #"));
         QCOMPARE(recording().settings().hardness.material[1].rateMm3PerNs, 0.175);
         // The next start finds what is in use.
         m_application.reset();
         start();
-        QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
+        QVERIFY(recording().settings().hardness.name.starts_with("natural v3 #"));
         emit window().presetUseWanted(lessons::shippedPresets().front());
     }
 
@@ -122,7 +122,7 @@ private slots:
         const core::recording::Recording next = recording();
         QVERIFY(!next.isRetuned());
         QCOMPARE(next.settings().hardness.material[1].rateMm3PerNs, 5.0);
-        QVERIFY((lessons::presetUsed(next) == lessons::PresetUsed{"natural", 1, {}, true}));
+        QVERIFY((lessons::presetUsed(next) == lessons::PresetUsed{"natural", 2, {}, true}));
         QVERIFY2(answer("save mine").contains("mine, version 1"), qPrintable(answer("help")));
         QVERIFY(answer("reset").contains("as the preset says"));
         chooseTooth(36);
@@ -156,7 +156,7 @@ private slots:
         };
         emit window().scanChosen(scan);
         WAIT_FOR(isAsked());
-        const core::settings::FeelPreset& other = lessons::shippedPresets().back();
+        const core::settings::FeelPreset& other = lessons::shippedPresets().front();
         emit window().feelWanted(other);
         WAIT_FOR_VALUE(used().name, QString::fromStdString(other.name));
         QVERIFY(!used().isChanged);

@@ -29,7 +29,7 @@ private slots:
         QVERIFY(shelf.save(mine));
         const QJsonArray listed =
             runCusp({"preset", "list", "--folder", folder.path(), "--json"}).json()["presets"].toArray();
-        QCOMPARE(listed.size(), 2);
+        QCOMPARE(listed.size(), 3);
         QCOMPARE(listed[0].toObject()["name"].toString(), QString("mine"));
         QCOMPARE(listed[0].toObject()["shipped"].toBool(), false);
         QCOMPARE(listed[1].toObject()["shipped"].toBool(), true);
@@ -39,6 +39,7 @@ private slots:
         QCOMPARE(shown["force"].toObject()["stiffness_n_per_mm"].toDouble(), 2.5);
         QVERIFY(shown["bound_n_per_mm"].toDouble() > 2.5);
         QVERIFY(runCusp({"preset", "show", "natural"}).out.contains("enamel.rate_mm3_per_ns"));
+        QVERIFY(runCusp({"preset", "show", "natural"}).out.contains("full_load_n"));
 
         const QString bad = folder.filePath("bad.json");
         QFile file(bad);
@@ -83,13 +84,13 @@ private slots:
                     names << one["name"].toString() + " v" + QString::number(one["version"].toInt());
             return names;
         };
-        QCOMPARE(listed("s1001").json()["presets"].toArray().size(), 3);
-        QCOMPARE(inUse(), QStringList{"natural v1"});
+        QCOMPARE(listed("s1001").json()["presets"].toArray().size(), 4);
+        QCOMPARE(inUse(), QStringList{"natural v2"});
         VERIFY_DONE(database::sql::changeSetting(rig.school(), rig.admin, "preset.in_use", "mine v1"));
         QCOMPARE(inUse(), QStringList{"mine v1"});
         VERIFY_DONE(database::sql::changeSetting(rig.school(), rig.admin, "preset.retired", "natural"));
         const Ending text = runCusp({"preset", "list", "--db", rig.address(), "--as", "admin"}, {}, "correct horse\n");
-        QVERIFY2(text.out.contains("(in use)") && text.out.count("(retired)") == 1, text.out);
+        QVERIFY2(text.out.contains("(in use)") && text.out.count("(retired)") == 2, text.out);
         QCOMPARE(runCusp({"preset", "list", "--db", rig.address()}).exitCode, 2);
         QCOMPARE(runCusp({"preset", "list", "--db", rig.address(), "--as", "admin", "--folder", "x"}).exitCode, 2);
         expectRefusal(runCusp({"preset", "list", "--db", rig.address(), "--as", "admin"}, {}, "wrong\n"));

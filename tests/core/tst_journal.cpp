@@ -356,7 +356,7 @@ private slots:
             Work again(path.parent_path(), nullptr);
             const Recording leftOff = found.recording;
             again.journal->takeUp(2, std::move(found));
-            const support::FullDisk full(2000);
+            const support::FullDisk full(1000);
             again.rig.resume(leftOff, 2);
             again.cut(100);
             QVERIFY(again.journal->failure());

@@ -36,9 +36,8 @@ using Spoil = std::function<void(terrain::ToothAnatomy&)>;
 
 /// A short attempt: a few ticks of cutting, another bur and handpiece, a lost reading, an undo, a lesson, an aid, a
 /// note.
-Recording shortAttempt()
+Recording shortAttempt(session::ServoSettings settings = {})
 {
-    session::ServoSettings settings;
     settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
     support::Rig rig(settings);
     rig.drill(support::smallBlock(), 1, "lesson 1");
@@ -55,6 +54,14 @@ Recording shortAttempt()
     rig.lift();
     rig.give(session::Undo{});
     return rig.session->recordingSoFar().value();
+}
+
+/// The same, cut as before there were flat ends and full loads.
+Recording attemptAsBefore()
+{
+    session::ServoSettings settings;
+    settings.hardness = settings::withoutEndsAndFullLoad(settings.hardness);
+    return shortAttempt(settings);
 }
 
 /// Returns the recording of an attempt at a small block with these events.
@@ -340,7 +347,7 @@ private slots:
     /// Older programs go on reading what they know; what they do not is said to be newer, not damaged.
     void onlyAChangedFeelNeedsTheNewVersion()
     {
-        Recording made = shortAttempt();
+        Recording made = attemptAsBefore();
         const std::string plain = made.toBytes();
         QCOMPARE(plain[8], static_cast<char>(recording::kOldestVersion));
         std::string called = plain;
@@ -349,7 +356,7 @@ private slots:
         ServoEvent number{ServoEvent::Kind::Number, 0, glm::vec3(0.0F), session::packNumber({9, 1.5F})};
         made.append(number);
         const std::string changed = made.toBytes();
-        QCOMPARE(changed[8], static_cast<char>(recording::versionWith(ServoEvent::Kind::Number)));
+        QCOMPARE(changed[8], static_cast<char>(6));
         const auto read = Recording::fromBytes(changed);
         QVERIFY(support::succeeds(read));
         QVERIFY(read->isRetuned());
@@ -363,13 +370,33 @@ private slots:
         }
     }
 
+    /// What was recorded before there were flat ends and full loads says nothing of them, and replays without them.
+    void onlyFlatEndsAndAFullLoadNeedTheirVersion()
+    {
+        const Recording before = attemptAsBefore();
+        const auto old = Recording::fromBytes(before.toBytes());
+        QVERIFY(support::succeeds(old));
+        QVERIFY(old->settings() == before.settings());
+        QCOMPARE(old->settings().hardness.flatEndShare, 1.0);
+        QCOMPARE(old->settings().hardness.fullLoadN, settings::kNoFullLoadN);
+        const Recording made = shortAttempt();
+        QCOMPARE(made.toBytes()[8], static_cast<char>(8));
+        const auto read = Recording::fromBytes(made.toBytes());
+        QVERIFY(support::succeeds(read));
+        QVERIFY(read->settings() == made.settings());
+        // A number that older programs do not know.
+        Recording retuned = attemptAsBefore();
+        retuned.append({ServoEvent::Kind::Number, 0, glm::vec3(0.0F),
+                        session::packNumber({static_cast<std::uint8_t>(session::kServoNumbers - 1), 1.5F})});
+        QCOMPARE(retuned.toBytes()[8], static_cast<char>(8));
+    }
+
     void onlyAPedalNeedsTheVersionWithSpeeds()
     {
-        Recording made = shortAttempt();
+        Recording made = attemptAsBefore();
         made.append({ServoEvent::Kind::Speed, 0, glm::vec3(0.0F), 37});
         const std::string bytes = made.toBytes();
-        QCOMPARE(bytes[8], static_cast<char>(recording::versionWith(ServoEvent::Kind::Speed)));
-        QCOMPARE(bytes[8], static_cast<char>(recording::kFormatVersion));
+        QCOMPARE(bytes[8], static_cast<char>(7));
         const auto read = Recording::fromBytes(bytes);
         QVERIFY(support::succeeds(read));
         QVERIFY(!read->isRetuned());

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/drilling/Feed.h"
 #include "core/session/ServoTick.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "tests/support/Suite.h"
@@ -180,7 +181,8 @@ private slots:
     {
         support::columns<double, double, double>("dejMm", "cariesFloorMm", "feed");
         for (const double feed : {0.1, 0.5, 1.0}) {
-            QTest::addRow("enamel, %g mm/s", feed) << -100.0 << 100.0 << feed;
+            if (feed < 1.0)  // which no force makes the bur follow there
+                QTest::addRow("enamel, %g mm/s", feed) << -100.0 << 100.0 << feed;
             QTest::addRow("dentin, %g mm/s", feed) << 10.0 << 100.0 << feed;
             QTest::addRow("decay, %g mm/s", feed) << -100.0 << -100.0 << feed;
         }
@@ -213,6 +215,27 @@ private slots:
         }
         QVERIFY2(std::abs(begin - before - 2.0 * feed) < 0.05 * feed + 0.02,
                  qPrintable(QString::number(begin - before)));
+    }
+
+    void aFeedBeyondTheBursPaceWaitsForTheBur()
+    {
+        Bench bench({.bottomMm = -13.0}, true);
+        bench.want.targetMm = {0.013, 0.021};  // beside the nodes, so that the columns make up the area of the bur
+        bench.want.feedMmPerS = 1.0;
+        bench.want.pushForceN = 3.0;
+        bench.want.hoverMm = 0.5;
+        bench.run(200);
+        bench.want.pushing = true;
+        bench.run(1500);
+        const double before = bench.servo->state().anchorMm.z;
+        bench.run(1000);
+        const core::settings::HardnessPreset preset;
+        const double pace = core::drilling::feedMmPerS(preset, preset.material[1], core::settings::Handpiece{},
+                                                       core::drilling::burs()[1], 3.0);
+        const double sunk = before - bench.servo->state().anchorMm.z;
+        QVERIFY2(std::abs(sunk / pace - 1.0) < 0.05,
+                 qPrintable(QString("%1 mm, %2 mm/s, %3 N").arg(sunk).arg(pace).arg(bench.force())));
+        QVERIFY(bench.force() > 2.5);
     }
 
     void aHandWithAFeedPressesNoHarderThanAsked()

@@ -274,7 +274,7 @@ private slots:
             if (n % 500 == 100)
                 bare.send(SetBur{static_cast<std::uint8_t>(n / 500 % 4)});
             if (n % 40 == 7)
-                bare.send(SetNumber{static_cast<std::uint8_t>(n / 40 % 16), 0.001F * static_cast<float>(n % 700)});
+                bare.send(SetNumber{static_cast<std::uint8_t>(n / 40 % 18), 0.003F * static_cast<float>(n % 700)});
             if (n % 1000 == 300) {
                 bare.give(anatomy, ++serial, n % 2000 == 300);  // outside the measured tick
                 bare.freeRetired();

@@ -92,7 +92,7 @@ private slots:
     {
         support::columns<int, double>("material", "newtons");
         for (const int material : {0, 1, 2})
-            for (const double newtons : {0.5, 1.0, 1.5})
+            for (const double newtons : {0.5, 1.0, 1.5, 2.0})
                 QTest::addRow("material %d, %g N", material, newtons) << material << newtons;
     }
 
@@ -162,6 +162,7 @@ private slots:
             lab::PaceTrial trial;
             trial.seconds = 1.0;
             trial.settings.hardness.axialShare = share;
+            trial.settings.hardness.flatEndShare = 1.0;
             const double down = lab::removedMm3(trial);
             trial.towards = lab::feed(20.0, 0.0);
             const double sideways = lab::removedMm3(trial);

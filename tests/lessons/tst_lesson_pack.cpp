@@ -183,7 +183,7 @@ private slots:
         QTemporaryDir elsewhere;
         const ReadLesson there = packedTo(elsewhere, object);
         QVERIFY2(there.lesson && there.lesson->hardness, qPrintable(sentencesOf(there)));
-        QVERIFY(QString::fromStdString(there.lesson->hardness->name).startsWith("second year v1"));
+        QVERIFY(QString::fromStdString(there.lesson->hardness->name).startsWith("second year v2"));
     }
 
     /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew.

@@ -110,6 +110,42 @@ private slots:
         }
     }
 
+    /// A preset of before there were flat ends and full loads reads as it was, and keeps its hash.
+    void aPresetOfFormat1StaysWhatItIs()
+    {
+        FeelPreset older = core::settings::withoutEndsAndFullLoad(hardTooth());
+        const QJsonObject object = lessons::toJson(older);
+        QCOMPARE(object["format"].toInt(), 1);
+        QVERIFY(!object.contains("flat_end_share") && !object.contains("full_load_n"));
+        const lessons::ReadPreset read = readText(written(object));
+        QVERIFY(isSound(read));
+        QVERIFY(*read.preset == lessons::hashed(older));
+        QVERIFY(!lessons::leftOutFault(read));
+        QCOMPARE(lessons::toJson(hardTooth())["format"].toInt(), 2);
+        // The first preset that was shipped, by the hash that it was shipped with.
+        QVERIFY(lessons::shippedPresets().back().hash.starts_with("67fbb52c"));
+        QCOMPARE(lessons::shippedPresets().back().version, 1);
+        QCOMPARE(lessons::shippedPresets().front().version, 2);
+        QCOMPARE(lessons::shippedPresets().front().flatEndShare, 0.615);
+    }
+
+    /// A school that made "natural", version 2, before Cusp shipped one goes on with its own.
+    void aSchoolsOwnVersionGoesBeforeAShippedOne()
+    {
+        FeelPreset own = core::settings::withoutEndsAndFullLoad(FeelPreset{});
+        own.version = 2;
+        own.enamelRate = 0.5;
+        own = lessons::hashed(own);
+        const auto all = lessons::shelved({{"own", own, {}}});
+        QCOMPARE(all.size(), std::size_t{3});
+        QVERIFY(lessons::findPreset(all, "natural v2").value() == own);
+        const FeelPreset usual = lessons::usualPreset(all);
+        QCOMPARE(usual.version, 3);
+        QVERIFY(lessons::findPreset(all, "natural").value() == usual);
+        QVERIFY(core::settings::hardnessFor(usual, {}).material == core::settings::HardnessPreset{}.material);
+        QVERIFY(lessons::usualPreset(lessons::shelved({})) == lessons::shippedPresets().front());
+    }
+
     void whatIsLeftOutIsAsShipped()
     {
         const lessons::ReadPreset empty = lessons::readPresetText("{}", "/somewhere/soft teeth.cusppreset");
@@ -154,7 +190,7 @@ private slots:
         row("a list", "[]", "must be one JSON object");
         row("a picture", QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), "");
         row("another kind", R"({"kind": "cusp-lesson"})", "is no hardness preset");
-        row("the future", R"({"format": 2})", "from a newer Cusp");
+        row("the future", R"({"format": 3})", "from a newer Cusp");
         row("huge", "{\"notes\": \"" + QByteArray(200'000, 'x') + "\"}", "has ");
         row("deep", QByteArray(5000, '[') + QByteArray(5000, ']'), "");
         row("a number too large for a double", R"({"enamel": {"rate_mm3_per_ns": 1e999}})", "");
@@ -237,7 +273,7 @@ private slots:
         FeelPreset natural;
         natural.version = 0;
         natural.dentinRate = 2.0;
-        QCOMPARE(shelf.save(natural).value().version, 2);
+        QCOMPARE(shelf.save(natural).value().version, 3);
         std::vector<std::pair<std::string, int>> found;
         for (const lessons::ReadPreset& read : shelf.list()) {
             QVERIFY2(read.preset, qPrintable(allFaults(read)));
@@ -245,7 +281,7 @@ private slots:
         }
         const std::string hard = first.name;
         QCOMPARE(found, (std::vector<std::pair<std::string, int>>{
-                            {hard, 3}, {hard, 2}, {hard, 1}, {"natural", 2}, {"natural", 1}}));
+                            {hard, 3}, {hard, 2}, {hard, 1}, {"natural", 3}, {"natural", 2}, {"natural", 1}}));
         QVERIFY(QDir(folder.at("presets")).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
     }
 
@@ -257,7 +293,7 @@ private slots:
         theirs.version = 7;
         QCOMPARE(shelf.save(theirs).value().version, 7);
         QCOMPARE(shelf.save(theirs).value().version, 7);
-        QCOMPARE(shelf.list().size(), std::size_t{2});
+        QCOMPARE(shelf.list().size(), std::size_t{3});
         theirs.notes = "another of the same number";
         QCOMPARE(shelf.save(theirs).value().version, 8);
         // After the last number there is none.
@@ -278,10 +314,10 @@ private slots:
         QVERIFY(QDir(folder.path()).mkdir("d.cusppreset"));
         lessons::PresetFolder shelf(folder.path());
         const auto all = shelf.list();
-        QCOMPARE(all.size(), std::size_t{3});
+        QCOMPARE(all.size(), std::size_t{4});
         QVERIFY(*all[0].preset == lessons::shippedPresets().front());
-        QVERIFY(!all[1].preset && !all[2].preset);
-        QVERIFY(says(all[2], "there is another natural of version 1"));
+        QVERIFY(!all[2].preset && !all[3].preset);
+        QVERIFY(says(all[3], "there is another natural of version 1"));
         QVERIFY(!lessons::readPreset(folder.path()).preset);
         QVERIFY(!lessons::readPreset(folder.at("none.cusppreset")).preset);
     }

@@ -111,9 +111,10 @@ private slots:
     void everyNumberOfAPresetIsAParameter()
     {
         Room room;
-        for (const char* name : {"hardness.enamel.rate", "hardness.enamel.threshold", "hardness.soft_caries.rate",
-                                 "hardness.plastic.threshold", "hardness.axial_share", "force.stiffness",
-                                 "force.damping", "force.fast_damping", "force.friction", "force.limit"}) {
+        for (const char* name :
+             {"hardness.enamel.rate", "hardness.enamel.threshold", "hardness.soft_caries.rate",
+              "hardness.plastic.threshold", "hardness.axial_share", "hardness.flat_end_share", "hardness.full_load",
+              "force.stiffness", "force.damping", "force.fast_damping", "force.friction", "force.limit"}) {
             const auto* parameter = room.parameters.find(name);
             QVERIFY2(parameter != nullptr, name);
             QVERIFY2(!parameter->help().empty() && !parameter->label().empty(), name);

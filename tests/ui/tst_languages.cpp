@@ -479,10 +479,11 @@ private slots:
         QStringList fromOutside{"KiB",
                                 "Qt",
                                 "natural",
-                                QString::fromStdString(lessons::shippedPresets().front().hash).left(8),
                                 "synthetic",
                                 child<QLineEdit>("draftTitle")->text(),
                                 "export   get   help   list   load   plot   reset   save   set   unwatch   watch"};
+        for (const core::settings::FeelPreset& shipped : lessons::shippedPresets())
+            fromOutside << QString::fromStdString(shipped.hash).left(8);
         for (const QInputDevice* device : QInputDevice::devices())
             for (const QString& word : device->name().split(u' '))
                 fromOutside << word;

@@ -192,7 +192,7 @@ private slots:
         click("presetExpert");
         spin("enamel.rate_mm3_per_ns")->setValue(0.6);
         QCOMPARE(m_page->draft().enamelRate, 0.6);
-        QVERIFY(textOf("presetVersion").contains("changed from natural, version 1"));
+        QVERIFY(textOf("presetVersion").contains("changed from natural, version 2"));
         click("presetTry");
         QCOMPARE(tried.size(), 1);
         QCOMPARE(tried[0][0].value<FeelPreset>().enamelRate, 0.7);
@@ -243,7 +243,7 @@ private slots:
     void slidersStandWhereTheVersionStands()
     {
         auto* wall = child<QSlider>("dial5");
-        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 1."));
+        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 2."));
         auto all = shelf();
         const auto keep = [&](int version) {
             FeelPreset kept = m_page->draft();
@@ -254,23 +254,23 @@ private slots:
             m_page->select(kept);
         };
         wall->setValue(wall->minimum());
-        keep(2);
-        QVERIFY(textOf("presetVersion").startsWith("version 2"));
+        keep(3);
+        QVERIFY(textOf("presetVersion").startsWith("version 3"));
         QCOMPARE(wall->value(), wall->minimum());  // no softer than it can be, however often it is kept
-        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 1."));
+        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 2."));
         wall->setValue(0);
         QCOMPARE(m_page->draft().stiffnessNPerMm, shipped().stiffnessNPerMm);
-        QVERIFY(textOf("presetVersion").contains("changed from natural, version 2"));
+        QVERIFY(textOf("presetVersion").contains("changed from natural, version 3"));
         // Numbers that no slider comes to are the middle; kept, they have a version.
         click("presetExpert");
         spin("dentin.rate_mm3_per_ns")->setValue(1.234);
         click("presetSimple");
         QVERIFY2(textOf("dialMiddle").contains("typed"), qPrintable(textOf("dialMiddle")));
-        keep(3);
-        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 3."));
-        wall->setValue(5);
         keep(4);
-        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 3."));
+        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 4."));
+        wall->setValue(5);
+        keep(5);
+        QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 4."));
         QCOMPARE(wall->value(), 5);
     }
 
@@ -309,7 +309,7 @@ private slots:
         // Nothing is compared with itself: another is offered, or what was changed.
         auto* compare = child<QPushButton>("presetCompare");
         QVERIFY(compare->isEnabled() && !other->currentText().startsWith("natural"));
-        other->setCurrentText("natural v1");
+        other->setCurrentText("natural v2");
         emit other->activated(other->currentIndex());
         QVERIFY(!compare->isEnabled());
         auto* slider = child<QSlider>("dial0");
@@ -339,7 +339,7 @@ private slots:
         // The feed is drawn as it is turned.
         cardDial().setValue(10);
         auto* feed = card.findChild<presets::FeedChart*>();
-        QVERIFY(feed->isVisible() && feed->words(1.0).contains("Enamel 0.4 mm/s"));
+        QVERIFY(feed->isVisible() && feed->words(1.0).contains("Enamel 0.2 mm/s"));
         QVERIFY(card.findChild<QLabel*>("feedWords")->text().contains("dashed"));
 
         const FeelPreset first = presetNamed("hard", 1, 0.3);
@@ -478,7 +478,7 @@ private slots:
             "x.cusppreset, enamel.rate_mm3_per_ns: is -1, it must lie between 0 and 100");
         row("no JSON", "{", "x.cusppreset is not JSON: line 1, column 2");
         row("another kind", R"({"kind": "cusp-lesson"})", "kind: says that this is no hardness preset");
-        row("the future", R"({"format": 2})", "format: is 2, from a newer Cusp");
+        row("the future", R"({"format": 3})", "format: is 3, from a newer Cusp");
         row("no version", R"({"version": 1.5})", "version: is 1.5, it must be a whole number");
         row("a name of two lines", R"({"name": "a\nb"})", "name: must be one line");
         row("a number for an object", R"({"force": 2})", "force: is a number; write an object in braces");
@@ -505,7 +505,7 @@ private slots:
         FeelPreset preset;
         preset.enamelRate = 2.0;
         chart.setPreset(preset, FeelPreset{});
-        QVERIFY2(chart.words(1.0).contains("Enamel 2.2 mm/s"), qPrintable(chart.words(1.0)));
+        QVERIFY2(chart.words(1.0).contains("Enamel 1.4 mm/s"), qPrintable(chart.words(1.0)));
         QTest::keyClick(&chart, Qt::Key_Right);
         QCOMPARE(chart.accessibleDescription(), chart.words(1.1));
         QTest::keyClick(&chart, Qt::Key_End);

@@ -106,14 +106,15 @@ void FeedChart::setTool(std::size_t bur, std::size_t handpiece)
 
 double FeedChart::feed(const FeelPreset& preset, Substance substance, double newtons) const
 {
-    return core::drilling::feedMmPerS(core::settings::hardnessOf(preset, substance), preset.axialShare,
-                                      core::settings::handpieces()[m_handpiece], core::drilling::burs()[m_bur],
-                                      newtons);
+    return core::drilling::feedMmPerS(
+        core::settings::hardnessFor(preset, {}), core::settings::hardnessOf(preset, substance),
+        core::settings::handpieces()[m_handpiece], core::drilling::burs()[m_bur], newtons);
 }
 
 bool FeedChart::differsIn(Substance substance) const
 {
-    return m_was.axialShare != m_preset.axialShare ||
+    return m_was.axialShare != m_preset.axialShare || m_was.flatEndShare != m_preset.flatEndShare ||
+           m_was.fullLoadN != m_preset.fullLoadN ||
            core::settings::hardnessOf(m_was, substance) != core::settings::hardnessOf(m_preset, substance);
 }
 

@@ -59,6 +59,12 @@ QString fieldName(const char* id)
     const QString name = QLatin1String(id);
     if (name == u"axial_share")
         return Words::tr("Share along the bur");
+    if (name == u"flat_end_share")
+        //: Of a bur whose end is flat, such as a pear or a fissure bur
+        return Words::tr("Share of flat ends");
+    if (name == u"full_load_n")
+        //: The load on the bur beyond which it cuts no faster
+        return Words::tr("Full load");
     if (name == u"force.stiffness_n_per_mm")
         return Words::tr("Stiffness");
     if (name == u"force.damping_ns_per_m")
@@ -79,6 +85,11 @@ QString fieldHelp(const char* id)
         return Words::tr("A lighter touch leaves no mark.");
     if (name == u"axial_share")
         return Words::tr("What is left of the rate when the bur is pushed along its axis.");
+    if (name == u"flat_end_share")
+        return Words::tr("What a pear or a fissure bur has of the share along the bur. At 1 the end makes no "
+                         "difference.");
+    if (name == u"full_load_n")
+        return Words::tr("A bur pressed harder cuts no faster. At 20 N there is no such limit.");
     if (name == u"force.stiffness_n_per_mm")
         return Words::tr("Of the spring between hand and bur: how hard a wall feels.");
     if (name == u"force.damping_ns_per_m")

@@ -936,7 +936,7 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& wanted)
         return tr("A blind comparison of two presets is running. Finish it first.").toStdString();
     // A lesson that brings its own hardness leaves the forces alone.
     core::settings::FeelPreset forces = next;
-    for (const auto& field : core::settings::feelFields().subspan(0, 2 * core::settings::kSubstances + 1))
+    for (const auto& field : core::settings::feelFields().subspan(0, core::settings::kCuttingFields))
         forces.*field.value = m_feel.*field.value;
     if (m_assignment && m_assignment->lesson && m_assignment->lesson->hardness && !(forces == next))
         return tr("This lesson sets its own hardness. Only the forces can be changed.").toStdString();
