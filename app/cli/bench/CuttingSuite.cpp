@@ -84,11 +84,36 @@ void addRates(Figures& figures)
                                  Tissue{"caries", core::terrain::Material::Caries, "3 to 6"}}) {
         lab::PaceTrial trial;
         trial.material = tissue.material;
+        trial.towards = lab::feed(20.0, 0.0);
         trial.seconds = 0.5;
         figures << Figure{QStringLiteral("cutting_rate_%1_mm3_per_s").arg(QLatin1String(tissue.name)),
-                          QStringLiteral("%1, 330 down with 1 N").arg(QLatin1String(tissue.name)),
+                          QStringLiteral("%1, 330 sideways with 1 N").arg(QLatin1String(tissue.name)),
                           lab::removedMm3(trial) / trial.seconds, QStringLiteral("mm3/s"), QLatin1String(tissue.reach)};
     }
+}
+
+/// How long a bur that is pressed straight down takes to sink 1.5 mm.
+void addPlunges(Figures& figures)
+{
+    constexpr double kDepthMm = 1.5;
+    constexpr double kGivesUpS = 60.0;
+    for (const auto& [tissue, material] :
+         {std::pair("enamel", core::terrain::Material::Enamel), std::pair("dentin", core::terrain::Material::Dentin)})
+        for (std::size_t bur = 0; bur < core::drilling::kCommonBurs; ++bur)
+            for (const double newtons : {0.5, 1.0, 1.5, 2.0, 3.0}) {
+                lab::PaceTrial trial;
+                trial.bur = bur;
+                trial.material = material;
+                trial.newtons = newtons;
+                trial.seconds = kGivesUpS;
+                const QString id = QString::fromStdString(core::drilling::burs()[bur].id);
+                const bool isSaid = id == u"330" && newtons == 1.0 && material == core::terrain::Material::Enamel;
+                figures << Figure{
+                    QStringLiteral("cutting_plunge_%1_%2_%3_s").arg(QLatin1String(tissue), id).arg(newtons),
+                    QStringLiteral("1.5 mm down into %1, %2, %3 N").arg(QLatin1String(tissue), id).arg(newtons),
+                    lab::secondsTo(kDepthMm, trial), QStringLiteral("s"),
+                    isSaid ? QStringLiteral("2 to 4") : QString()};
+            }
 }
 
 void addRipple(Figures& figures, const Context& context)
@@ -119,6 +144,7 @@ core::Result<Figures> cuttingSuite(const Context& context)
     addSweeps(figures, context, kSteps);
     addPace(figures, context);
     addRates(figures);
+    addPlunges(figures);
     addRipple(figures, context);
     return figures;
 }
