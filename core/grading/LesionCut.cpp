@@ -97,19 +97,42 @@ void addDecayLeft(const Tooth& tooth, std::size_t k, LesionCut& result, double& 
     }
 }
 
-void findRidges(const Tooth& tooth, LesionCut& result)
+struct Ridges
+{
+    std::optional<Placed> mesialMm;
+    std::optional<Placed> distalMm;
+};
+
+/// @param end  heights at which the columns end, [side * side]
+Ridges ridgesOf(const ToothAnatomy& anatomy, const std::vector<float>& end)
+{
+    const Outline outline(anatomy, end);
+    const CutSurface surface{anatomy, end, outline};
+    return {ridgeOf(surface, -1), ridgeOf(surface, 1)};
+}
+
+void findRidges(const Tooth& tooth, const std::vector<float>& smallest, LesionCut& result)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
     if (!teeth::isGenerated(anatomy) || anatomy.fdi % 10 <= 3)  // front teeth have none across the mouth
         return;
     std::vector<float> end = anatomy.top;
+    std::vector<float> least = anatomy.top;
     for (std::size_t k = 0; k < end.size(); ++k)
-        if (wasSolid(anatomy, k))
+        if (wasSolid(anatomy, k)) {
             end[k] = std::min(end[k], endOf(tooth, k));
-    const Outline outline(anatomy, end);
-    const CutSurface surface{anatomy, end, outline};
-    result.ridgeMesialMm = ridgeOf(surface, -1);
-    result.ridgeDistalMm = ridgeOf(surface, 1);
+            least[k] = std::max(smallest[k], anatomy.bottom[k]);
+        }
+    const Ridges now = ridgesOf(anatomy, end);
+    const Ridges before = ridgesOf(anatomy, least);
+    result.ridgeMesialMm = now.mesialMm;
+    result.ridgeDistalMm = now.distalMm;
+    const auto look = [&](const std::optional<Placed>& left, const std::optional<Placed>& usual) {
+        if (left && usual && usual->value - left->value > result.ridgeLostMm.value)
+            result.ridgeLostMm = {usual->value - left->value, left->node};
+    };
+    look(now.mesialMm, before.mesialMm);
+    look(now.distalMm, before.distalMm);
 }
 
 }  // namespace
@@ -117,10 +140,10 @@ void findRidges(const Tooth& tooth, LesionCut& result)
 std::optional<LesionCut> measureLesionCut(const Tooth& tooth)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
-    IdealTop top = idealCavity(anatomy);
+    const IdealTop top = idealCavity(anatomy);
     if (top == nullptr)
         return {};
-    const Cavity cavity(anatomy, std::move(top));
+    const Cavity cavity(anatomy, top);
     if (cavity.isEmpty())
         return {};
     const Grid& grid = anatomy.grid;
@@ -145,7 +168,7 @@ std::optional<LesionCut> measureLesionCut(const Tooth& tooth)
     }
     result.beyondMm = beyond.over(kStrayMm2);
     result.belowMm = below.over(kLocalMm2);
-    findRidges(tooth, result);
+    findRidges(tooth, *top, result);
     return result;
 }
 

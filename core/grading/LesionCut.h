@@ -31,6 +31,8 @@ struct LesionCut
     /// As in Form.
     std::optional<Placed> ridgeMesialMm;
     std::optional<Placed> ridgeDistalMm;
+    /// mm, how much thinner one of them is than the smallest cavity would leave it, 0 or more; 0 where there are none.
+    Placed ridgeLostMm;
     bool operator==(const LesionCut&) const = default;
 };
 

@@ -106,7 +106,7 @@ private slots:
                  std::string(
                      "caries_removed_mm3 caries_removed_percent caries_left_mm3 caries_left_percent "
                      "caries_largest_island_mm3 caries_at_junction_mm2 caries_on_floor_mm2 beyond_lesion_mm "
-                     "below_lesion_mm lesion_mm3 access_mm3 smallest_cavity_mm3 sound_overcut_mm3 "
+                     "ridge_lost_mm below_lesion_mm lesion_mm3 access_mm3 smallest_cavity_mm3 sound_overcut_mm3 "
                      "enamel_removed_mm3 "
                      "dentin_removed_mm3 pulp_removed_mm3 deepest_cut_mm pulp_exposed_mm2 perforated_mm2 "
                      "remaining_over_pulp_mm ideal_mm3 removed_mm3 overcut_mm3 overcut_beside_mm3 "

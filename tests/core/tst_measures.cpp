@@ -148,6 +148,7 @@ private slots:
         const grading::LesionCut narrow = widened(1.5);
         const grading::LesionCut wide = widened(2.5);
         QVERIFY(isNear(narrow.ridgeMesialMm->value - wide.ridgeMesialMm->value, 1.0, 0.15));
+        QVERIFY(isNear(wide.ridgeLostMm.value - narrow.ridgeLostMm.value, 1.0, 0.15));
         QVERIFY(isNear(narrow.ridgeDistalMm->value - wide.ridgeDistalMm->value, 1.0, 0.15));
         QVERIFY(!grading::measureLesionCut(Tooth(anatomy))->ridgeMesialMm.has_value());
     }

@@ -75,7 +75,6 @@ constexpr Fault kOfPreparations[] = {
     {"a tenth not cut", 'C', [](Spoiling& s) { s.leave(0.1); }},
     {"three tenths not cut", 'F', [](Spoiling& s) { s.leave(0.3); }},
     {"half not cut", 'F', [](Spoiling& s) { s.leave(0.5); }},
-    {"1.3 mm of the ridge left", 'D', [](Spoiling& s) { s.cutRidge(1.3); }},
     {"0.3 mm too deep and 0.2 mm too wide", 'C',
      [](Spoiling& s) {
          s.widen(0.2);
@@ -91,6 +90,15 @@ constexpr Fault kOfPreparations[] = {
          s.widen(0.4);
          s.lower(0.4);
      }},
+};
+
+constexpr Fault kOfMolars[] = {
+    {"1.3 mm of the ridge left", 'D', [](Spoiling& s) { s.cutRidge(1.3); }},
+};
+
+constexpr Fault kOfPremolars[] = {
+    {"1.3 mm of the ridge left", 'B', [](Spoiling& s) { s.cutRidge(1.3); }},
+    {"1.0 mm of the ridge left", 'D', [](Spoiling& s) { s.cutRidge(1.0); }},
 };
 
 constexpr Fault kOfDecay[] = {
@@ -141,8 +149,10 @@ struct Attempt
     [[nodiscard]] double grade() const { return fault.letter == 'F' ? 0.0 : 'E' - fault.letter; }
 };
 
-std::vector<Attempt> attemptsAt(std::size_t lesson, bool isDecay)
+std::vector<Attempt> attemptsAt(std::size_t lesson, const lessons::Assignment& assignment)
 {
+    const bool isDecay = !assignment.ideal;
+    const bool isMolar = assignment.anatomy->fdi % 10 >= 6;
     std::vector<Attempt> all;
     const auto add = [&](std::span<const Fault> faults) {
         for (const Fault& fault : faults)
@@ -150,6 +160,8 @@ std::vector<Attempt> attemptsAt(std::size_t lesson, bool isDecay)
     };
     add(kOfAny);
     add(isDecay ? std::span<const Fault>(kOfDecay) : std::span<const Fault>(kOfPreparations));
+    if (!isDecay)
+        add(isMolar ? std::span<const Fault>(kOfMolars) : std::span<const Fault>(kOfPremolars));
     return all;
 }
 
@@ -307,7 +319,7 @@ core::Result<Figures> marksSuite(const Context& context)
         auto assigned = lessons::assign(*lesson);
         if (!assigned)
             return tl::unexpected(assigned.error());
-        const auto more = attemptsAt(assignments.size(), !assigned->assignment.ideal);
+        const auto more = attemptsAt(assignments.size(), assigned->assignment);
         attempts.insert(attempts.end(), more.begin(), more.end());
         assignments.push_back(std::move(assigned->assignment));
     }

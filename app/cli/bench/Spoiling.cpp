@@ -23,7 +23,7 @@ constexpr double kAwayMm = 1.2;         ///< a hole is at least so far from the 
 constexpr double kRippleMm = 1.6;       ///< length of a wave
 constexpr double kRidgeHalfMm = 0.6;    ///< of the breadth of a cut through a ridge
 constexpr double kBehindWallMm = 1.0;
-constexpr double kNearPulpRadiusMm = 0.5;
+constexpr double kNearPulpRadiusMm = 0.9;  // a bur goes down there with its shank
 constexpr double kSafeMm = 1.0;
 
 bool isTooth(const ToothAnatomy& anatomy, std::size_t k)
