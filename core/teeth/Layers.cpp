@@ -160,7 +160,8 @@ std::vector<float> ridgeUnderEdge(const Lattice& lattice, const terrain::Grid& g
 {
     constexpr float kBelowHighestMm = 2.0F;  // what is lower is no edge but the cingulum
     constexpr double kNearMm = 0.5;
-    constexpr float kAlongEdge = 0.25F;  // an edge falls less than that over that distance, the sides more
+    constexpr double kAlongEdge = 0.15;  // an edge falls less than that over that distance, the sides more
+    constexpr double kOffEdge = 3.0;     // the ridge is lower by that much of what a place is beyond it
     constexpr double kFlank = 2.5;
     constexpr double kReachMm = 1.0;
     std::vector<float> lowest(lattice.count(), kNoValue);
@@ -180,11 +181,10 @@ std::vector<float> ridgeUnderEdge(const Lattice& lattice, const terrain::Grid& g
                 continue;
             float near = here;
             around(a, b, kNearMm, [&](std::size_t k, double) { near = std::max(near, surface[k]); });
-            if (here < near - kAlongEdge)
-                continue;
-            const double ridge =
-                static_cast<double>(here) - edgeEnamelMm * enamel.variation(grid.originMm.x + a * lattice.cellMm(),
-                                                                            grid.originMm.y + b * lattice.cellMm());
+            const double off = std::max(0.0, static_cast<double>(near - here) - kAlongEdge);
+            const double ridge = static_cast<double>(here) - kOffEdge * off -
+                                 edgeEnamelMm * enamel.variation(grid.originMm.x + a * lattice.cellMm(),
+                                                                 grid.originMm.y + b * lattice.cellMm());
             around(a, b, kReachMm, [&](std::size_t k, double aside) {
                 const auto flank = static_cast<float>(ridge - kFlank * aside);
                 lowest[k] = lowest[k] == kNoValue ? flank : std::max(lowest[k], flank);

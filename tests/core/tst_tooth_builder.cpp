@@ -198,7 +198,7 @@ private slots:
     void scanWithoutItsPulpIsToldApart()
     {
         // The tooth ends above the pulp chamber, within it, or is whole.
-        for (const auto& [cutMm, hasPulp] : {std::pair(-4.0F, false), {-7.0F, true}, {-100.0F, true}}) {
+        for (const auto& [cutMm, hasPulp] : {std::pair(-4.0F, false), {-8.0F, true}, {-100.0F, true}}) {
             const auto tooth = buildFileFrame(support::clampedAt(generateTooth(36, 0).value(), cutMm));
             QVERIFY(tooth);
             QCOMPARE(tooth->report.layersMm3[3] > 1.0, hasPulp);
