@@ -11,13 +11,13 @@ namespace ui::inside {
 namespace {
 
 /// The scanner's window: nothing of a tooth that is rightly exposed is lighter than the first density, and the air
-/// beside it has the second.
+/// beside it has the second, or its own where the tooth needs little radiation.
 constexpr double kWhiteDensity = 0.6;
 constexpr double kBlackDensity = 2.95;
 
-int grey(double density)
+int grey(double density, double blackDensity)
 {
-    const double shown = (kBlackDensity - density) / (kBlackDensity - kWhiteDensity);
+    const double shown = (blackDensity - density) / (blackDensity - kWhiteDensity);
     return static_cast<int>(std::lround(255.0 * std::clamp(shown, 0.0, 1.0)));
 }
 
@@ -43,7 +43,11 @@ QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, cons
     }
     const core::imaging::Shadow shadow = core::imaging::castShadow(pictured, beam, area, pixelMm);
     core::imaging::Exposure given = exposure;
-    given.relative *= core::imaging::usualExposure(first, beam);
+    const double usual = core::imaging::usualExposure(first, beam);
+    given.relative *= usual;
+    const double black =
+        std::min(kBlackDensity,
+                 core::imaging::opticalDensity(core::imaging::kQuantaPerMm2 * usual * pixelMm * pixelMm, pixelMm));
     const std::vector<float> quanta = core::imaging::quantaOn(shadow, given);
     QImage picture(shadow.width, shadow.height, QImage::Format_Grayscale8);
     for (int row = 0; row < shadow.height; ++row) {
@@ -51,8 +55,8 @@ QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, cons
         for (int column = 0; column < shadow.width; ++column) {
             const auto k = static_cast<std::size_t>(row) * static_cast<std::size_t>(shadow.width) +
                            static_cast<std::size_t>(column);
-            line[column] =
-                static_cast<uchar>(grey(core::imaging::opticalDensity(static_cast<double>(quanta[k]), pixelMm)));
+            const double density = core::imaging::opticalDensity(static_cast<double>(quanta[k]), pixelMm);
+            line[column] = static_cast<uchar>(grey(density, black));
         }
     }
     return isUpper(first.fdi) ? picture.mirrored(false, true) : picture;

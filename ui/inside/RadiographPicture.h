@@ -16,11 +16,11 @@ inline constexpr double kFilmPixelMm = 0.05;
 [[nodiscard]] bool isUpper(int fdi);
 
 /// A developed film as a film scanner reads it, in grey: white where no radiation came through. The grey of the screen
-/// is linear in optical density, within a window of 0.6 to 2.95, and not in the light that passes: that is how scanners
-/// give films, and how they look on a light box, which is ten times as bright as a screen. Only what is shown is chosen
-/// here; the densities are core::imaging's. The film of an upper tooth is turned over, mesial stays at the left. The
-/// exposure is relative to what is usual for the thickness of the first tooth. Needs no window and may be called on any
-/// thread; 30 to 100 ms at kFilmPixelMm, the longest for a bitewing.
+/// is linear in optical density, within a window from 0.6 to that of the air beside the tooth (2.95 at most), and not
+/// in the light that passes: that is how scanners give films, and how they look on a light box, which is ten times as
+/// bright as a screen. Only what is shown is chosen here; the densities are core::imaging's. The film of an upper tooth
+/// is turned over, mesial stays at the left. The exposure is relative to what is usual for the thickness of the first
+/// tooth. Needs no window and may be called on any thread; 30 to 100 ms at kFilmPixelMm, the longest for a bitewing.
 [[nodiscard]] QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth,
                                        const core::imaging::Beam& beam, const core::imaging::FilmArea& area,
                                        double pixelMm, const core::imaging::Exposure& exposure);
