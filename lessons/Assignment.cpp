@@ -24,10 +24,12 @@ core::teeth::BuildOptions buildOptions(const Lesson& lesson)
 {
     core::teeth::BuildOptions options;
     options.gridSide = lesson.gridSide;
-    if (lesson.lesion)
+    if (lesson.lesion) {
         options.cariesExtent = lesson.lesion->extent;
-    else
+        options.site = lesson.lesion->site;
+    } else {
         options.caries.reset();
+    }
     return options;
 }
 
@@ -36,6 +38,7 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
     core::teeth::BuildOptions options = buildOptions(lesson);
     if (const auto* made = std::get_if<MadeTooth>(&lesson.tooth)) {
         options.seed = made->seed;
+        options.lying = made->lying;
         return core::teeth::buildTooth({made->fdi}, options);
     }
     if (const auto* block = std::get_if<Block>(&lesson.tooth)) {
@@ -53,6 +56,7 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
         if (const auto up = core::mesh::parseAxis(scan.up))
             options.placement.up = *up;
     options.fdi = scan.fdi;
+    options.lying = scan.lying;
     auto built = core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
     if (!built)
         return core::unexpected(built.error().code,

@@ -13,6 +13,8 @@
 #include "core/guidance/Landmarks.h"
 #include "core/settings/FeelPreset.h"
 #include "core/settings/Handpiece.h"
+#include "core/teeth/LesionSite.h"
+#include "core/terrain/Lying.h"
 #include "lessons/Aids.h"
 #include "lessons/LocalText.h"
 #include "lessons/Rubric.h"
@@ -40,6 +42,7 @@ struct MadeTooth
 {
     int fdi = 36;
     std::uint64_t seed = 0;
+    core::terrain::Lying lying;
     bool operator==(const MadeTooth&) const = default;
 };
 /// A practice block that the program makes: "line", "cross", ...
@@ -58,13 +61,15 @@ struct Scan
     std::string unit;  ///< "mm", "cm", "m", "inch", "um"; empty: guessed
     std::string up;    ///< "+z" and so on; empty: guessed
     int fdi = 0;
+    core::terrain::Lying lying;
     bool operator==(const Scan&) const = default;
 };
 
 /// Decay that is put into the tooth.
 struct Lesion
 {
-    double extent = 0.5;  ///< 0 none .. 1 deepest; where it runs, the tooth's seed says
+    double extent = 0.5;                          ///< 0 none .. 1 deepest; where it runs, the tooth's seed says
+    std::optional<core::teeth::LesionSite> site;  ///< none: what is usual for how the tooth lies
     bool operator==(const Lesion&) const = default;
 };
 

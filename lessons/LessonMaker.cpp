@@ -15,6 +15,7 @@
 #include "core/base/NumberField.h"
 #include "core/drilling/Bur.h"
 #include "core/mesh/Placement.h"
+#include "core/preparation/AccessOpening.h"
 #include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothDesign.h"
 #include "core/teeth/ToothTable.h"
@@ -154,8 +155,33 @@ private:
         else if (tooth->has("scan"))
             lesson.tooth = takeScan(*tooth);
         else
-            lesson.tooth = MadeTooth{fdiOf(*tooth), seedOf(*tooth)};
+            lesson.tooth = takeMade(*tooth);
         tooth->nameTheRest();
+    }
+
+    static MadeTooth takeMade(JsonKeys& keys)
+    {
+        MadeTooth made{fdiOf(keys), seedOf(keys), {}};
+        if (made.fdi != 0)
+            made.lying = lyingOf(keys, made.fdi);
+        return made;
+    }
+
+    /// @param fdi  0 for a scan
+    static core::terrain::Lying lyingOf(JsonKeys& keys, int fdi)
+    {
+        const double tiltDeg = keys.number("tilt_deg", core::terrain::Lying::kLeastTiltDeg,
+                                           core::terrain::Lying::kMostTiltDeg, "°", core::terrain::Lying::kMostTiltDeg);
+        if (!keys.has("lies")) {
+            if (keys.has("tilt_deg"))
+                keys.fault("tilt_deg", {QT_TRANSLATE_NOOP("Fault", "is how far the tooth lies on a side; say which in "
+                                                                   "\"lies\"")});
+            return {};
+        }
+        const auto lying = core::teeth::findLying(keys.text("lies", 20), tiltDeg, fdi);
+        if (!lying)
+            keys.fault("lies", core::wordsOf(lying.error()));
+        return lying.value_or(core::terrain::Lying{});
     }
 
     static Block takeBlock(JsonKeys& keys)
@@ -212,6 +238,7 @@ private:
         scan.unit = keys.text("unit", 20);
         scan.up = keys.text("up", 4);
         scan.fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
+        scan.lying = lyingOf(keys, 0);
         if (!scan.unit.empty() && !core::mesh::parseUnit(scan.unit))
             keys.fault("unit",
                        {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no unit; write mm, cm, m or the millimetres of one unit"),
@@ -306,10 +333,30 @@ private:
         return captured;
     }
 
+    static core::terrain::Lying lyingOf(const Lesson& lesson)
+    {
+        if (const auto* made = std::get_if<MadeTooth>(&lesson.tooth))
+            return made->lying;
+        const auto* scan = std::get_if<Scan>(&lesson.tooth);
+        return scan != nullptr ? scan->lying : core::terrain::Lying{};
+    }
+
+    static Lesion takeLesion(JsonKeys& keys, const core::terrain::Lying& lying)
+    {
+        Lesion lesion{keys.number("extent", 0.0, 1.0, "", 0.5), {}};
+        static const QStringList kSites(std::begin(core::teeth::kLesionSites), std::end(core::teeth::kLesionSites));
+        if (const int site = keys.choice("site", kSites); site >= 0) {
+            lesion.site = static_cast<core::teeth::LesionSite>(site);
+            if (const auto fits = core::teeth::checkSite(*lesion.site, lying); !fits)
+                keys.fault("site", core::wordsOf(fits.error()));
+        }
+        return lesion;
+    }
+
     void takeWork(Lesson& lesson)
     {
         if (auto lesion = m_keys.object("lesion")) {
-            lesson.lesion = Lesion{lesion->number("extent", 0.0, 1.0, "", 0.5)};
+            lesson.lesion = takeLesion(*lesion, lyingOf(lesson));
             lesion->nameTheRest();
         }
         if (auto ideal = m_keys.object("ideal"))
@@ -487,8 +534,14 @@ private:
         if (set.neighbourHit && !std::holds_alternative<MadeTooth>(lesson.tooth))
             rules->fault("neighbour_hit",
                          {QT_TRANSLATE_NOOP("Fault", "only a tooth of ours has neighbours; write false")});
+        const bool isUpright = lyingOf(lesson).isUpright();
+        if (set.neighbourHit && !isUpright)
+            rules->fault("neighbour_hit", {QT_TRANSLATE_NOOP("Fault", "a tooth that lies on a side has no neighbours; "
+                                                                      "write false")});
         set.depthLimitMm = rules->number("depth_limit_mm", 0.1, 10.0, "mm");
         set.ridgeLimitMm = rules->number("ridge_limit_mm", 0.1, 5.0, "mm");
+        if (set.ridgeLimitMm && !isUpright)
+            rules->fault("ridge_limit_mm", {QT_TRANSLATE_NOOP("Fault", "is about a tooth that stands upright")});
         set.besideMm = rules->number("beside_mm", 0.0, 10.0, "mm");
         set.forceLimitN = rules->number("force_limit_n", 0.1, 10.0, "N");
         set.airLimitS = rules->number("air_limit_s", 1.0, 600.0, "s");
@@ -554,6 +607,12 @@ private:
                                       "Fault", "is made by rule for a tooth of ours only, \"tooth\": {\"fdi\": 36}; "
                                                "for a scan name a captured one: {\"captured\": "
                                                "\"mine.cuspideal\"}")});
+        else if (const bool isLingualAccess = *kind == core::preparation::Kind::Access &&
+                                              core::preparation::opensFromLingual(made->lying, made->fdi);
+                 !made->lying.isUpright() && !isLingualAccess)
+            m_keys.fault("ideal", {QT_TRANSLATE_NOOP("Fault", "this preparation is made for a tooth that stands "
+                                                              "upright; leave out \"lies\", or take an ideal from "
+                                                              "attempts at this tooth")});
         else if (const auto usual = core::preparation::usualDesign(*kind, made->fdi); !usual && made->fdi != 0)
             m_keys.fault("ideal.kind", core::wordsOf(usual.error()));
     }

@@ -710,6 +710,23 @@
         <source>Bucco-lingual</source>
         <translation>Bukkolingual</translation>
     </message>
+    <message>
+        <source>apical</source>
+        <translation>apikal</translation>
+    </message>
+    <message>
+        <source>incisal</source>
+        <translation>inzisal</translation>
+    </message>
+    <message>
+        <source>occlusal</source>
+        <translation>okklusal</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <extracomment>Two directions at once, such as &quot;mesial / incisal&quot;</extracomment>
+        <translation>%1 / %2</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -1876,6 +1893,50 @@
     <message>
         <source>must be at least 0.1 points; an error that leaves none is &quot;critical&quot;</source>
         <translation>muss mindestens 0,1 Punkte sein; ein Fehler, der keine übrig lässt, ist &quot;critical&quot;</translation>
+    </message>
+    <message>
+        <source>is how far the tooth lies on a side; say which in &quot;lies&quot;</source>
+        <translation>sagt, wie weit der Zahn auf einer Seite liegt; nennen Sie sie in „lies“</translation>
+    </message>
+    <message>
+        <source>a tooth that lies on a side has no neighbours; write false</source>
+        <translation>ein Zahn, der auf der Seite liegt, hat keine Nachbarn; schreiben Sie false</translation>
+    </message>
+    <message>
+        <source>is about a tooth that stands upright</source>
+        <translation>betrifft einen aufrecht stehenden Zahn</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no side of a tooth; write occlusal, mesial, distal, buccal or lingual</source>
+        <translation>„%1“ ist keine Seite eines Zahns; schreiben Sie occlusal, mesial, distal, buccal oder lingual</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no side of a scan; write occlusal, -x, +x, -y or +y</source>
+        <translation>„%1“ ist keine Seite eines Scans; schreiben Sie occlusal, -x, +x, -y oder +y</translation>
+    </message>
+    <message>
+        <source>a tooth is tilted by %1 to %2 degrees, not by %3</source>
+        <translation>ein Zahn wird um %1 bis %2 Grad gekippt, nicht um %3</translation>
+    </message>
+    <message>
+        <source>a bur reaches no fissure of a tooth that is tilted by more than %1 degrees</source>
+        <translation>an einem Zahn, der um mehr als %1 Grad gekippt ist, erreicht kein Bohrer eine Fissur</translation>
+    </message>
+    <message>
+        <source>decay below a contact is on the mesial or distal side; let the tooth lie that way</source>
+        <translation>Karies unter einem Kontakt liegt mesial oder distal; lassen Sie den Zahn so liegen</translation>
+    </message>
+    <message>
+        <source>decay at the neck or in a pit of a side is on the buccal or lingual side; let the tooth lie that way</source>
+        <translation>Karies am Zahnhals oder in einer Grube einer Seite liegt bukkal oder lingual; lassen Sie den Zahn so liegen</translation>
+    </message>
+    <message>
+        <source>there is no pit on the side that tooth &apos;%1&apos; shows</source>
+        <translation>die Seite, die Zahn %1 zeigt, hat keine Grube</translation>
+    </message>
+    <message>
+        <source>this preparation is made for a tooth that stands upright; leave out &quot;lies&quot;, or take an ideal from attempts at this tooth</source>
+        <translation>diese Präparation wird für einen aufrecht stehenden Zahn gemacht; lassen Sie „lies“ weg, oder nehmen Sie ein Ideal von Versuchen an diesem Zahn ab</translation>
     </message>
 </context>
 <context>
@@ -5141,6 +5202,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
         <translation>Ein Scan sagt nicht, welche Seite mesial ist; darum bekommt er keine Nachbarn.</translation>
+    </message>
+    <message>
+        <source>This tooth lies on a side, so it gets no neighbours.</source>
+        <translation>Dieser Zahn liegt auf der Seite; darum bekommt er keine Nachbarn.</translation>
     </message>
 </context>
 <context>

@@ -710,6 +710,23 @@
         <source>Bucco-lingual</source>
         <translation>Vestibulolingual</translation>
     </message>
+    <message>
+        <source>apical</source>
+        <translation>apical</translation>
+    </message>
+    <message>
+        <source>incisal</source>
+        <translation>incisal</translation>
+    </message>
+    <message>
+        <source>occlusal</source>
+        <translation>oclusal</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <extracomment>Two directions at once, such as &quot;mesial / incisal&quot;</extracomment>
+        <translation>%1 / %2</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -1876,6 +1893,50 @@
     <message>
         <source>must be at least 0.1 points; an error that leaves none is &quot;critical&quot;</source>
         <translation>debe ser de al menos 0,1 puntos; un error que no deja ninguno es &quot;critical&quot;</translation>
+    </message>
+    <message>
+        <source>is how far the tooth lies on a side; say which in &quot;lies&quot;</source>
+        <translation>indica cuánto se inclina el diente hacia un lado; diga cuál en «lies»</translation>
+    </message>
+    <message>
+        <source>a tooth that lies on a side has no neighbours; write false</source>
+        <translation>un diente tumbado no tiene vecinos; escriba false</translation>
+    </message>
+    <message>
+        <source>is about a tooth that stands upright</source>
+        <translation>se refiere a un diente en posición vertical</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no side of a tooth; write occlusal, mesial, distal, buccal or lingual</source>
+        <translation>«%1» no es una cara de un diente; escriba occlusal, mesial, distal, buccal o lingual</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no side of a scan; write occlusal, -x, +x, -y or +y</source>
+        <translation>«%1» no es una cara de un escaneo; escriba occlusal, -x, +x, -y o +y</translation>
+    </message>
+    <message>
+        <source>a tooth is tilted by %1 to %2 degrees, not by %3</source>
+        <translation>un diente se inclina de %1 a %2 grados, no %3</translation>
+    </message>
+    <message>
+        <source>a bur reaches no fissure of a tooth that is tilted by more than %1 degrees</source>
+        <translation>en un diente inclinado más de %1 grados la fresa no alcanza ninguna fisura</translation>
+    </message>
+    <message>
+        <source>decay below a contact is on the mesial or distal side; let the tooth lie that way</source>
+        <translation>la caries bajo un contacto está en la cara mesial o distal; coloque el diente de ese lado</translation>
+    </message>
+    <message>
+        <source>decay at the neck or in a pit of a side is on the buccal or lingual side; let the tooth lie that way</source>
+        <translation>la caries del cuello o de una fosita lateral está en la cara bucal o lingual; coloque el diente de ese lado</translation>
+    </message>
+    <message>
+        <source>there is no pit on the side that tooth &apos;%1&apos; shows</source>
+        <translation>la cara que muestra el diente %1 no tiene ninguna fosita</translation>
+    </message>
+    <message>
+        <source>this preparation is made for a tooth that stands upright; leave out &quot;lies&quot;, or take an ideal from attempts at this tooth</source>
+        <translation>esta preparación se hace para un diente en posición vertical; quite «lies», o tome un ideal de intentos en este diente</translation>
     </message>
 </context>
 <context>
@@ -5141,6 +5202,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
         <translation>Nada en un escaneo indica qué lado es mesial, así que no tiene vecinos.</translation>
+    </message>
+    <message>
+        <source>This tooth lies on a side, so it gets no neighbours.</source>
+        <translation>Este diente está tumbado, así que no tiene vecinos.</translation>
     </message>
 </context>
 <context>

@@ -708,6 +708,23 @@
         <source>Bucco-lingual</source>
         <translation>頬舌</translation>
     </message>
+    <message>
+        <source>apical</source>
+        <translation>根尖側</translation>
+    </message>
+    <message>
+        <source>incisal</source>
+        <translation>切縁側</translation>
+    </message>
+    <message>
+        <source>occlusal</source>
+        <translation>咬合面側</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <extracomment>Two directions at once, such as &quot;mesial / incisal&quot;</extracomment>
+        <translation>%1・%2</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -1874,6 +1891,50 @@
     <message>
         <source>must be at least 0.1 points; an error that leaves none is &quot;critical&quot;</source>
         <translation>0.1点以上にしてください。得点を残さない誤りは &quot;critical&quot; です</translation>
+    </message>
+    <message>
+        <source>is how far the tooth lies on a side; say which in &quot;lies&quot;</source>
+        <translation>は歯をどれだけ横に傾けるかです。どの面かを&quot;lies&quot;に書いてください</translation>
+    </message>
+    <message>
+        <source>a tooth that lies on a side has no neighbours; write false</source>
+        <translation>横向きの歯に隣在歯はありません。falseと書いてください</translation>
+    </message>
+    <message>
+        <source>is about a tooth that stands upright</source>
+        <translation>は直立した歯についてのものです</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no side of a tooth; write occlusal, mesial, distal, buccal or lingual</source>
+        <translation>「%1」は歯の面ではありません。occlusal、mesial、distal、buccal、lingualのいずれかを書いてください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no side of a scan; write occlusal, -x, +x, -y or +y</source>
+        <translation>「%1」はスキャンの面ではありません。occlusal、-x、+x、-y、+yのいずれかを書いてください</translation>
+    </message>
+    <message>
+        <source>a tooth is tilted by %1 to %2 degrees, not by %3</source>
+        <translation>歯の傾きは%1～%2度です。%3度にはできません</translation>
+    </message>
+    <message>
+        <source>a bur reaches no fissure of a tooth that is tilted by more than %1 degrees</source>
+        <translation>%1度を超えて傾けた歯では、バーは裂溝に届きません</translation>
+    </message>
+    <message>
+        <source>decay below a contact is on the mesial or distal side; let the tooth lie that way</source>
+        <translation>接触点下のう蝕は近心面か遠心面にあります。その面を上にしてください</translation>
+    </message>
+    <message>
+        <source>decay at the neck or in a pit of a side is on the buccal or lingual side; let the tooth lie that way</source>
+        <translation>歯頸部や側面の小窩のう蝕は頬側か舌側にあります。その面を上にしてください</translation>
+    </message>
+    <message>
+        <source>there is no pit on the side that tooth &apos;%1&apos; shows</source>
+        <translation>歯%1の上を向いた面に小窩はありません</translation>
+    </message>
+    <message>
+        <source>this preparation is made for a tooth that stands upright; leave out &quot;lies&quot;, or take an ideal from attempts at this tooth</source>
+        <translation>この形成は直立した歯のためのものです。&quot;lies&quot;を省くか、この歯での試行から理想形を取ってください</translation>
     </message>
 </context>
 <context>
@@ -5118,6 +5179,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Save both films side by side as a PNG file</source>
         <translation>2枚のフィルムを並べてPNGファイルに保存します</translation>
+    </message>
+    <message>
+        <source>This tooth lies on a side, so it gets no neighbours.</source>
+        <translation>この歯は横向きなので、隣在歯は付きません。</translation>
     </message>
 </context>
 <context>

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/Arguments.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 
 #include <QJsonDocument>
 #include <QStringDecoder>
 
 #include "app/cli/Commands.h"
+#include "core/teeth/Laid.h"
+#include "core/teeth/LesionSite.h"
 #include "core/teeth/ToothTable.h"
 
 namespace app::cli {
@@ -79,6 +83,40 @@ core::Status readPlacement(const QCommandLineParser& parser, core::mesh::Placeme
         return core::unexpected(core::ErrorCode::OutOfRange,
                                 "--frame file means millimetres with +z up, so --unit and --up cannot go with it");
     return {};
+}
+
+core::Status readLying(const QCommandLineParser& parser, const core::teeth::ToothSource& source,
+                       core::teeth::BuildOptions& options)
+{
+    if (!parser.isSet(QStringLiteral("lies"))) {
+        if (parser.isSet(QStringLiteral("tilt")))
+            return core::unexpected(core::ErrorCode::OutOfRange,
+                                    "--tilt says how far a tooth lies on a side; say which "
+                                    "by --lies");
+    } else {
+        if (std::holds_alternative<core::teeth::BlockDesign>(source.what))
+            return core::unexpected(core::ErrorCode::OutOfRange,
+                                    "--lies is about a tooth, and a practice block lies on no side; leave it out");
+        bool isNumber = false;
+        const double tiltDeg = parser.value(QStringLiteral("tilt")).toDouble(&isNumber);
+        if (!isNumber)
+            return core::unexpected(core::ErrorCode::OutOfRange, "--tilt wants a number of degrees from 5 to 90");
+        const int* const fdi = std::get_if<int>(&source.what);
+        const auto lying = core::teeth::findLying(parser.value(QStringLiteral("lies")).toStdString(), tiltDeg,
+                                                  fdi != nullptr ? *fdi : 0);
+        if (!lying)
+            return tl::unexpected(lying.error());
+        options.lying = *lying;
+    }
+    if (!parser.isSet(QStringLiteral("site")))
+        return {};
+    const QString site = parser.value(QStringLiteral("site"));
+    const auto known = std::find(std::begin(core::teeth::kLesionSites), std::end(core::teeth::kLesionSites), site);
+    if (known == std::end(core::teeth::kLesionSites))
+        return core::unexpected(core::ErrorCode::UnknownName,
+                                "--site wants \"fissure\", \"cervical\", \"pit\" or \"contact\"");
+    options.site = static_cast<core::teeth::LesionSite>(known - std::begin(core::teeth::kLesionSites));
+    return core::teeth::checkSite(*options.site, options.lying);
 }
 
 /// Whether this source can be, and these options can be about it.
@@ -187,6 +225,10 @@ void addToothOptions(QCommandLineParser& parser)
     add("seed", "Seed of shape, layers and decay (0).", "N");
     add("layers", "Rule of enamel and pulp: anatomical or 2011.", "RULE", "anatomical");
     add("caries", "Rule of the decay: walk, 2011 or none.", "RULE", "walk");
+    add("lies", "Side turned to the bur: occlusal, mesial, distal, buccal, lingual; of a file -x, +x, -y, +y.", "SIDE");
+    add("tilt", "How far it lies on that side, 5 to 90 degrees.", "DEG", "90");
+    add("site", "Where the decay is: fissure, cervical, pit or contact; what is usual for the side if not given.",
+        "SITE");
     add("extent", "How far the decay has gone, 0 to 1.", "X", "0.5");
 }
 
@@ -194,8 +236,9 @@ core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& p
                                                      const core::teeth::ToothSource& source)
 {
     core::teeth::BuildOptions options;
-    for (core::Status status : {readNumbers(parser, options), readPlacement(parser, options.placement),
-                                readTissues(parser, options), checkSource(parser, source)})
+    for (core::Status status :
+         {readNumbers(parser, options), readPlacement(parser, options.placement), readTissues(parser, options),
+          checkSource(parser, source), readLying(parser, source, options)})
         if (!status)
             return tl::unexpected(std::move(status).error());
     return options;

@@ -95,7 +95,7 @@ core::Result<QImage> sheetOf(const lessons::Lesson& lesson, QSize size)
     };
     const RenderSubject prepared{ideal ? core::terrain::restored(assignment.anatomy, *ideal) : whole, std::nullopt,
                                  ideal};
-    auto inSpace = rendered(prepared, {}, QStringLiteral("occlusal"), place(0).size().toSize());
+    auto inSpace = rendered(prepared, {}, QStringLiteral("above"), place(0).size().toSize());
     if (!inSpace)
         return inSpace;
     painter.drawImage(place(0).topLeft(), *inSpace);

@@ -3,6 +3,7 @@
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
 #include "core/mesh/ObjWriter.h"
+#include "core/teeth/Laid.h"
 #include "core/teeth/ToothBuilder.h"
 
 namespace app::cli {
@@ -25,6 +26,13 @@ QString upOf(const ToothReport& report)
     return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
+/// The side that is turned to the bur.
+QString sideOf(const ToothReport& report)
+{
+    const bool isGenerated = report.source == std::to_string(report.fdi);
+    return QString::fromStdString(std::string(core::teeth::nameOf(report.lying, isGenerated ? report.fdi : 0)));
+}
+
 QJsonArray toJson(const glm::dvec3& v)
 {
     return {v.x, v.y, v.z};
@@ -40,7 +48,7 @@ QJsonObject toJson(const ToothReport& report)
     for (const auto& [name, ms] : report.stagesMs)
         stages[QString::fromStdString(name)] = ms;
     const auto count = [](std::size_t n) { return static_cast<qint64>(n); };
-    return {
+    QJsonObject object{
         {QStringLiteral("source"), QString::fromStdString(report.source)},
         {QStringLiteral("fdi"), report.fdi},
         {QStringLiteral("triangles"), count(report.triangles)},
@@ -77,6 +85,11 @@ QJsonObject toJson(const ToothReport& report)
         {QStringLiteral("load_cpu_ms"), report.loadCpuMs},
         {QStringLiteral("stages_ms"), stages},
     };
+    if (!report.lying.isUpright()) {
+        object.insert(QStringLiteral("lies"), sideOf(report));
+        object.insert(QStringLiteral("tilt_deg"), report.lying.tiltDeg);
+    }
+    return object;
 }
 
 QString kindOf(const ToothReport& report)
@@ -106,6 +119,8 @@ QString toText(const ToothReport& report)
     line("unit", QStringLiteral("%1 (%2)").arg(QString::fromStdString(placement.unit.name),
                                                QString::fromStdString(placement.unitReason)));
     line("up", QStringLiteral("%1 (%2)").arg(upOf(report), QString::fromStdString(placement.upReason)));
+    if (!report.lying.isUpright())
+        line("lies", QStringLiteral("%1, tilted by %2 degrees").arg(sideOf(report), number(report.lying.tiltDeg, 1)));
     line("bounds", QStringLiteral("%1 x %2 x %3 mm").arg(number(size.x, 2), number(size.y, 2), number(size.z, 2)));
     line("grid", QStringLiteral("%1 x %1 nodes, cell %2 mm, %3 cells sewn at the rim")
                      .arg(report.gridSide)

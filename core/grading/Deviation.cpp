@@ -671,7 +671,7 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
     result.outline = outlineDeviationOf(cutOutline, idealOutline);
     result.beyondMm = beyondOf(ends, idealOutline);
 
-    const bool knowsSides = teeth::isGenerated(anatomy) && teeth::findToothSizes(anatomy.fdi).has_value();
+    const bool knowsSides = teeth::standsInTheArch(anatomy) && teeth::findToothSizes(anatomy.fdi).has_value();
     if (knowsSides)
         result.buccalSign = teeth::buccalSign(anatomy.fdi) > 0.0 ? 1 : -1;
     const auto measureForm = [&](const std::vector<float>& end, const Outline& outline, Form& form) {

@@ -131,7 +131,7 @@ private:
 std::vector<PlacedLandmark> findLandmark(Landmark landmark, const terrain::ToothAnatomy& anatomy,
                                          const std::vector<float>& ideal)
 {
-    const bool isPosterior = anatomy.fdi % 10 > 3;
+    const bool isPosterior = anatomy.fdi % 10 > 3 && anatomy.lying.isUpright();
     if (!isPosterior)
         return {};
     const Crown crown(anatomy, ideal);

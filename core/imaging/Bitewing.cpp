@@ -55,6 +55,9 @@ double contactMm(const ToothAnatomy& mesial, bool mesialMirrored, const ToothAna
 
 Result<std::vector<Neighbour>> neighboursOf(const ToothAnatomy& anatomy)
 {
+    if (!anatomy.lying.isUpright())
+        return unexpected(ErrorCode::OutOfRange,
+                          "A tooth that lies on a side has no neighbours; let it lie with its occlusal side up.");
     if (!teeth::isGenerated(anatomy))
         return unexpected(ErrorCode::UnknownName,
                           "The neighbours of '" + anatomy.name + "' are not known; choose a tooth by its FDI number.");

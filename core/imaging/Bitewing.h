@@ -20,7 +20,8 @@ struct Neighbour
 /// The sound teeth mesial and distal of a generated one, of the same person (seed) and on the default grid, so far
 /// along x that their outlines touch; the rows of an arch are straight here and all tips equally high. A central
 /// incisor has the mirrored one of the other side, a third molar nothing behind it. Some 100 ms; any thread that may
-/// wait. UnknownName for a scan: nobody knows which side of it is mesial.
+/// wait. UnknownName for a scan: nobody knows which side of it is mesial. OutOfRange for a
+/// tooth that lies on a side.
 [[nodiscard]] Result<std::vector<Neighbour>> neighboursOf(const terrain::ToothAnatomy& anatomy);
 
 /// The film of a bitewing: crowns and necks of the tooth with as much of its neighbours as a size 2 film is wide, 41 mm

@@ -326,6 +326,8 @@ std::shared_ptr<const ToothAnatomy> made(const std::shared_ptr<const ToothAnatom
 
 terrain::Tooth withCanals(terrain::Tooth tooth)
 {
+    if (!tooth.anatomy->lying.isUpright())
+        return tooth;
     struct Known
     {
         std::weak_ptr<const ToothAnatomy> of;

@@ -9,6 +9,10 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
 #include "core/base/Rng.h"
 
 namespace core::imaging {
@@ -39,6 +43,42 @@ struct Film
     /// v of the point that lies `s` along the beam's horizontal direction at height z.
     [[nodiscard]] double v(double s, double z) const { return z * cosTilt - s * sinTilt; }
 };
+
+/// A point of a film without a roll on the film that is turned by one.
+glm::dvec2 rolled(glm::dvec2 point, double rollRad)
+{
+    const double cosine = std::cos(rollRad);
+    const double sine = std::sin(rollRad);
+    return {cosine * point.x + sine * point.y, cosine * point.y - sine * point.x};
+}
+
+/// The shadow between its pixels; nothing beyond its rim.
+float attenuationAt(const Shadow& shadow, glm::dvec2 point)
+{
+    const double column = (point.x - shadow.area.lowMm.x) / shadow.pixelMm - 0.5;
+    const double row = (shadow.area.highMm.y - point.y) / shadow.pixelMm - 0.5;
+    const int c0 = static_cast<int>(std::floor(column));
+    const int r0 = static_cast<int>(std::floor(row));
+    double sum = 0.0;
+    for (int r = r0; r <= r0 + 1; ++r)
+        for (int c = c0; c <= c0 + 1; ++c)
+            if (r >= 0 && c >= 0 && r < shadow.height && c < shadow.width)
+                sum += (1.0 - std::abs(column - c)) * (1.0 - std::abs(row - r)) * static_cast<double>(shadow.at(c, r));
+    return static_cast<float>(sum);
+}
+
+/// A film of this part of space, in pixels of this size.
+Shadow emptyShadow(const FilmArea& area, double pixelMm)
+{
+    Shadow shadow;
+    shadow.pixelMm = pixelMm;
+    shadow.width = std::max(1, static_cast<int>(std::ceil((area.highMm.x - area.lowMm.x) / pixelMm)));
+    shadow.height = std::max(1, static_cast<int>(std::ceil((area.highMm.y - area.lowMm.y) / pixelMm)));
+    shadow.area = {{area.lowMm.x, area.highMm.y - shadow.height * pixelMm},
+                   {area.lowMm.x + shadow.width * pixelMm, area.highMm.y}};
+    shadow.attenuation.assign(static_cast<std::size_t>(shadow.width) * static_cast<std::size_t>(shadow.height), 0.0F);
+    return shadow;
+}
 
 /// Cuts the part [low, high] out of [from, to] in which base + q * slope lies between `lowest` and `highest`.
 void clip(double base, double slope, double lowest, double highest, double& from, double& to)
@@ -160,7 +200,49 @@ void addTooth(const XrayedTooth& xrayed, const Film& film, double u, const terra
     });
 }
 
+/// Casts the shadow without the roll, over all that the turned film covers, and turns it.
+Shadow turnedShadow(std::span<const XrayedTooth> teeth, const Beam& beam, const FilmArea& area, double pixelMm,
+                    const terrain::PerMaterial& perMm)
+{
+    Shadow shadow = emptyShadow(area, pixelMm);
+    FilmArea covered{glm::dvec2(std::numeric_limits<double>::max()), glm::dvec2(-std::numeric_limits<double>::max())};
+    for (const double x : {shadow.area.lowMm.x, shadow.area.highMm.x})
+        for (const double y : {shadow.area.lowMm.y, shadow.area.highMm.y}) {
+            const glm::dvec2 corner = rolled({x, y}, -beam.rollRad);
+            covered = {glm::min(covered.lowMm, corner), glm::max(covered.highMm, corner)};
+        }
+    const Shadow cast = castShadow(teeth, {beam.angleRad, beam.tiltRad, 0.0}, covered, pixelMm, perMm);
+    for (int row = 0; row < shadow.height; ++row)
+        for (int column = 0; column < shadow.width; ++column) {
+            const glm::dvec2 point(shadow.area.lowMm.x + (column + 0.5) * pixelMm,
+                                   shadow.area.highMm.y - (row + 0.5) * pixelMm);
+            shadow.attenuation[static_cast<std::size_t>(row) * static_cast<std::size_t>(shadow.width) +
+                               static_cast<std::size_t>(column)] = attenuationAt(cast, rolled(point, -beam.rollRad));
+        }
+    return shadow;
+}
+
 }  // namespace
+
+Beam laidBeam(const terrain::Lying& lying, const Beam& own)
+{
+    if (lying.isUpright())
+        return own;
+    constexpr double kUpright = 1.0e-9;
+    const Film film(own);
+    const glm::dmat3 turn = lying.cutFromOwn();
+    const glm::dvec3 way = turn * glm::dvec3(film.along * film.cosTilt, film.sinTilt);
+    const glm::dvec3 toTheRight = turn * glm::dvec3(film.across, 0.0);
+    Beam beam;
+    const bool isVertical = std::hypot(way.x, way.y) < kUpright;
+    beam.angleRad = isVertical ? 0.0 : std::atan2(way.y, way.x);
+    beam.tiltRad = std::asin(std::clamp(way.z, -1.0, 1.0));
+    const Film level(beam);
+    const glm::dvec3 u(level.across, 0.0);
+    const glm::dvec3 v(-level.along * level.sinTilt, level.cosTilt);
+    beam.rollRad = std::atan2(glm::dot(toTheRight, v), glm::dot(toTheRight, u));
+    return beam;
+}
 
 FilmArea shadowArea(std::span<const XrayedTooth> teeth, const Beam& beam, double marginMm)
 {
@@ -180,7 +262,8 @@ FilmArea shadowArea(std::span<const XrayedTooth> teeth, const Beam& beam, double
                 const double u = at.x * film.across.x + at.y * film.across.y;
                 const double s = at.x * film.along.x + at.y * film.along.y;
                 for (const float z : {anatomy.bottom[k], anatomy.top[k]}) {
-                    const glm::dvec2 here(u, film.v(s, xrayed.placeMm.z + static_cast<double>(z)));
+                    const glm::dvec2 here =
+                        rolled({u, film.v(s, xrayed.placeMm.z + static_cast<double>(z))}, beam.rollRad);
                     area.lowMm = {std::min(area.lowMm.x, here.x), std::min(area.lowMm.y, here.y)};
                     area.highMm = {std::max(area.highMm.x, here.x), std::max(area.highMm.y, here.y)};
                 }
@@ -197,15 +280,11 @@ FilmArea shadowArea(std::span<const XrayedTooth> teeth, const Beam& beam, double
 Shadow castShadow(std::span<const XrayedTooth> teeth, const Beam& beam, const FilmArea& area, double pixelMm,
                   const terrain::PerMaterial& perMm)
 {
+    if (beam.rollRad != 0.0)
+        return turnedShadow(teeth, beam, area, pixelMm, perMm);
     const Film film(beam);
-    Shadow shadow;
-    shadow.pixelMm = pixelMm;
-    shadow.width = std::max(1, static_cast<int>(std::ceil((area.highMm.x - area.lowMm.x) / pixelMm)));
-    shadow.height = std::max(1, static_cast<int>(std::ceil((area.highMm.y - area.lowMm.y) / pixelMm)));
-    shadow.area = {{area.lowMm.x, area.highMm.y - shadow.height * pixelMm},
-                   {area.lowMm.x + shadow.width * pixelMm, area.highMm.y}};
+    Shadow shadow = emptyShadow(area, pixelMm);
     const auto width = static_cast<std::size_t>(shadow.width);
-    shadow.attenuation.assign(width * static_cast<std::size_t>(shadow.height), 0.0F);
     PixelColumn column(film, shadow.area, pixelMm, shadow.height);
     for (std::size_t c = 0; c < width; ++c) {
         column.clear();

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/terrain/Lying.h"
 #include "core/terrain/Tooth.h"
 
 /// A film of teeth: how much of a parallel X-ray beam comes through them, and what that leaves on a dental film.
@@ -26,7 +27,13 @@ struct Beam
 {
     double angleRad = 1.5707963267948966;  ///< horizontal direction it runs in, about +z from +x
     double tiltRad = 0.0;                  ///< how much it rises, -pi/2 .. pi/2; pi/2 runs straight up
+    double rollRad = 0.0;                  ///< how far the film is turned about the beam, from its u towards its v
 };
+
+/// The beam, and the film turned with it, that takes the same picture of a tooth which lies on a side: mesial, distal
+/// and the crown are on the film where they are for an upright tooth.
+/// @param own  in the tooth's own frame, without a roll
+[[nodiscard]] Beam laidBeam(const terrain::Lying& lying, const Beam& own);
 
 /// One tooth before the film.
 struct XrayedTooth
@@ -64,7 +71,8 @@ struct Shadow
 /// Integrates the attenuation along the ray of every pixel, each ray exactly: the columns it crosses are walked one by
 /// one and its length in each stretch of material is clipped. A column is a square prism around its node; one at the
 /// rim that stands for more or less than its cell attenuates in proportion, so that the picture holds the volumes of
-/// terrain::volumes(). Any thread; about 50 ms for a molar at 150 x 150 and pixels of 0.05 mm.
+/// terrain::volumes(). A film with a roll is cast without one and turned afterwards, linear between its pixels. Any
+/// thread; about 50 ms for a molar at 150 x 150 and pixels of 0.05 mm.
 /// @param perMm  attenuation of each material
 [[nodiscard]] Shadow castShadow(std::span<const XrayedTooth> teeth, const Beam& beam, const FilmArea& area,
                                 double pixelMm, const terrain::PerMaterial& perMm = kAttenuationPerMm);

@@ -10,9 +10,15 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "core/drilling/Reach.h"
 #include "core/preparation/AxisRegion.h"
+#include "core/teeth/Laid.h"
+#include "core/teeth/LesionSite.h"
+#include "core/teeth/ToothGenerator.h"
 #include "core/teeth/ToothTable.h"
 
 namespace core::preparation {
@@ -112,7 +118,8 @@ std::vector<glm::dvec2> trapezoidAround(const std::vector<glm::dvec2>& hull)
 
 /// The smallest triangle around the chamber with its base along the edge and its tip towards the cingulum.
 /// @param lingual  -1 or 1: the side of y where the tongue is
-std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, double lingual)
+/// @param isBlunt  whether it ends where the chamber does, instead of at its tip
+std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, double lingual, bool isBlunt)
 {
     std::vector<glm::dvec2> best;
     const double radian = std::numbers::pi / 180.0;
@@ -121,8 +128,12 @@ std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, doub
             const Side base = supportOf(hull, {0.0, -lingual});
             const Side mesial = supportOf(hull, {-std::cos(left * radian), lingual * std::sin(left * radian)});
             const Side distal = supportOf(hull, {std::cos(right * radian), lingual * std::sin(right * radian)});
-            const std::vector<glm::dvec2> corners =
-                lingual > 0.0 ? cornersOf({base, distal, mesial}) : cornersOf({base, mesial, distal});
+            std::vector<Side> sides{base, mesial, distal};
+            if (isBlunt)
+                sides.insert(sides.begin() + 2, supportOf(hull, {0.0, lingual}));
+            if (lingual > 0.0)
+                std::reverse(sides.begin() + 1, sides.end());
+            const std::vector<glm::dvec2> corners = cornersOf(sides);
             if (best.empty() || areaOf(corners) < areaOf(best))
                 best = corners;
         }
@@ -168,18 +179,20 @@ double awayFromLabial(const AxisRegion& axis, glm::dvec2 point, double lingual)
     return t * t * (3.0 - 2.0 * t);
 }
 
-}  // namespace
-
-Result<grading::Preparation> accessOpening(const ToothDesign& design, const terrain::ToothAnatomy& anatomy)
+/// The highest place of the pulp, mm.
+double highestPulpMm(const terrain::ToothAnatomy& anatomy)
 {
-    const terrain::Grid& grid = anatomy.grid;
-    const bool isMolar = anatomy.fdi % 10 >= 6;
-    const double lingual = -teeth::buccalSign(anatomy.fdi);
     double highest = -std::numeric_limits<double>::max();
-    for (std::size_t k = 0; k < grid.count(); ++k)
+    for (std::size_t k = 0; k < anatomy.grid.count(); ++k)
         if (terrain::hasPulp(anatomy, k))
             highest = std::max(highest, static_cast<double>(anatomy.layers[k].pulpRoof));
-    // The edge of an incisor: its highest place in each slice across.
+    return highest;
+}
+
+/// y of the edge of an upright incisor: the mean of the highest places in slices across.
+double edgeOf(const terrain::ToothAnatomy& anatomy)
+{
+    const terrain::Grid& grid = anatomy.grid;
     double edgeY = 0.0;
     double edges = 0.0;
     for (int i = 0; i < grid.side; ++i) {
@@ -192,7 +205,44 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
             edges += 1.0;
         }
     }
-    const double frontMm = isMolar ? std::numeric_limits<double>::lowest() : edgeY / edges * lingual + kEdgeMm;
+    return edgeY / edges;
+}
+
+/// How far along its own axis the neck of a tooth is that lies on a side, mm in the frame it is cut in.
+double neckAlongAxis(const terrain::ToothAnatomy& anatomy)
+{
+    const glm::dvec3 axis = anatomy.lying.cutFromOwn() * glm::dvec3(0.0, 0.0, 1.0);
+    double tip = -std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k < anatomy.grid.count(); ++k)
+        if (anatomy.top[k] > anatomy.bottom[k])
+            tip = std::max(tip, glm::dot(axis, glm::dvec3(anatomy.grid.nodeMm(k), anatomy.top[k])));
+    const auto sizes = teeth::drawToothSizes(anatomy.fdi, anatomy.seed);
+    return tip - (sizes ? sizes->crownHeightMm : 0.0);
+}
+
+}  // namespace
+
+bool opensFromLingual(const terrain::Lying& lying, int fdi)
+{
+    return fdi % 10 <= 3 && lying.tiltDeg > teeth::kSideTiltDeg && teeth::nameOf(lying, fdi) == "lingual";
+}
+
+Result<grading::Preparation> accessOpening(const ToothDesign& design, const terrain::ToothAnatomy& anatomy)
+{
+    const terrain::Grid& grid = anatomy.grid;
+    const bool isMolar = anatomy.fdi % 10 >= 6;
+    const double lingual = -teeth::buccalSign(anatomy.fdi);
+    const bool fromLingual = opensFromLingual(anatomy.lying, anatomy.fdi);
+    const double highest = highestPulpMm(anatomy);
+    const double frontMm =
+        isMolar || fromLingual ? std::numeric_limits<double>::lowest() : edgeOf(anatomy) * lingual + kEdgeMm;
+    const double neck = fromLingual ? neckAlongAxis(anatomy) : 0.0;
+    const glm::dvec3 axis = anatomy.lying.cutFromOwn() * glm::dvec3(0.0, 0.0, 1.0);
+    const auto isChamber = [&](std::size_t k, glm::dvec2 at) {
+        const auto roof = static_cast<double>(anatomy.layers[k].pulpRoof);
+        return fromLingual ? glm::dot(axis, glm::dvec3(at, roof)) >= neck
+                           : roof >= highest - kChamberMm && at.y * lingual >= frontMm;
+    };
 
     std::vector<glm::dvec2> chamber;
     std::vector<double> floors;
@@ -200,8 +250,7 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
             const glm::dvec2 at = grid.nodeMm(i, j);
-            if (!terrain::hasPulp(anatomy, k) ||
-                static_cast<double>(anatomy.layers[k].pulpRoof) < highest - kChamberMm || at.y * lingual < frontMm)
+            if (!terrain::hasPulp(anatomy, k) || !isChamber(k, at))
                 continue;
             chamber.push_back(at);
             floors.push_back(static_cast<double>(anatomy.layers[k].pulpFloor));
@@ -209,15 +258,16 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
     if (chamber.size() < 8)
         return unexpected(ErrorCode::BadStructure,
                           Words{"tooth %1 has no pulp chamber that could be opened from above", {noted(anatomy.name)}});
-    // Half of a molar's chamber has its floor in common, whatever canals leave it; an incisor's has none, and is opened
-    // towards where its horns have joined.
+    // Half of a molar's chamber has its floor in common, whatever canals leave it, and so has a chamber seen from the
+    // side, where the floor is its labial wall. From its edge an incisor's chamber has none: it is opened towards where
+    // its horns have joined.
     std::nth_element(floors.begin(), floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2), floors.end());
-    const double chamberMm = isMolar ? floors[floors.size() / 2] : highest - kChamberMm;
+    const double chamberMm = isMolar || fromLingual ? floors[floors.size() / 2] : highest - kChamberMm;
     // Nothing is asked for that no bur reaches.
     const double floorMm = std::max(chamberMm, drilling::lowestTipMm(anatomy));
 
     const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
-    const std::vector<glm::dvec2> around = isMolar ? trapezoidAround(hull) : triangleAround(hull, lingual);
+    const std::vector<glm::dvec2> around = isMolar ? trapezoidAround(hull) : triangleAround(hull, lingual, fromLingual);
     const double radius = design.burRadiusMm;
     const AxisRegion axis = axisAround(around, hull, design);
     const double tangent = std::tan(std::max(0.5, design.accessLeanDeg) * std::numbers::pi / 180.0);
@@ -228,14 +278,14 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
             const std::size_t k = grid.index(i, j);
             if (!(anatomy.top[k] > anatomy.bottom[k]))
                 continue;
-            const double away = axis.distance(grid.nodeMm(i, j));
+            const double away = region.distance(grid.nodeMm(i, j));
             // The floor of the chamber itself is never touched: what lies within the opening ends where the pulp does.
             const bool overPulp = terrain::hasPulp(anatomy, k);
             double height = floorMm;
             bool wall = false;
             if (away > radius) {
                 // The labial wall of an incisor stands upright, or it would take the edge.
-                const double share = isMolar ? 1.0 : awayFromLabial(axis, grid.nodeMm(i, j), lingual);
+                const double share = isMolar ? 1.0 : awayFromLabial(region, grid.nodeMm(i, j), lingual);
                 if (share <= 0.0)
                     continue;
                 height = floorMm + (away - radius) / (share * tangent);

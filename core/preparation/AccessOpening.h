@@ -4,13 +4,19 @@
 #include "core/base/Result.h"
 #include "core/grading/Preparation.h"
 #include "core/preparation/ToothDesign.h"
+#include "core/terrain/Lying.h"
 #include "core/terrain/Tooth.h"
 
 namespace core::preparation {
 
+/// Whether a tooth lies as an incisor or canine does whose chamber is opened from its lingual side: that side up,
+/// tilted by more than 60 degrees.
+[[nodiscard]] bool opensFromLingual(const terrain::Lying& lying, int fdi);
+
 /// The opening of the pulp chamber of 36 or 21 as an endodontist leaves it: the roof gone wholly, the chamber empty,
 /// its floor untouched, walls that lean out to the surface without a ledge; no deeper than a bur reaches
-/// (drilling::lowestTipMm). See makePreparation(), which checks its inputs.
+/// (drilling::lowestTipMm). Of an incisor that opensFromLingual(), the chamber ends at the neck, and its floor is its
+/// labial wall. See makePreparation(), which checks its inputs.
 [[nodiscard]] Result<grading::Preparation> accessOpening(const ToothDesign& design,
                                                          const terrain::ToothAnatomy& anatomy);
 

@@ -200,6 +200,10 @@ Result<ToothDesign> checkTooth(Kind kind, const terrain::ToothAnatomy& anatomy)
                           Words{"nobody knows where the fissures of '%1' run or which side is mesial; choose a tooth "
                                 "by its FDI number, or take an ideal from attempts at this one",
                                 {noted(anatomy.name)}});
+    if (!anatomy.lying.isUpright() && !(kind == Kind::Access && opensFromLingual(anatomy.lying, anatomy.fdi)))
+        return unexpected(ErrorCode::OutOfRange,
+                          Words{"this preparation is made for a tooth that stands upright; leave out \"lies\", or take "
+                                "an ideal from attempts at this tooth"});
     return usualDesign(kind, anatomy.fdi);
 }
 

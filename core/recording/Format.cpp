@@ -169,6 +169,10 @@ std::string toothBytes(const terrain::ToothAnatomy& tooth)
     out.putAll(std::span(std::as_const(tooth.bottom)));
     out.putAll(std::span(std::as_const(tooth.layers)));
     out.putAll(std::span(std::as_const(tooth.areaMm2)));
+    if (!tooth.lying.isUpright()) {
+        out.put(static_cast<std::uint8_t>(tooth.lying.up));
+        out.put(tooth.lying.tiltDeg);
+    }
     return out.bytes();
 }
 
@@ -187,7 +191,10 @@ std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes)
     const bool gridIsSane = grid.side >= terrain::kMinGridSide && grid.side <= terrain::kMaxGridSide &&
                             grid.cellMm >= 0.005 && grid.cellMm <= 1.0 && std::abs(grid.originMm.x) < 1.0e4 &&
                             std::abs(grid.originMm.y) < 1.0e4;
-    if (!in.ok() || !gridIsSane || in.left() != grid.count() * (3 * sizeof(float) + sizeof(terrain::ColumnLayers)))
+    constexpr std::size_t kLyingBytes = sizeof(std::uint8_t) + sizeof(double);
+    const std::size_t mapBytes = grid.count() * (3 * sizeof(float) + sizeof(terrain::ColumnLayers));
+    const bool isLaid = in.left() == mapBytes + kLyingBytes;
+    if (!in.ok() || !gridIsSane || (in.left() != mapBytes && !isLaid))
         return nullptr;
     tooth->top.resize(grid.count());
     tooth->bottom.resize(grid.count());
@@ -197,6 +204,12 @@ std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes)
     in.takeAll(std::span(tooth->bottom));
     in.takeAll(std::span(tooth->layers));
     in.takeAll(std::span(tooth->areaMm2));
+    if (isLaid) {
+        tooth->lying.up = static_cast<terrain::ToothSide>(in.take<std::uint8_t>());
+        tooth->lying.tiltDeg = in.take<double>();
+        if (!tooth->lying.isSound() || tooth->lying.isUpright())
+            return nullptr;
+    }
     return in.ok() && plausible(*tooth) ? tooth : nullptr;
 }
 

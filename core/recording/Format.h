@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/recording/Recording.h"
+#include "core/terrain/Lying.h"
+#include "core/terrain/Tooth.h"
 
 /// The parts of which recordings and journals are made, as bytes. Pure functions; readers check all that a replay
 /// relies on and answer with nothing where it does not hold.
@@ -18,7 +20,7 @@ namespace core::recording {
 using session::ServoEvent;
 
 inline constexpr std::uint32_t kFormatVersion = 8;
-/// Oldest version that is read. A recording is written in the oldest version that has its settings and all of its
+/// Oldest version that is read. A recording is written in the oldest version that has its tooth, its settings and all of its
 /// events (versionWith()).
 inline constexpr std::uint32_t kOldestVersion = 5;
 inline constexpr std::size_t kChunkEvents = 4096;
@@ -38,6 +40,11 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 /// speed of a pedal, 8 the share of flat ends and the full load.
 [[nodiscard]] std::uint32_t versionWith(const ServoEvent& event);
 [[nodiscard]] std::uint32_t versionWith(const session::ServoSettings& settings);
+/// Returns the oldest version that has teeth which lie like this.
+[[nodiscard]] inline std::uint32_t versionWith(const terrain::Lying& lying)
+{
+    return lying.isUpright() ? kOldestVersion : 8;
+}
 
 /// By Zstandard.
 [[nodiscard]] std::string pack(std::string_view raw);
@@ -49,6 +56,7 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 /// Settings that end before the share of flat ends were made without one. Values are not checked: makeServoTick() does.
 [[nodiscard]] std::optional<session::ServoSettings> settingsFrom(std::string_view bytes);
 
+/// How a tooth lies comes behind its maps, and only if it lies on a side.
 [[nodiscard]] std::string toothBytes(const terrain::ToothAnatomy& tooth);
 /// Null if it is damaged or no tooth can be like that.
 [[nodiscard]] std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
 #include "core/base/Rng.h"
 #include "core/teeth/Lattice.h"
 #include "core/teeth/ValueNoise.h"
@@ -46,14 +49,6 @@ struct Ground
         return minusLimit == kNoValue ? ground : std::max(ground, -minusLimit);
     }
 };
-
-std::vector<std::uint8_t> solidNodes(std::span<const float> top, std::span<const float> bottom)
-{
-    std::vector<std::uint8_t> solid(top.size());
-    for (std::size_t k = 0; k < solid.size(); ++k)
-        solid[k] = top[k] > bottom[k] ? 1 : 0;
-    return solid;
-}
 
 Ground survey(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
               std::vector<terrain::ColumnLayers>& layers)
@@ -344,6 +339,41 @@ void growAlong(Ground& ground, std::span<const LesionStop> line, double extent)
     }
 }
 
+/// Decay of a smooth surface. Every length grows with the extent, so that lesions nest.
+void growOnSurface(Ground& ground, const SurfaceLesion& lesion, double extent)
+{
+    constexpr double kSmallest = 0.45;    ///< share of its half lengths that decay begins with
+    constexpr double kDeepestMm = 2.2;    ///< below the junction
+    constexpr double kSecondCone = 0.85;  ///< half lengths of the cone in dentin, share of the outline's
+    const terrain::Grid& grid = ground.grid;
+    const glm::dvec2 half = lesion.halfMm * (kSmallest + (1.0 - kSmallest) * extent);
+    const double through = std::min(1.0, extent / kJunctionAt);
+    const double deep = std::max(0.0, (extent - kJunctionAt) / (1.0 - kJunctionAt));
+    const auto junctionHere = junctionAt(ground, grid.latticeOf(lesion.atMm));
+    if (!junctionHere)
+        return;
+    const glm::dvec2 middle = glm::round(grid.latticeOf(lesion.atMm));
+    const double room =
+        *junctionHere - static_cast<double>(ground.lowest(static_cast<int>(middle.x), static_cast<int>(middle.y)));
+    const double depth = std::clamp(0.95 * room, 0.0, kDeepestMm) * deep * (2.0 - deep);
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        const glm::dvec2 away = (grid.nodeMm(k) - lesion.atMm) / half;
+        const double out = std::sqrt(away.x * away.x + away.y * away.y);
+        if (out >= 1.0 || !ground.solid(k))
+            continue;
+        const auto surface = static_cast<double>(ground.top[k]);
+        const double junction =
+            std::clamp(static_cast<double>(ground.layers[k].dej), static_cast<double>(ground.bottom[k]), surface);
+        const double share = std::min(1.0, through * (1.0 - out) * (1.0 + 4.0 * deep));
+        double floor = surface - share * (surface - junction);
+        if (deep > 0.0 && out < kSecondCone)
+            floor = std::min(floor, junction - depth * (1.0 - out / kSecondCone) * (1.0 + 0.5 * out / kSecondCone));
+        const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
+        const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side));
+        addInterval(ground.layers[k], ground.top[k], std::max(static_cast<float>(floor), ground.lowest(i, j)));
+    }
+}
+
 /// The 2011 rule: from the lowest point near the centre, depth first, the lower neighbour first.
 void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
 {
@@ -442,7 +472,9 @@ void addCaries(const terrain::Grid& grid, std::span<const float> top, std::span<
     Ground ground = survey(grid, top, bottom, layers);
     if (!(extent > 0.0) || ground.broadestMm <= 0.0)
         return;
-    if (options.rule == CariesRule::LowPointFill2011)
+    if (options.surface)
+        growOnSurface(ground, *options.surface, extent);
+    else if (options.rule == CariesRule::LowPointFill2011)
         fillLowPoints(ground, extent, options.seed);
     else if (options.line.empty())
         growAlong(ground, walk(ground, options.seed), extent);

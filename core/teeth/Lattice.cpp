@@ -185,6 +185,14 @@ std::vector<float> Lattice::smooth(std::span<const float> z, double radiusMm, fl
     return mean;
 }
 
+std::vector<std::uint8_t> solidNodes(std::span<const float> top, std::span<const float> bottom)
+{
+    std::vector<std::uint8_t> solid(top.size());
+    for (std::size_t k = 0; k < solid.size(); ++k)
+        solid[k] = top[k] > bottom[k] ? 1 : 0;
+    return solid;
+}
+
 std::vector<float> distanceInside(const terrain::Grid& grid, std::span<const std::uint8_t> marked, Beyond beyond)
 {
     // A frame of nodes around the grid stands for what is beyond.

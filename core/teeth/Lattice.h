@@ -55,6 +55,9 @@ private:
     double m_cellMm;
 };
 
+/// Marks the nodes of a tooth with 1, [side * side].
+[[nodiscard]] std::vector<std::uint8_t> solidNodes(std::span<const float> top, std::span<const float> bottom);
+
 /// What lies beyond a grid.
 enum class Beyond { Unmarked, Marked };
 

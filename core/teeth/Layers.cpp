@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 #include "core/base/Rng.h"
+#include "core/teeth/LaidSolid.h"
 #include "core/teeth/Lattice.h"
 #include "core/teeth/Pulp.h"
 #include "core/teeth/TissueFigures.h"
@@ -58,8 +63,17 @@ public:
     [[nodiscard]] double cervixAt(double x) const
     {
         const double u = std::clamp((x - m_centreX) / m_halfWidth, -1.0, 1.0);
-        return m_highest - m_figures.crownHeight +
-               (u < 0.0 ? m_figures.sizes.cejCurveMesialMm : m_figures.sizes.cejCurveDistalMm) * u * u;
+        const double rise = (u < 0.0 ? m_figures.sizes.cejCurveMesialMm : m_figures.sizes.cejCurveDistalMm) * u * u;
+        return m_highest - m_figures.crownHeight + (m_isSteepAside ? rise * u * u : rise);
+    }
+
+    /// Takes the neck from the sizes that the program made the tooth by, instead of guessing it from the crown.
+    void fitNeck(const ToothSizes& made)
+    {
+        m_figures.sizes = made;
+        m_figures.crownHeight = made.crownHeightMm;
+        m_halfWidth = 0.5 * made.cervixWidthMm;
+        m_isSteepAside = m_figures.kind == ToothKind::Premolar || m_figures.kind == ToothKind::Molar;
     }
 
     /// Person and place: a factor near 1 on every thickness.
@@ -114,6 +128,7 @@ private:
     double m_deepestSide = 0.0;
     double m_centreX = 0.0;
     double m_halfWidth = 1.0;
+    bool m_isSteepAside = false;  ///< the neck rises with the fourth power, as on our posterior teeth
 };
 
 /// The most enamel that a place near a fissure may have: 1.2 below its mouth and 0.25 below its base
@@ -273,6 +288,88 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
     }
 }
 
+/// Enamel of a tooth that lies on a side, by places of the frame it is cut in.
+class LaidEnamel
+{
+public:
+    LaidEnamel(const LaidTooth& laid, const TissueFigures& figures, std::uint64_t seed)
+        : m_laid(laid), m_side(distanceInside(laid.own.grid, solidNodes(laid.own.top, laid.own.bottom))),
+          m_enamel(laid.own.grid, laid.own.top, m_side, figures, seed)
+    {
+        if (laid.made)
+            m_enamel.fitNeck(*laid.made);
+    }
+
+    /// Thickness under a point of the outer surface.
+    [[nodiscard]] double thickness(const glm::dvec3& cutMm) const
+    {
+        const glm::dvec3 own = m_laid.ownMm(cutMm);
+        return m_enamel.thickness(own.x, own.y, own.z, insideTable(own));
+    }
+
+private:
+    /// How far inside the outline of the upright tooth a surface point lies; 0 on a wall below the outline.
+    [[nodiscard]] double insideTable(const glm::dvec3& own) const
+    {
+        constexpr double kOnTopMm = 0.5;
+        const terrain::Grid& grid = m_laid.own.grid;
+        const glm::dvec2 at = glm::round(grid.latticeOf(glm::dvec2(own)));
+        if (!grid.contains(static_cast<int>(at.x), static_cast<int>(at.y)))
+            return 0.0;
+        const std::size_t k = grid.index(static_cast<int>(at.x), static_cast<int>(at.y));
+        return static_cast<double>(m_laid.own.top[k]) - own.z < kOnTopMm ? static_cast<double>(m_side[k]) : 0.0;
+    }
+
+    const LaidTooth& m_laid;
+    std::vector<float> m_side;
+    Enamel m_enamel;
+};
+
+void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+                   const LaidEnamel& enamel, std::uint64_t seed, std::vector<terrain::ColumnLayers>& layers)
+{
+    const Lattice lattice(grid);
+    const std::vector<float> closed =
+        lattice.close(lattice.pick(top, terrain::kEmptyTop), kFissureHalfMouth, terrain::kEmptyTop);
+    const std::vector<float> limit = limitBesideFissures(lattice, grid, top, seed);
+    std::vector<float> centres(lattice.count(), kNoValue);
+    std::vector<float> radius(lattice.count(), 0.0F);
+    for (int b = 0; b < lattice.side(); ++b) {
+        for (int a = 0; a < lattice.side(); ++a) {
+            const std::size_t k = lattice.index(a, b);
+            if (closed[k] <= terrain::kEmptyTop)
+                continue;
+            const glm::dvec2 at = grid.originMm + lattice.cellMm() * glm::dvec2(a, b);
+            centres[k] = closed[k];
+            radius[k] = std::min(static_cast<float>(enamel.thickness(glm::dvec3(at, closed[k]))), limit[k]);
+        }
+    }
+    const std::vector<float> under = lattice.ballsBelow(centres, radius);
+    // No side of the model is a root that would end the underside's enamel: its thickness says where it ends.
+    const std::vector<float> noNeck(grid.count(), terrain::kEmptyTop);
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            if (!(top[k] > bottom[k]))
+                continue;
+            const auto surface = static_cast<double>(top[k]);
+            const auto ground = static_cast<double>(bottom[k]);
+            const double here = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), surface));
+            const float below = lattice.at(under, i, j);
+            if (here <= 0.0) {  // cementum
+                layers[k].dej = top[k];
+                continue;
+            }
+            double dej = below == kNoValue ? surface - here : static_cast<double>(below);
+            dej = std::min(dej, surface - std::min(kThinnestMm, here));
+            const double beneath = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), ground));
+            if (dej - ground < beneath * lengthPerDepth(grid, top, bottom, noNeck, i, j))
+                dej = ground - beneath;
+            layers[k].dej = static_cast<float>(dej);
+        }
+    }
+}
+
 /// The 2011 rule: layers parallel to the top, and walls a constant distance inside the outline.
 void layConstantDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                       std::span<const float> sideMm, std::vector<terrain::ColumnLayers>& layers)
@@ -299,13 +396,8 @@ std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::s
                                                std::span<const float> bottom, const LayerOptions& options)
 {
     std::vector<terrain::ColumnLayers> layers(grid.count());
-    std::vector<std::uint8_t> solid(grid.count());
-    bool anything = false;
-    for (std::size_t k = 0; k < solid.size(); ++k) {
-        solid[k] = top[k] > bottom[k] ? 1 : 0;
-        anything = anything || solid[k] != 0;
-    }
-    if (!anything)
+    const std::vector<std::uint8_t> solid = solidNodes(top, bottom);
+    if (std::find(solid.begin(), solid.end(), 1) == solid.end())
         return layers;
     const std::vector<float> side = distanceInside(grid, solid);
     if (options.rule == LayerRule::ConstantDepth2011) {
@@ -325,6 +417,29 @@ std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::s
     terrain::Grid fromCorner = grid;
     fromCorner.originMm = {0.0, 0.0};
     hollowPulp(fromCorner, top, bottom, cervix, figures, options.seed, layers);
+    return layers;
+}
+
+std::vector<terrain::ColumnLayers> buildLaidLayers(const LaidTooth& laid, const terrain::Grid& grid,
+                                                   std::span<const float> top, std::span<const float> bottom,
+                                                   const LayerOptions& options)
+{
+    std::vector<terrain::ColumnLayers> layers(grid.count());
+    if (options.rule == LayerRule::ConstantDepth2011) {
+        layConstantDepth(grid, top, bottom, distanceInside(grid, solidNodes(top, bottom)), layers);
+        return layers;
+    }
+    const TissueFigures figures = figuresFor(options.fdi, laid.own.grid, laid.own.top);
+    layLaidEnamel(grid, top, bottom, LaidEnamel(laid, figures, options.seed), options.seed, layers);
+    const LaidSolid pulp(laid, &terrain::ColumnLayers::pulpRoof, &terrain::ColumnLayers::pulpFloor);
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        if (!(top[k] > bottom[k]))
+            continue;
+        if (const auto met = pulp.along(grid.nodeMm(k), top[k], bottom[k])) {
+            layers[k].pulpRoof = met->first;
+            layers[k].pulpFloor = met->second;
+        }
+    }
     return layers;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/teeth/Laid.h"
 #include "core/terrain/Grid.h"
 #include "core/terrain/Tooth.h"
 
@@ -40,5 +41,19 @@ struct LayerOptions
 [[nodiscard]] std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::span<const float> top,
                                                              std::span<const float> bottom,
                                                              const LayerOptions& options);
+
+/// The same tissues in the columns of a tooth that lies on a side. Thickness of enamel and the pulp belong to the
+/// tooth's own frame: enamel is everything closer to the outer surface than its thickness there, and the pulp is that
+/// of the upright tooth, met along the bur.
+///
+/// A column holds one junction and one stretch of pulp: those that the bur comes to first. Behind them, enamel of the
+/// far side is dentin in the model, except where a column is enamel throughout.
+///
+/// @param top, bottom  of the laid tooth, [side * side]
+/// @return one entry a node, without caries; entries of empty columns are all zero. Any thread.
+[[nodiscard]] std::vector<terrain::ColumnLayers> buildLaidLayers(const LaidTooth& laid, const terrain::Grid& grid,
+                                                                 std::span<const float> top,
+                                                                 std::span<const float> bottom,
+                                                                 const LayerOptions& options);
 
 }  // namespace core::teeth

@@ -46,6 +46,8 @@ std::string counted(std::size_t count, const char* one, const char* many)
 
 /// A tooth narrower than this has no grid worth the name.
 constexpr double kLeastWidthMm = 0.2;
+/// Of the root of a tooth that lies on a side.
+constexpr double kRootKeptMm = 3.5;
 /// Holes whose patch is smaller than this part of the tooth's outline are patched without further thought.
 constexpr double kSmallHole = 0.05;
 
@@ -65,7 +67,7 @@ public:
         const auto make = m_block != nullptr ? &Builder::shapeBlock : &Builder::generate;
         for (const auto step : {&Builder::checkOptions, fromFile ? &Builder::readFile : make, &Builder::judge,
                                 fromFile ? &Builder::place : &Builder::keepFrame, &Builder::closeHoles,
-                                &Builder::rasterise, &Builder::layTissues})
+                                &Builder::layDown, &Builder::rasterise, &Builder::layTissues})
             if (Status status = (this->*step)(); !status)
                 return tl::unexpected(std::move(status).error());
         auto anatomy = std::make_shared<const terrain::ToothAnatomy>(std::move(m_anatomy));
@@ -104,6 +106,8 @@ private:
                                                          " nodes a side is out of range; choose " +
                                                          std::to_string(terrain::kMinGridSide) + " to " +
                                                          std::to_string(terrain::kMaxGridSide));
+        if (!m_options.lying.isSound() || (m_block != nullptr && !m_options.lying.isUpright()))
+            return unexpected(ErrorCode::OutOfRange, "a tooth lies on a side by 5 to 90 degrees, and a block on none");
         if (!(m_options.cariesExtent >= 0.0 && m_options.cariesExtent <= 1.0))
             return unexpected(ErrorCode::OutOfRange, "the extent of caries must be a number from 0 to 1");
         return {};
@@ -227,6 +231,7 @@ private:
         if (!placement)
             return failure(placement.error().code, placement.error().detail);
         m_report.placement = std::move(*placement);
+        m_mmPerUnit = m_report.placement.unit.mmPerUnit;
         m_report.warnings.insert(m_report.warnings.end(), m_report.placement.warnings.begin(),
                                  m_report.placement.warnings.end());
         mesh::moveToToothFrame(m_mesh, m_report.placement);
@@ -241,7 +246,7 @@ private:
             m_report.lowMm = glm::min(m_report.lowMm, glm::dvec3(vertex));
             m_report.highMm = glm::max(m_report.highMm, glm::dvec3(vertex));
         }
-        const double scale = m_report.placement.unit.mmPerUnit;
+        const double scale = m_mmPerUnit;
         m_report.meshAreaMm2 = m_facts.area * scale * scale;
         m_report.meshVolumeMm3 = m_facts.volume * scale * scale * scale;
         const glm::dvec3 size = m_report.highMm - m_report.lowMm;
@@ -265,7 +270,7 @@ private:
         for (const mesh::Hole& hole : holes) {
             const double area = glm::length(hole.areaVector);
             const bool small = area < kSmallHole * size.x * size.y;
-            if (!small && hole.areaVector.z < -0.5 * area) {
+            if (!small && hole.areaVector.z < -0.5 * area && m_options.lying.isUpright()) {
                 m_closeAtMm = std::min(m_closeAtMm.value_or(hole.low.z), hole.low.z);
                 bottomMm2 -= hole.areaVector.z;
             } else if (!small && hole.areaVector.z > 0.5 * area) {
@@ -287,6 +292,83 @@ private:
                 counted(patched, "hole was closed with a flat patch", "holes were closed with flat patches"));
         endStage("close");
         return {};
+    }
+
+    /// Turns the tooth onto its side, and keeps what it was upright: its tissues are measured there.
+    Status layDown()
+    {
+        m_report.lying = m_anatomy.lying = m_options.lying;
+        if (m_options.lying.isUpright())
+            return {};
+        if (isHeapOfFaces())
+            return heapOfFaces();
+        LaidTooth laid;
+        laid.own.name = m_report.source;
+        laid.own.fdi = m_anatomy.fdi;
+        laid.own.seed = m_options.seed;
+        laid.own.lying = m_options.lying;
+        laid.own.grid =
+            terrain::fitGrid(glm::dvec2(m_report.lowMm), glm::dvec2(m_report.highMm), terrain::kDefaultGridSide);
+        terrain::HeightMaps maps = terrain::rasterise(m_mesh, laid.own.grid);
+        laid.own.top = std::move(maps.top);
+        laid.own.bottom = std::move(maps.bottom);
+        laid.own.areaMm2 = std::move(maps.areaMm2);
+        laid.own.layers = buildLayers(laid.own.grid, laid.own.top, laid.own.bottom, layerOptions());
+        if (const auto sizes = drawToothSizes(m_anatomy.fdi, m_options.seed);
+            sizes && std::holds_alternative<int>(m_source.what))
+            laid.made = *sizes;
+        laid.crownHeightMm =
+            laid.made ? laid.made->crownHeightMm : figuresFor(m_anatomy.fdi, laid.own.grid, laid.own.top).crownHeight;
+        laid.tipMm = m_report.highMm.z;
+        laid.cutFromOwn = m_options.lying.cutFromOwn();
+        shortenRoots(laid.neckMm() - kRootKeptMm);
+        for (glm::vec3& vertex : m_mesh.vertices)
+            vertex = glm::vec3(laid.cutFromOwn * glm::dvec3(vertex));
+        m_facts = mesh::analyse(m_mesh);
+        m_mmPerUnit = 1.0;
+        if (Status status = measureBounds(); !status)
+            return status;
+        const glm::dvec2 middle = 0.5 * (glm::dvec2(m_report.lowMm) + glm::dvec2(m_report.highMm));
+        laid.shiftMm = -glm::dvec3(middle, m_report.highMm.z);
+        for (glm::vec3& vertex : m_mesh.vertices)
+            vertex = glm::vec3(glm::dvec3(vertex) + laid.shiftMm);
+        m_report.lowMm += laid.shiftMm;
+        m_report.highMm += laid.shiftMm;
+        m_laid = std::move(laid);
+        endStage("lay");
+        return {};
+    }
+
+    /// Presses everything below a height, mm of the own frame, into the plane at that height, and roots that part
+    /// inwards, so that the mesh stays closed and its end flat.
+    void shortenRoots(double heightMm)
+    {
+        constexpr double kNarrowest = 0.3;
+        constexpr double kNarrowingPerMm = 0.7;
+        constexpr double kStraightMm = 0.8;  ///< so far below, the outline is kept: the wall stays straight to the end
+        glm::dvec2 middle(0.0);
+        double count = 0.0;
+        for (const glm::vec3& vertex : m_mesh.vertices)
+            if (std::abs(static_cast<double>(vertex.z) - heightMm) < 1.0) {
+                middle += glm::dvec2(vertex);
+                count += 1.0;
+            }
+        if (count == 0.0)
+            return;
+        middle /= count;
+        for (glm::vec3& vertex : m_mesh.vertices) {
+            const double below = heightMm - static_cast<double>(vertex.z);
+            if (below <= 0.0)
+                continue;
+            const double narrow = std::clamp(1.0 - kNarrowingPerMm * (below - kStraightMm), kNarrowest, 1.0);
+            vertex = glm::vec3(middle + narrow * (glm::dvec2(vertex) - middle), heightMm);
+        }
+    }
+
+    [[nodiscard]] tl::unexpected<Error> heapOfFaces() const
+    {
+        return failure(ErrorCode::BadStructure, "its faces lie over one another thousands of times, so they are no "
+                                                "surface; check that it is one tooth");
     }
 
     /// What the surface encloses, no place counted twice, in file units; nothing where the shells do not tell.
@@ -349,8 +431,7 @@ private:
     Status rasterise()
     {
         if (isHeapOfFaces())
-            return failure(ErrorCode::BadStructure, "its faces lie over one another thousands of times, so they are "
-                                                    "no surface; check that it is one tooth");
+            return heapOfFaces();
         const terrain::Grid grid =
             terrain::fitGrid(glm::dvec2(m_report.lowMm), glm::dvec2(m_report.highMm), m_options.gridSide);
         terrain::HeightMaps maps = terrain::rasterise(m_mesh, grid, m_closeAtMm);
@@ -361,7 +442,7 @@ private:
             return failure(ErrorCode::BadStructure, "its surface encloses nothing seen from above the crown; check "
                                                     "--up or close the mesh");
         if (const auto enclosed = enclosedVolume())
-            m_report.undercutMm3 = m_report.modelVolumeMm3 - *enclosed * std::pow(m_report.placement.unit.mmPerUnit, 3);
+            m_report.undercutMm3 = m_report.modelVolumeMm3 - *enclosed * std::pow(m_mmPerUnit, 3);
         std::vector<float> sewn;
         m_report.sewnCells = terrain::sewRim(grid, maps.top, maps.bottom, terrain::wholeOf(grid), sewn);
         m_anatomy.grid = grid;
@@ -383,11 +464,22 @@ private:
             endStage("layers");
             return {};
         }
-        m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, layerOptions());
+        m_anatomy.layers =
+            m_laid ? buildLaidLayers(*m_laid, m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, layerOptions())
+                   : buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, layerOptions());
         warnAboutPulp();
         endStage("layers");
-        if (m_options.caries) {
-            CariesOptions caries{*m_options.caries, m_options.cariesExtent, m_options.seed, {}};
+        if (const Status fits = checkSite(m_options.site.value_or(usualSite(m_options.lying)), m_options.lying);
+            m_options.caries && !fits)
+            return fits;
+        if (m_options.caries && m_laid) {
+            const LesionSite site = m_options.site.value_or(usualSite(m_options.lying));
+            if (Status grown = addLesion(site, m_options.cariesExtent, *m_laid, m_anatomy.grid, m_anatomy.top,
+                                         m_anatomy.bottom, m_anatomy.layers);
+                !grown)
+                return grown;
+        } else if (m_options.caries) {
+            CariesOptions caries{*m_options.caries, m_options.cariesExtent, m_options.seed, {}, {}};
             std::vector<LesionStop> line;
             if (caries.rule == CariesRule::FissureWalk)
                 line = lesionLine();
@@ -417,6 +509,10 @@ private:
         if (std::any_of(m_anatomy.layers.begin(), m_anatomy.layers.end(),
                         [](const terrain::ColumnLayers& column) { return column.pulpRoof > column.pulpFloor; }))
             return;
+        if (m_laid) {
+            m_report.warnings.emplace_back("a bur meets no pulp from this side: opening it cannot be judged");
+            return;
+        }
         const double crownHeight = figuresFor(m_anatomy.fdi, m_anatomy.grid, m_anatomy.top).crownHeight;
         const bool endsEarly = m_report.highMm.z - m_report.lowMm.z < crownHeight;
         m_report.warnings.emplace_back(endsEarly ? "this scan ends above the pulp: opening it cannot be judged"
@@ -429,7 +525,9 @@ private:
     Clock::time_point m_lap;
     mesh::TriangleMesh m_mesh;
     mesh::MeshFacts m_facts;
+    double m_mmPerUnit = 1.0;  ///< of m_facts
     std::optional<double> m_closeAtMm;
+    std::optional<LaidTooth> m_laid;
     terrain::ToothAnatomy m_anatomy;
     ToothReport m_report;
 };
@@ -456,6 +554,11 @@ bool isGenerated(const terrain::ToothAnatomy& anatomy)
 {
     // A file's tooth bears the file's name, and a file called "36" cannot be asked for.
     return anatomy.fdi != 0 && anatomy.name == std::to_string(anatomy.fdi);
+}
+
+bool standsInTheArch(const terrain::ToothAnatomy& anatomy)
+{
+    return isGenerated(anatomy) && anatomy.lying.isUpright();
 }
 
 }  // namespace core::teeth

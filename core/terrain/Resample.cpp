@@ -116,6 +116,7 @@ std::shared_ptr<const ToothAnatomy> resampled(const ToothAnatomy& anatomy, Sampl
     made->name = anatomy.name;
     made->fdi = anatomy.fdi;
     made->seed = anatomy.seed;
+    made->lying = anatomy.lying;
     made->grid = resampled(anatomy.grid, sampling);
     const std::size_t count = made->grid.count();
     made->top.assign(count, kEmptyTop);

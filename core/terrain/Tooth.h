@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/terrain/Grid.h"
+#include "core/terrain/Lying.h"
 
 namespace core::terrain {
 
@@ -22,7 +23,7 @@ inline constexpr int kMaterialCount = 4;
 /// One figure per material, indexed by Material.
 using PerMaterial = std::array<double, kMaterialCount>;
 
-/// The interfaces of one column, mm in the tooth frame. They do not move while the tooth is cut.
+/// The interfaces of one column, mm in the frame the tooth is cut in. They do not move while the tooth is cut.
 ///
 /// Reading a height z inside the tooth, first match wins:
 ///   caries  if cariesFloor < z <= cariesRoof   (an open lesion has its roof at or above the top)
@@ -46,6 +47,7 @@ struct ToothAnatomy
     std::string name;        ///< what a person calls it: "36", or the file it was read from
     int fdi = 0;             ///< FDI number, 0 when unknown
     std::uint64_t seed = 0;  ///< of the generated variation, its layers and its lesion
+    Lying lying;             ///< which side of it looks along +z
     Grid grid;
     std::vector<float> top;            ///< original occlusal surface, kEmptyTop outside, [side * side]
     std::vector<float> bottom;         ///< original under surface, kEmptyBottom outside, [side * side]

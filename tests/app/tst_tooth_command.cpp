@@ -34,6 +34,24 @@ private slots:
             QVERIFY2(report["layers_mm3"].toObject()[key].toDouble() > 0.0, key);
     }
 
+    void aToothLiesAsItIsTold()
+    {
+        const QStringList laid{"tooth", "33", "--lies", "buccal", "--site", "cervical"};
+        const QJsonObject report = runCusp(laid + QStringList{"--json"}).json();
+        QCOMPARE(report["lies"].toString(), QString("buccal"));
+        QCOMPARE(report["tilt_deg"].toDouble(), 90.0);
+        QVERIFY(report["layers_mm3"].toObject()["caries"].toDouble() > 0.1);
+        QVERIFY(runCusp(laid + QStringList{"--tilt", "70"}).out.contains("buccal, tilted by 70.0 degrees"));
+        QVERIFY(!runCusp({"tooth", "33", "--json"}).json().contains("lies"));
+        for (const QStringList& wrong : {QStringList{"33", "--lies", "left"},
+                                         {"33", "--tilt", "45"},
+                                         {"33", "--site", "cervical"},
+                                         {"33", "--lies", "buccal", "--tilt", "91"},
+                                         {"block:line", "--lies", "+x"},
+                                         {"33", "--site", "root"}})
+            expectRefusal(runCusp(QStringList{"tooth"} + wrong), {}, 2);
+    }
+
     void textReportSaysWhatWasGuessed()
     {
         const QString file = write("cap.stl", support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10)));

@@ -5,6 +5,8 @@
 #include <QStringConverter>
 #include <QTest>
 
+#include "core/teeth/LesionSite.h"
+#include "core/terrain/Lying.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/RubricReader.h"
@@ -127,6 +129,32 @@ private slots:
                                      "exam-36-class1 class1", "exam-36-class2 class2"}));
     }
 
+    /// What a lesson says of how its tooth lies, for each of the sides, and what cannot be asked of such a tooth.
+    void aToothLiesAsTheLessonSays()
+    {
+        QJsonObject object{
+            {"format", 1}, {"id", "class5"}, {"title", "Class V"}, {"goal", "g"}, {"task", "remove_decay"}};
+        object["rubric"] = "decay_removal";
+        object["tooth"] = QJsonObject{{"fdi", 33}, {"seed", 2}, {"lies", "buccal"}, {"tilt_deg", 80}};
+        object["lesion"] = QJsonObject{{"extent", 0.5}, {"site", "cervical"}};
+        const ReadLesson read = m_folder->read("laid.lesson.json", object);
+        QVERIFY(isSound(read));
+        const auto made = std::get<MadeTooth>(read.lesson->tooth);
+        QCOMPARE(made.lying, (core::terrain::Lying{core::terrain::ToothSide::MinusY, 80.0}));
+        QCOMPARE(read.lesson->lesion->site, core::teeth::LesionSite::Cervical);
+        object["rules"] = QJsonObject{{"neighbour_hit", true}, {"ridge_limit_mm", 1.0}};
+        const ReadLesson ruled = m_folder->read("laid.lesson.json", object);
+        QVERIFY(!ruled.lesson);
+        QCOMPARE(ruled.faults.size(), std::size_t{2});
+        object["rules"] = QJsonObject();
+        object["task"] = "cut_ideal";
+        object["ideal"] = QJsonObject{{"kind", "access"}};
+        QVERIFY(!m_folder->read("laid.lesson.json", object).lesson);
+        object["tooth"] = QJsonObject{{"fdi", 21}, {"lies", "lingual"}};
+        object["lesion"] = QJsonObject{{"extent", 0.0}};
+        QVERIFY(isSound(m_folder->read("laid.lesson.json", object)));
+    }
+
     void tellsEachFaultByFileAndKey_data()
     {
         support::columns<QString, QByteArray, QString>("key", "value", "words");
@@ -160,6 +188,16 @@ private slots:
         row("a scan that is not there", "tooth", "{\"scan\": \"a.stl\"}", "tooth.scan: there is no file \"a.stl\"");
         row("a unit unheard of", "tooth", "{\"scan\": \"a.stl\", \"unit\": \"ell\"}", "tooth.unit: \"ell\" is no unit");
         row("no tooth", "tooth", "null", "tooth: is missing");
+        row("a side of no tooth", "tooth", R"({"fdi": 36, "lies": "left"})",
+            "tooth.lies: \"left\" is no side of a tooth");
+        row("a side of a scan", "tooth", R"({"fdi": 36, "lies": "+x"})", "tooth.lies: \"+x\" is no side of a tooth");
+        row("a tilt to no side", "tooth", R"({"fdi": 36, "tilt_deg": 45})",
+            "tooth.tilt_deg: is how far the tooth lies on a side; say which in \"lies\"");
+        row("a tooth upside down", "tooth", R"({"fdi": 36, "lies": "buccal", "tilt_deg": 180})",
+            "tooth.tilt_deg: is 180, it must lie between 5 and 90");
+        row("decay at the neck from above", "lesion", R"({"extent": 0.5, "site": "cervical"})",
+            "lesion.site: decay at the neck or in a pit of a side is on the buccal or lingual side");
+        row("a site unheard of", "lesion", R"({"extent": 0.5, "site": "root"})", "lesion.site: \"root\" is not known");
         row("an extent with its unit", "lesion", "{\"extent\": \"50 %\"}", "lesion.extent: is a text; write a number");
         row("an extent over 1", "lesion", "{\"extent\": 50}", "lesion.extent: is 50, it must lie between 0 and 1");
         row("no decay", "lesion", "null", "lesion: to remove decay there must be some");

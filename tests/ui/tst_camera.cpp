@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include <QTest>
 
+#include "core/teeth/Laid.h"
+#include "core/teeth/ToothTable.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "ui/tooth/Camera.h"
+#include "ui/tooth/Viewpoint.h"
 
 using support::near;
 using ui::tooth::Camera;
@@ -218,6 +222,30 @@ private slots:
         // What is behind the glass goes to the side that the head goes to.
         QVERIFY(camera.pixelOf(onGlass + 5.0 * forward).x > pixel.x);
         QVERIFY(camera.pixelOf(onGlass + 5.0 * forward).y > pixel.y);
+    }
+
+    /// The names of viewpoints are of the tooth, whichever side of it is up.
+    void viewpointsFollowATooth()
+    {
+        for (const char* side : {"buccal", "lingual", "mesial", "distal"})
+            for (const int fdi : {21, 33}) {
+                const auto lying = core::teeth::findLying(side, 90.0, fdi).value();
+                const double buccal = core::teeth::buccalSign(fdi);
+                for (const auto& [name, own] :
+                     {std::pair("mesial", glm::dvec3(-1.0, 0.0, 0.0)), std::pair("distal", glm::dvec3(1.0, 0.0, 0.0)),
+                      std::pair("buccal", glm::dvec3(0.0, buccal, 0.0)),
+                      std::pair("lingual", glm::dvec3(0.0, -buccal, 0.0)),
+                      std::pair("occlusal", glm::dvec3(0.0, 0.0, 1.0)),
+                      std::pair("below", glm::dvec3(0.0, 0.0, -1.0))}) {
+                    Camera camera = molarCamera();
+                    QVERIFY(ui::tooth::goTo(camera, QString::fromLatin1(name), fdi, lying));
+                    const glm::dvec3 towardsEye = glm::normalize(camera.eyeMm() - kMiddle);
+                    QVERIFY(glm::dot(towardsEye, lying.cutFromOwn() * own) > std::cos(13.0 * support::kDegree));
+                }
+                Camera camera = molarCamera();
+                QVERIFY(ui::tooth::goTo(camera, QStringLiteral("above"), fdi, lying));
+                QVERIFY(camera.elevationDeg() > 85.0);
+            }
     }
 
     void whatIsBehindTheEyeLiesOutsideOnItsSide()

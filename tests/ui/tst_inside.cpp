@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/teeth/Laid.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Suite.h"
@@ -202,6 +203,41 @@ private slots:
             QCOMPARE(text::directionName(anatomy, row.angleRad), QString::fromUtf8(row.direction));
             QCOMPARE(text::planeAlongY(anatomy), QString(row.plane));
         }
+    }
+
+    /// Words and planes belong to the tooth, however it lies under the bur.
+    void sidesOfALaidToothAreNamed()
+    {
+        struct Row
+        {
+            int fdi;
+            const char* side;
+            double tiltDeg;
+            double angleRad;
+            const char* direction;
+        };
+        for (const Row& row : {Row{33, "buccal", 90.0, 0.0, "distal"},
+                               {33, "buccal", 90.0, kQuarter, "incisal"},
+                               {33, "buccal", 90.0, -kQuarter, "apical"},
+                               {33, "buccal", 90.0, 0.5 * kQuarter, "distal / incisal"},
+                               {21, "mesial", 90.0, 0.0, "incisal"},
+                               {21, "mesial", 90.0, kQuarter, "labial"},
+                               {36, "lingual", 90.0, -kQuarter, "occlusal"},
+                               {36, "buccal", 45.0, kQuarter, "lingual / occlusal"},
+                               {36, "buccal", 10.0, kQuarter, "lingual"}}) {
+            core::terrain::ToothAnatomy anatomy;
+            anatomy.fdi = row.fdi;
+            anatomy.name = std::to_string(row.fdi);
+            anatomy.lying = core::teeth::findLying(row.side, row.tiltDeg, row.fdi).value();
+            QCOMPARE(text::directionName(anatomy, row.angleRad), QString(row.direction));
+            // A film is the tooth's own.
+            QCOMPARE(text::sideName(anatomy, 0.0), QString("distal"));
+        }
+        core::terrain::ToothAnatomy scan;
+        scan.name = "mine.stl";
+        scan.lying = core::teeth::findLying("-y", 90.0, 0).value();
+        QCOMPARE(text::directionName(scan, 0.0), QString("+x"));
+        QCOMPARE(text::directionName(scan, kQuarter), QString("occlusal"));
     }
 
     void theDecayOfTheUsualToothIsSeen()

@@ -149,8 +149,10 @@ void XrayPage::speak()
     //: %1 is "Tooth 36" or a file name
     setTitle(tr("X-ray: %1").arg(text::toothTitle(anatomy)));
     m_bitewing->setToolTip(
-        brokenIntoLines(core::teeth::isGenerated(anatomy)
+        brokenIntoLines(core::teeth::standsInTheArch(anatomy)
                             ? tr("The crown between two sound neighbours made by Cusp, with contact points.")
+                        : core::teeth::isGenerated(anatomy)
+                            ? tr("This tooth lies on a side, so it gets no neighbours.")
                             : tr("Nothing in a scan says which side is mesial, so it gets no neighbours.")));
     nameSides();
 }
@@ -158,10 +160,10 @@ void XrayPage::speak()
 /// Which side of a film is which of the tooth.
 void XrayPage::nameSides()
 {
-    const double right = wish().beam.angleRad - 0.5 * std::numbers::pi;
+    const double right = ownBeam().angleRad - 0.5 * std::numbers::pi;
     for (FilmView* view : {m_before, m_now})
-        view->setSides(text::directionName(*m_tooth->anatomy, right + std::numbers::pi),
-                       text::directionName(*m_tooth->anatomy, right));
+        view->setSides(text::sideName(*m_tooth->anatomy, right + std::numbers::pi),
+                       text::sideName(*m_tooth->anatomy, right));
 }
 
 QWidget* XrayPage::makeControls(const Actions& actions)
@@ -294,7 +296,7 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth)
         m_now->setFilm({});
         m_exposure->setValue(0);
     }
-    const bool ours = core::teeth::isGenerated(*tooth.anatomy);
+    const bool ours = core::teeth::standsInTheArch(*tooth.anatomy);
     m_bitewing->setEnabled(ours);
     if (!ours)
         m_oneTooth->setChecked(true);
@@ -302,12 +304,20 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth)
     develop();
 }
 
+/// In the tooth's own frame.
+core::imaging::Beam XrayPage::ownBeam() const
+{
+    core::imaging::Beam beam;
+    beam.angleRad += beamRadians(m_angle->value());
+    // From above, the beam falls; the film of an upper tooth is turned over.
+    beam.tiltRad = (m_tooth && isUpper(m_tooth->anatomy->fdi) ? 1.0 : -1.0) * beamRadians(m_tilt->value());
+    return beam;
+}
+
 XrayPage::Wish XrayPage::wish() const
 {
     Wish now;
-    now.beam.angleRad += beamRadians(m_angle->value());
-    // From above, the beam falls; the film of an upper tooth is turned over.
-    now.beam.tiltRad = (m_tooth && isUpper(m_tooth->anatomy->fdi) ? 1.0 : -1.0) * beamRadians(m_tilt->value());
+    now.beam = m_tooth ? core::imaging::laidBeam(m_tooth->anatomy->lying, ownBeam()) : ownBeam();
     now.exposure = std::exp2(static_cast<double>(m_exposure->value()) / kStepsToDouble);
     now.bitewing = m_bitewing->isChecked();
     const QRectF room = m_now->ground();

@@ -59,6 +59,7 @@ private:
     };
 
     QWidget* makeControls(const shell::Actions& actions);
+    [[nodiscard]] core::imaging::Beam ownBeam() const;
     [[nodiscard]] Wish wish() const;
     void speak();
     void nameSides();

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
@@ -481,7 +485,7 @@ QString toothTitle(const core::terrain::ToothAnatomy& tooth)
     return name.isEmpty() ? QCoreApplication::translate("Tooth", "Tooth without a name") : name;
 }
 
-QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad)
+QString sideName(const core::terrain::ToothAnatomy& tooth, double angleRad)
 {
     const auto eighth = static_cast<int>(std::lround(angleRad / (std::numbers::pi / 4.0)));
     const int sector = ((eighth % 8) + 8) % 8;
@@ -517,6 +521,32 @@ QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad)
                             say(QT_TRANSLATE_NOOP("Direction", "mesiobuccal")))
                     : inner(say(QT_TRANSLATE_NOOP("Direction", "mesiopalatal")),
                             say(QT_TRANSLATE_NOOP("Direction", "mesiolingual")));
+}
+
+QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad)
+{
+    if (tooth.lying.isUpright())
+        return sideName(tooth, angleRad);
+    // Every axis of the tooth that the direction is within 67.5 degrees of, as for an upright one.
+    constexpr double kLeastShare = 0.3827;
+    const glm::dvec3 own =
+        glm::transpose(tooth.lying.cutFromOwn()) * glm::dvec3(std::cos(angleRad), std::sin(angleRad), 0.0);
+    const bool isKnown = core::teeth::isGenerated(tooth);
+    QStringList names;
+    if (std::abs(own.x) > kLeastShare)
+        names << sideName(tooth, own.x > 0.0 ? 0.0 : std::numbers::pi);
+    if (std::abs(own.y) > kLeastShare)
+        names << sideName(tooth, (own.y > 0.0 ? 0.5 : -0.5) * std::numbers::pi);
+    if (std::abs(own.z) > kLeastShare) {
+        if (own.z < 0.0)
+            names << QCoreApplication::translate("Direction", "apical");
+        else
+            names << (isKnown && tooth.fdi % 10 <= 3 ? QCoreApplication::translate("Direction", "incisal")
+                                                     : QCoreApplication::translate("Direction", "occlusal"));
+    }
+    //: Two directions at once, such as "mesial / incisal"
+    return names.size() < 2 ? names.value(0)
+                            : QCoreApplication::translate("Direction", "%1 / %2").arg(names[0], names[1]);
 }
 
 QString planeAlongX(const core::terrain::ToothAnatomy& tooth)

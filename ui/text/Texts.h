@@ -61,9 +61,13 @@ enum class Failed {
 /// "Tooth 36", "Practice block: cross", or the file's name for a scan without a number.
 [[nodiscard]] QString toothTitle(const core::terrain::ToothAnatomy& tooth);
 
-/// Where a horizontal direction of the tooth frame points: "distal", "mesiobuccal"; of a scan, of which nobody knows
+/// Where a direction square to the axis of a tooth points: "distal", "mesiobuccal"; of a scan, of which nobody knows
 /// the sides, "+x", "−x +y".
-/// @param angleRad  about +z, 0 along +x
+/// @param angleRad  about +z of its own frame, 0 along +x
+[[nodiscard]] QString sideName(const core::terrain::ToothAnatomy& tooth, double angleRad);
+/// Where a horizontal direction of the frame a tooth is cut in points: as sideName() where it stands upright; on a side
+/// also "incisal", "apical", "mesial / occlusal".
+/// @param angleRad  about +z of that frame, 0 along +x
 [[nodiscard]] QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad);
 /// The two planes people ask for, as directionName() would have them: "Mesio-distal" and "Bucco-lingual", or "Along x"
 /// and "Along y".

@@ -146,13 +146,13 @@ void ToothView::setIdeal(const core::grading::IdealTop& ideal)
     redraw();
 }
 
-/// The teeth beside a tooth of ours; what stands beside a scan nobody knows.
+/// The teeth beside a tooth of ours that stands upright; what stands beside a scan nobody knows.
 void ToothView::showNeighbours()
 {
     m_neighbours.clear();
     m_neighboursAreNew = true;
     const auto anatomy = m_surface ? m_surface->anatomyPointer() : nullptr;
-    if (!m_settings.showsNeighbours || !anatomy || !core::teeth::isGenerated(*anatomy))
+    if (!m_settings.showsNeighbours || !anatomy || !core::teeth::standsInTheArch(*anatomy))
         return;
     render::withArch(this, [this, anatomy](const render::ArchPointer& arch) {
         if (!m_settings.showsNeighbours || !m_surface || m_surface->anatomyPointer() != anatomy)
@@ -309,7 +309,7 @@ void ToothView::lookAs(const Camera& camera)
 
 void ToothView::lookFrom(const QString& viewpoint)
 {
-    if (m_surface && goTo(m_camera, viewpoint, m_surface->anatomy().fdi))
+    if (m_surface && goTo(m_camera, viewpoint, m_surface->anatomy().fdi, m_surface->anatomy().lying))
         redrawMoving();
 }
 
@@ -563,7 +563,7 @@ std::optional<QPointF> ToothView::burAt() const
 /// Which sides of the tooth look where, in a corner.
 void ToothView::drawGizmo(QPainter& painter)
 {
-    const glm::dmat3 turn(m_camera.view());
+    const glm::dmat3 turn = glm::dmat3(m_camera.view()) * m_surface->anatomy().lying.cutFromOwn();
     if (m_gizmoTurn != turn || m_gizmo.devicePixelRatioF() != devicePixelRatioF()) {
         m_gizmoTurn = turn;
         m_gizmo = QPixmap(QSize(2 * kGizmoPx, 2 * kGizmoPx) * devicePixelRatioF());
@@ -902,7 +902,7 @@ void ToothView::mousePressEvent(QMouseEvent* event)
     if (event->button() == Qt::LeftButton)
         setButtonDown(true);
     if (const auto end = gizmoEndAt(event->position()); end && event->button() == Qt::LeftButton) {
-        lookFromEnd(m_camera, *end);
+        lookFromEnd(m_camera, *end, m_surface->anatomy().lying);
         redrawMoving();
     } else if (event->button() == Qt::LeftButton && isOnMirror(event->position())) {
         m_mirrorHeld = true;

@@ -15,6 +15,7 @@ namespace ui::tooth {
 namespace {
 
 constexpr double kSideElevationDeg = 12.0;
+constexpr double kLaidStartDeg = 55.0;  ///< elevation from which a tooth that lies on a side is looked at first
 // The handpiece leans aside when the eye looks from above.
 constexpr double kUprightBelowDeg = 25.0;  ///< elevation of the eye up to which it is upright
 constexpr double kLeansMostDeg = 75.0;     ///< elevation from which it leans by kMostLeanDeg
@@ -46,10 +47,23 @@ constexpr std::array<Named, 6> kNamed{{{"mesial", -90.0, kSideElevationDeg, true
                                        {"below", 0.0, Camera::kLowestDeg, false},
                                        {"occlusal", 0.0, Camera::kHighestDeg, false}}};
 
-/// Looks from a side, with all of the tooth in the picture.
-void lookFromSide(Camera& camera, double azimuthDeg, double elevationDeg)
+/// Looks with all of the tooth in the picture from a place whose direction is named in the tooth's own frame.
+void lookFromSide(Camera& camera, double azimuthDeg, double elevationDeg, const core::terrain::Lying& lying)
 {
     camera.reset();
+    if (!lying.isUpright()) {
+        // The axis that was named, and from the side a little from above, as of an upright tooth.
+        const bool isAside = elevationDeg == kSideElevationDeg;
+        const double azimuth = glm::radians(azimuthDeg);
+        const glm::dvec3 own = isAside ? glm::dvec3(std::sin(azimuth), -std::cos(azimuth), 0.0)
+                                       : glm::dvec3(0.0, 0.0, elevationDeg > 0.0 ? 1.0 : -1.0);
+        const glm::dvec3 towardsEye = lying.cutFromOwn() * own;
+        const double height = glm::degrees(std::asin(std::clamp(towardsEye.z, -1.0, 1.0)));
+        const bool isUpOrDown = std::abs(height) > Camera::kHighestDeg;
+        azimuthDeg = isUpOrDown ? Camera::kStartAzimuthDeg : glm::degrees(std::atan2(towardsEye.x, -towardsEye.y));
+        elevationDeg =
+            std::clamp(isUpOrDown ? height : height + kSideElevationDeg, Camera::kLowestDeg, Camera::kHighestDeg);
+    }
     camera.set(azimuthDeg, elevationDeg, camera.fittingMm());
 }
 
@@ -125,7 +139,11 @@ void showWhole(Camera& camera, const render::ToothSurface& surface)
 {
     // Slightly tighter than the ball: the tooth is the hero, and a crown does not fill its corners.
     camera.setSubject(surface.crownMiddleMm(), 0.93 * surface.crownRadiusMm());
-    camera.setStart(startAzimuthDeg(surface, camera));
+    // What is to be cut of a tooth that lies on a side is seen along the bur.
+    if (surface.anatomy().lying.isUpright())
+        camera.setStart(startAzimuthDeg(surface, camera));
+    else
+        camera.setStart(Camera::kStartAzimuthDeg, kLaidStartDeg);
 }
 
 double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm)
@@ -175,16 +193,20 @@ render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurfa
 
 QStringList viewpointNames()
 {
-    QStringList names{QStringLiteral("start")};
+    QStringList names{QStringLiteral("start"), QStringLiteral("above")};
     for (const Named& named : kNamed)
         names << QLatin1String(named.name);
     return names;
 }
 
-core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
+core::Status goTo(Camera& camera, const QString& viewpoint, int fdi, const core::terrain::Lying& lying)
 {
     if (viewpoint == u"start") {
         camera.reset();
+        return {};
+    }
+    if (viewpoint == u"above") {
+        lookFromSide(camera, 0.0, Camera::kHighestDeg, {});
         return {};
     }
     for (const Named& named : kNamed) {
@@ -193,9 +215,9 @@ core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
         if (named.isOfMouth && fdi == 0)
             return core::unexpected(core::ErrorCode::UnknownName,
                                     "nothing says which side of this tooth is " + viewpoint.toStdString() +
-                                        "; give --view as start, occlusal, below or AZ,EL,DIST");
+                                        "; give --view as start, above, occlusal, below or AZ,EL,DIST");
         const bool turned = named.isOfMouth && isUpper(fdi) && std::abs(named.azimuthDeg) != 90.0;
-        lookFromSide(camera, named.azimuthDeg + (turned ? 180.0 : 0.0), named.elevationDeg);
+        lookFromSide(camera, named.azimuthDeg + (turned ? 180.0 : 0.0), named.elevationDeg, lying);
         return {};
     }
     const QStringList parts = viewpoint.split(u',');
@@ -211,9 +233,9 @@ core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
     return {};
 }
 
-void lookFromEnd(Camera& camera, std::size_t end)
+void lookFromEnd(Camera& camera, std::size_t end, const core::terrain::Lying& lying)
 {
-    lookFromSide(camera, kNamed.at(end).azimuthDeg, kNamed.at(end).elevationDeg);
+    lookFromSide(camera, kNamed.at(end).azimuthDeg, kNamed.at(end).elevationDeg, lying);
 }
 
 }  // namespace ui::tooth

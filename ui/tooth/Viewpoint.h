@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/terrain/Lying.h"
 #include "ui/render/ToothRenderer.h"
 #include "ui/tooth/Camera.h"
 
@@ -30,16 +31,19 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 [[nodiscard]] render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface,
                                                 bool leftHanded, bool amongNeighbours);
 
-/// Names of viewpoints: start, the directions of the mouth mesial, distal, buccal and lingual, below, and occlusal.
+/// Names of viewpoints: start, above (along the bur), the directions of the mouth mesial, distal, buccal and lingual,
+/// and below and occlusal, the ends of the tooth's axis.
 [[nodiscard]] QStringList viewpointNames();
 
 /// Takes the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). UnknownName with one sentence,
 /// also for a direction of the mouth where nothing says which it is.
 /// @param fdi  of the tooth, 0 where it is unknown
-[[nodiscard]] core::Status goTo(Camera& camera, const QString& viewpoint, int fdi);
+/// @param lying  which way the directions of the tooth's own frame point
+[[nodiscard]] core::Status goTo(Camera& camera, const QString& viewpoint, int fdi,
+                                const core::terrain::Lying& lying = {});
 
-/// Looks at the whole tooth along one of its axes.
+/// Looks at the whole tooth along one of its own axes.
 /// @param end  the end of an axis from which the camera looks: -x, +x, -y, +y, -z, +z, as in render::GizmoLetters
-void lookFromEnd(Camera& camera, std::size_t end);
+void lookFromEnd(Camera& camera, std::size_t end, const core::terrain::Lying& lying);
 
 }  // namespace ui::tooth

@@ -33,11 +33,11 @@ constexpr double kFilmMarginMm = 2.0;
 constexpr int kFilmGapPx = 12;
 constexpr std::uint64_t kGrain = 1;  ///< of the film: every picture has the same
 
-core::imaging::Beam beamOf(const RenderWishes& wishes)
+core::imaging::Beam beamOf(const core::terrain::ToothAnatomy& anatomy, const RenderWishes& wishes)
 {
     core::imaging::Beam beam;
     beam.angleRad += wishes.beamDeg * std::numbers::pi / 180.0;
-    return beam;
+    return core::imaging::laidBeam(anatomy.lying, beam);
 }
 
 /// The upright cut through the bur, or through the middle of the tooth, on the room's dark grey.
@@ -66,7 +66,7 @@ QImage sectionPicture(const RenderSubject& subject, double degrees, QSize size, 
 /// cut.
 QImage xrayPicture(const core::terrain::Tooth& tooth, const RenderWishes& wishes, QSize size)
 {
-    const core::imaging::Beam beam = beamOf(wishes);
+    const core::imaging::Beam beam = beamOf(*tooth.anatomy, wishes);
     const core::terrain::Tooth whole(tooth.anatomy);
     const core::imaging::XrayedTooth before{&whole};
     // Both films show the same part of space.
@@ -102,7 +102,7 @@ core::Result<QImage> bitewingPicture(const core::terrain::Tooth& tooth, const Re
     std::vector<core::imaging::XrayedTooth> teeth{{&tooth}};
     for (const core::imaging::Neighbour& neighbour : *neighbours)
         teeth.push_back(neighbour.xrayed());
-    const core::imaging::Beam beam = beamOf(wishes);
+    const core::imaging::Beam beam = beamOf(*tooth.anatomy, wishes);
     core::imaging::FilmArea area = core::imaging::bitewingArea(teeth, beam);
     const glm::dvec2 film = area.highMm - area.lowMm;
     const double wider = 0.5 * std::max(0.0, film.y * size.width() / size.height() - film.x);
@@ -126,7 +126,8 @@ void paintMarks(QImage& picture, const RenderSubject& subject, const RenderWishe
     const core::terrain::ToothAnatomy& anatomy = *subject.tooth.anatomy;
     if (wishes.gizmo && core::teeth::isGenerated(anatomy)) {
         constexpr double kMiddle = ui::tooth::kGizmoInPx + ui::tooth::kGizmoPx;
-        ui::render::paintGizmo(painter, QPointF(kMiddle, kMiddle), ui::tooth::kGizmoPx, glm::dmat3(camera.view()),
+        ui::render::paintGizmo(painter, QPointF(kMiddle, kMiddle), ui::tooth::kGizmoPx,
+                               glm::dmat3(camera.view()) * anatomy.lying.cutFromOwn(),
                                ui::tooth::gizmoLetters(anatomy.fdi));
     }
     if (wishes.hand && subject.bur) {
@@ -143,10 +144,10 @@ core::Result<QImage> toothPicture(const RenderSubject& subject, const RenderWish
                                   QSize size)
 {
     const auto& anatomy = subject.tooth.anatomy;
-    if (wishes.neighbours && !core::teeth::isGenerated(*anatomy))
+    if (wishes.neighbours && !core::teeth::standsInTheArch(*anatomy))
         return core::unexpected(core::ErrorCode::UnknownName,
                                 "nothing is known of what stands beside '" + anatomy->name +
-                                    "'; only a tooth chosen by its FDI number has neighbours");
+                                    "'; only a tooth chosen by its FDI number that stands upright has neighbours");
     ui::render::ToothSurface surface(anatomy, ui::tooth::operatingLight(wishes.leftHand));
     surface.write(subject.tooth.top);
     surface.setIdeal(subject.ideal);
@@ -163,7 +164,8 @@ core::Result<QImage> toothPicture(const RenderSubject& subject, const RenderWish
     ui::tooth::Camera camera;
     camera.setViewport({size.width(), size.height()});
     ui::tooth::showWhole(camera, surface);
-    if (const core::Status there = ui::tooth::goTo(camera, view, core::teeth::isGenerated(*anatomy) ? anatomy->fdi : 0);
+    if (const core::Status there =
+            ui::tooth::goTo(camera, view, core::teeth::isGenerated(*anatomy) ? anatomy->fdi : 0, anatomy->lying);
         !there)
         return tl::unexpected(there.error());
     ui::render::Scene scene = ui::tooth::sceneThrough(camera, glm::vec2(size.width(), size.height()), wishes.leftHand);

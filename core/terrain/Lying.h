@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace core::terrain {
+
+/// The side of a tooth that is turned towards the bur, as a direction of the tooth's own frame.
+enum class ToothSide : std::uint8_t { Occlusal, MinusX, PlusX, MinusY, PlusY };
+inline constexpr int kToothSideCount = 5;
+
+/// How a tooth lies under the bur. Everything that is cut from one direction is a height field in that direction, so a
+/// tooth is turned before it is rasterised and the bur still comes along -z.
+///
+/// Two frames share the millimetre: the tooth's own frame (+z occlusal) and the frame it is cut in (+z towards the
+/// handpiece). They are parallel where a tooth stands upright.
+struct Lying
+{
+    static constexpr double kLeastTiltDeg = 5.0;
+    static constexpr double kMostTiltDeg = 90.0;
+
+    ToothSide up = ToothSide::Occlusal;
+    double tiltDeg = 0.0;  ///< angle between the tooth's axis and the bur: 90 is flat on its side, 0 is upright
+
+    [[nodiscard]] bool isUpright() const { return up == ToothSide::Occlusal; }
+    /// Returns whether a tooth can lie like this: upright without a tilt, or tilted by 5 to 90 degrees to a side.
+    [[nodiscard]] bool isSound() const;
+    /// Turns directions of the tooth's own frame into the frame it is cut in. A tilt of 90 is exact.
+    [[nodiscard]] glm::dmat3 cutFromOwn() const;
+    bool operator==(const Lying&) const = default;
+};
+
+}  // namespace core::terrain
