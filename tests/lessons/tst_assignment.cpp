@@ -248,6 +248,36 @@ private slots:
         QCOMPARE(losses(mark(assignment, cutAsFarAsCanBe(assignment, top)).value()), QString());
     }
 
+    /// Decay of front teeth is on a side, and a bur that comes from there takes it out.
+    void decayOfFrontTeethIsOnASide()
+    {
+        int laid = 0;
+        for (const CatalogEntry& entry : readCatalog({})) {
+            const Lesson& lesson = *entry.read.lesson;
+            const auto* made = std::get_if<MadeTooth>(&lesson.tooth);
+            if (lesson.task != Task::RemoveDecay || made == nullptr || made->fdi % 10 > 3)
+                continue;
+            QVERIFY2(!made->lying.isUpright() && lesson.lesion->site, lesson.id.c_str());
+            ++laid;
+        }
+        QCOMPARE(laid, 18);
+    }
+
+    /// A recording of an attempt at a tooth that lies on a side is marked as it was, whoever reads it.
+    void anAttemptAtALaidToothIsMarkedAgain()
+    {
+        const Assignment assignment = assigned("decay-33-moderate");
+        QVERIFY(!assignment.anatomy->lying.isUpright());
+        const core::recording::Recording recording({}, assignment.anatomy, assignment.lesson->json);
+        const auto read = core::recording::Recording::fromBytes(recording.toBytes());
+        QVERIFY(support::succeeds(read));
+        QCOMPARE(read->anatomy()->lying, assignment.anatomy->lying);
+        const auto again = assignmentOf(read->anatomy(), read->lesson());
+        QVERIFY(support::succeeds(again));
+        QCOMPARE(again->lesson->hash, assignment.lesson->hash);
+        QCOMPARE(markAgain(*read)->mark.sheet.totalTenths, 0);
+    }
+
     void decayLeftAloneEarnsNothing()
     {
         const Assignment assignment = assigned("decay-36-moderate");
