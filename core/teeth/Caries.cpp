@@ -345,6 +345,7 @@ void growOnSurface(Ground& ground, const SurfaceLesion& lesion, double extent)
     constexpr double kSmallest = 0.45;    ///< share of its half lengths that decay begins with
     constexpr double kDeepestMm = 2.2;    ///< below the junction
     constexpr double kSecondCone = 0.85;  ///< half lengths of the cone in dentin, share of the outline's
+    constexpr double kThickestMm = 1.6;   ///< enamel that decay goes through; where it is thicker, it ends in enamel
     const terrain::Grid& grid = ground.grid;
     const glm::dvec2 half = lesion.halfMm * (kSmallest + (1.0 - kSmallest) * extent);
     const double through = std::min(1.0, extent / kJunctionAt);
@@ -362,11 +363,12 @@ void growOnSurface(Ground& ground, const SurfaceLesion& lesion, double extent)
         if (out >= 1.0 || !ground.solid(k))
             continue;
         const auto surface = static_cast<double>(ground.top[k]);
+        const auto bottom = static_cast<double>(ground.bottom[k]);
         const double junction =
-            std::clamp(static_cast<double>(ground.layers[k].dej), static_cast<double>(ground.bottom[k]), surface);
+            std::clamp(static_cast<double>(ground.layers[k].dej), std::max(bottom, surface - kThickestMm), surface);
         const double share = std::min(1.0, through * (1.0 - out) * (1.0 + 4.0 * deep));
         double floor = surface - share * (surface - junction);
-        if (deep > 0.0 && out < kSecondCone)
+        if (deep > 0.0 && out < kSecondCone && junction == static_cast<double>(ground.layers[k].dej))
             floor = std::min(floor, junction - depth * (1.0 - out / kSecondCone) * (1.0 + 0.5 * out / kSecondCone));
         const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
         const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side));

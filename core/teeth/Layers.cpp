@@ -345,6 +345,7 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
         }
     }
     const std::vector<float> under = lattice.ballsBelow(centres, radius);
+    const std::vector<float> sideMm = distanceInside(grid, solidNodes(top, bottom));
     // No side of the model is a root that would end the underside's enamel: its thickness says where it ends.
     const std::vector<float> noNeck(grid.count(), terrain::kEmptyTop);
     for (int j = 0; j < grid.side; ++j) {
@@ -363,7 +364,10 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
             double dej = below == kNoValue ? surface - here : static_cast<double>(below);
             dej = std::min(dej, surface - std::min(kThinnestMm, here));
             const double beneath = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), ground));
-            if (dej - ground < beneath * lengthPerDepth(grid, top, bottom, noNeck, i, j))
+            // Beside a wall that stands along the bur a column is enamel throughout.
+            const double wall = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), 0.5 * (surface + ground)));
+            if (static_cast<double>(sideMm[k]) < wall ||
+                dej - ground < beneath * lengthPerDepth(grid, top, bottom, noNeck, i, j))
                 dej = ground - beneath;
             layers[k].dej = static_cast<float>(dej);
         }

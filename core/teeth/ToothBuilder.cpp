@@ -2,16 +2,21 @@
 #include "core/teeth/ToothBuilder.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <time.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "core/mesh/Clip.h"
 #include "core/mesh/Holes.h"
 #include "core/mesh/MeshAnalysis.h"
 #include "core/mesh/MeshReader.h"
@@ -47,7 +52,7 @@ std::string counted(std::size_t count, const char* one, const char* many)
 /// A tooth narrower than this has no grid worth the name.
 constexpr double kLeastWidthMm = 0.2;
 /// Of the root of a tooth that lies on a side.
-constexpr double kRootKeptMm = 3.5;
+constexpr double kRootKeptMm = 3.0;
 /// Holes whose patch is smaller than this part of the tooth's outline are patched without further thought.
 constexpr double kSmallHole = 0.05;
 
@@ -339,30 +344,20 @@ private:
         return {};
     }
 
-    /// Presses everything below a height, mm of the own frame, into the plane at that height, and roots that part
-    /// inwards, so that the mesh stays closed and its end flat.
+    /// Cuts the roots off at a height, mm of the own frame, and closes the cut.
     void shortenRoots(double heightMm)
     {
-        constexpr double kNarrowest = 0.3;
-        constexpr double kNarrowingPerMm = 0.7;
-        constexpr double kStraightMm = 0.8;  ///< so far below, the outline is kept: the wall stays straight to the end
-        glm::dvec2 middle(0.0);
-        double count = 0.0;
-        for (const glm::vec3& vertex : m_mesh.vertices)
-            if (std::abs(static_cast<double>(vertex.z) - heightMm) < 1.0) {
-                middle += glm::dvec2(vertex);
-                count += 1.0;
-            }
-        if (count == 0.0)
-            return;
-        middle /= count;
-        for (glm::vec3& vertex : m_mesh.vertices) {
-            const double below = heightMm - static_cast<double>(vertex.z);
-            if (below <= 0.0)
-                continue;
-            const double narrow = std::clamp(1.0 - kNarrowingPerMm * (below - kStraightMm), kNarrowest, 1.0);
-            vertex = glm::vec3(middle + narrow * (glm::dvec2(vertex) - middle), heightMm);
-        }
+        m_mesh = mesh::clippedBelow(m_mesh, heightMm);
+        mesh::weldByPosition(m_mesh);
+        for (const mesh::Hole& hole : mesh::findHoles(m_mesh, mesh::analyse(m_mesh)))
+            mesh::patch(m_mesh, hole);
+        // The hollow between roots that part higher is a pocket of its own now: it is filled.
+        const mesh::MeshFacts facts = mesh::analyse(m_mesh);
+        std::vector<std::array<std::uint32_t, 3>> kept;
+        for (std::size_t k = 0; k < m_mesh.triangles.size(); ++k)
+            if (facts.shellOf[k] != mesh::kNoShell && facts.shells[facts.shellOf[k]].volume > 0.0)
+                kept.push_back(m_mesh.triangles[k]);
+        m_mesh.triangles = std::move(kept);
     }
 
     [[nodiscard]] tl::unexpected<Error> heapOfFaces() const

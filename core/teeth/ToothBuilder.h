@@ -98,7 +98,7 @@ struct BuiltTooth
 [[nodiscard]] bool standsInTheArch(const terrain::ToothAnatomy& anatomy);
 
 /// Reads or generates the mesh, judges and places it, turns it the way it lies, rasterises it, lays its tissues and
-/// puts a lesion into it. A tooth that lies on a side ends 3.5 mm below its neck: a grid over the whole root would have
+/// puts a lesion into it. A tooth that lies on a side ends 3 mm below its neck: a grid over the whole root would have
 /// columns twice as wide.
 /// Some tens of milliseconds; any thread that may wait. On failure one sentence.
 [[nodiscard]] Result<BuiltTooth> buildTooth(const ToothSource& source, const BuildOptions& options);

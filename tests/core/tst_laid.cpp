@@ -200,7 +200,7 @@ private slots:
                 if (terrain::hasPulp(own, k))
                     expected +=
                         std::max(0.0, static_cast<double>(own.layers[k].pulpRoof) -
-                                          std::max(static_cast<double>(own.layers[k].pulpFloor), -crownMm - 3.5)) *
+                                          std::max(static_cast<double>(own.layers[k].pulpFloor), -crownMm - 3.0)) *
                         static_cast<double>(own.areaMm2[k]);
             const double found = laid->report.layersMm3[static_cast<std::size_t>(terrain::Material::Pulp)];
             qInfo("%d %s: pulp %.2f mm3, upright %.2f", fdi, side, found, expected);
@@ -319,7 +319,7 @@ private slots:
                 const imaging::FilmArea area = imaging::shadowArea(std::span(&laid, 1), beam, 0.0);
                 // The root is shorter, so that the height is only that of crown and neck.
                 QVERIFY(support::near(area.highMm.x - area.lowMm.x, usual.highMm.x - usual.lowMm.x, 0.25));
-                QVERIFY(support::near(area.highMm.y - area.lowMm.y, teeth::drawToothSizes(33, 0)->crownHeightMm + 3.5,
+                QVERIFY(support::near(area.highMm.y - area.lowMm.y, teeth::drawToothSizes(33, 0)->crownHeightMm + 3.0,
                                       0.3));
                 const imaging::Shadow shadow = imaging::castShadow(std::span(&laid, 1), beam, area, 0.1);
                 // The edge is narrower than the neck: the crown is up.
