@@ -114,7 +114,7 @@ Ridges ridgesOf(const ToothAnatomy& anatomy, const std::vector<float>& end)
 void findRidges(const Tooth& tooth, const std::vector<float>& smallest, LesionCut& result)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
-    if (!teeth::isGenerated(anatomy) || anatomy.fdi % 10 <= 3)  // front teeth have none across the mouth
+    if (!teeth::standsInTheArch(anatomy) || anatomy.fdi % 10 <= 3)  // front teeth have none
         return;
     std::vector<float> end = anatomy.top;
     std::vector<float> least = anatomy.top;

@@ -269,7 +269,7 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
     const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
     const std::vector<glm::dvec2> around = isMolar ? trapezoidAround(hull) : triangleAround(hull, lingual, fromLingual);
     const double radius = design.burRadiusMm;
-    const AxisRegion axis = axisAround(around, hull, design);
+    const AxisRegion region = axisAround(around, hull, design);
     const double tangent = std::tan(std::max(0.5, design.accessLeanDeg) * std::numbers::pi / 180.0);
     std::vector<float> top = anatomy.top;
     std::vector<Part> parts(grid.count(), Part::Keep);

@@ -20,8 +20,8 @@ namespace core::recording {
 using session::ServoEvent;
 
 inline constexpr std::uint32_t kFormatVersion = 8;
-/// Oldest version that is read. A recording is written in the oldest version that has its tooth, its settings and all of its
-/// events (versionWith()).
+/// Oldest version that is read. A recording is written in the oldest version that has its tooth, its settings and all
+/// of its events (versionWith()).
 inline constexpr std::uint32_t kOldestVersion = 5;
 inline constexpr std::size_t kChunkEvents = 4096;
 inline constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;

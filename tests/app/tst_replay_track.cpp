@@ -288,7 +288,7 @@ private slots:
         rig.lift();
         rig.settle();
         const Recording made = rig.session->recordingSoFar().value();
-        const auto known = lessons::markAgain(made).value().infractions;
+        const auto known = lessons::markAgain(made).value().conduct.infractions;
         QVERIFY(!known.empty());
         Viewer viewer(made.anatomy());
         const auto track = trackOf(made, viewer);

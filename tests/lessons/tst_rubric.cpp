@@ -58,12 +58,10 @@ private slots:
     void theExampleOfTheDocumentIsRight()
     {
         const Rubric rubric = decayRemoval();
-        Values values{{"caries_left_percent", 2.8}, {"caries_removed_percent", 97.2},
-                      {"sound_overcut_mm3", 7.4},   {"smallest_cavity_mm3", 6.0},
-                      {"below_lesion_mm", 0.26},    {"remaining_over_pulp_mm", 1.4},
-                      {"pulp_exposed_mm2", 0.0},    {"perforated_mm2", 0.0},
-                      {"beyond_lesion_mm", 0.4},    {"caries_at_junction_mm2", 0.1},
-                      {"removed_mm3", 8.0}};
+        Values values{{"caries_left_percent", 2.8}, {"caries_removed_percent", 97.2}, {"sound_overcut_mm3", 7.4},
+                      {"smallest_cavity_mm3", 6.0}, {"below_lesion_mm", 0.26},        {"remaining_over_pulp_mm", 1.4},
+                      {"pulp_exposed_mm2", 0.0},    {"perforated_mm2", 0.0},          {"beyond_lesion_mm", 0.4},
+                      {"ridge_lost_mm", 0.3},       {"caries_at_junction_mm2", 0.1},  {"removed_mm3", 8.0}};
         ScoreSheet sheet = grade(rubric, values);
         QCOMPARE(sheet.criteria[0].lostTenths, 160);
         QCOMPARE(sheet.criteria[1].tolerance, 2.5 + 0.35 * 6.0);
