@@ -375,8 +375,13 @@ private slots:
         const auto made = laidTooth(33, "buccal", 90.0, 0.5, LesionSite::Cervical);
         QVERIFY(support::succeeds(scan) && support::succeeds(made));
         QVERIFY(!teeth::isGenerated(*scan->anatomy));
-        QVERIFY(support::near(scan->report.modelVolumeMm3, made->report.modelVolumeMm3, 1.0));
-        QVERIFY(support::near(decayBelowTip(*scan->anatomy), decayBelowTip(*made->anatomy), 0.1));
+        // Where the neck of a scan is, is guessed from the width of its crown: so are the end of its root and its
+        // decay.
+        constexpr double kGuessMm = 0.5;
+        QVERIFY(support::between(scan->report.modelVolumeMm3 / made->report.modelVolumeMm3, 0.95, 1.05));
+        QVERIFY(support::near(decayBelowTip(*scan->anatomy), decayBelowTip(*made->anatomy), kGuessMm));
+        for (std::size_t k = 0; k < scan->anatomy->grid.count(); ++k)
+            QVERIFY(isSolid(*scan->anatomy, k) || scan->anatomy->layers[k] == terrain::ColumnLayers{});
     }
 };
 

@@ -61,7 +61,7 @@ private slots:
         QCOMPARE(inLanguage(got.title, "de_AT"), std::string("Versuch"));
         QCOMPARE(inLanguage(got.title, "ja"), std::string("Try"));
         QCOMPARE(inLanguage(got.goal, "de"), std::string("Take the decay out."));
-        QCOMPARE(std::get<MadeTooth>(got.tooth), (MadeTooth{36, 7}));
+        QCOMPARE(std::get<MadeTooth>(got.tooth), (MadeTooth{36, 7, {}}));
         QCOMPARE(got.gridSide, 200);
         QCOMPARE(got.lesion->extent, 0.5);
         QCOMPARE(got.ideal->sizes.at("depth_mm"), 1.75);
@@ -324,7 +324,7 @@ private slots:
             m_folder->read("own.lesson.json", own({{"minutes", 20}, {"tooth", QJsonObject{{"seed", 9}}}}));
         QVERIFY2(read.lesson, qPrintable(sentencesOf(read)));
         QCOMPARE(read.lesson->id, std::string("own"));
-        QCOMPARE(std::get<MadeTooth>(read.lesson->tooth), (MadeTooth{36, 9}));
+        QCOMPARE(std::get<MadeTooth>(read.lesson->tooth), (MadeTooth{36, 9, {}}));
         QCOMPARE(read.lesson->minutes, 20.0);
     }
 

@@ -118,7 +118,7 @@ private slots:
     {
         Lesson lesson = named("orientation-2-hold");
         const QImage tooth = picture(lesson);
-        lesson.tooth = lessons::Scan{"/nowhere/at-all.stl", {}, {}, {}, 36};
+        lesson.tooth = lessons::Scan{"/nowhere/at-all.stl", {}, {}, {}, 36, {}};
         lesson.hash = "scan";
         m_picture->setLesson(lesson);
         const QImage making = shown();
