@@ -43,7 +43,8 @@ struct CommandPart
 /// @returns the exit status of the program
 int runPart(const QString& command, std::span<const CommandPart> parts, const QStringList& arguments);
 
-/// Adds --grid --unit --up --fdi --frame --seed --layers --caries --lies --tilt --site --extent: how a tooth is read or made.
+/// Adds --grid --unit --up --fdi --frame --seed --layers --caries --lies --tilt --site --extent: how a tooth is read or
+/// made.
 void addToothOptions(QCommandLineParser& parser);
 
 /// Their values, or a sentence about the first that is wrong: a matter for wrongUsage(). Wrong are also the number of a

@@ -30,7 +30,8 @@ struct PlacedLandmark
 
 /// Finds a landmark on the uncut surface of a posterior tooth. A pit is the lowest point within the outline of the
 /// ideal: in the middle of the tooth, or in its mesial or distal part. A ridge is the highest point on the line along
-/// which the outline runs to the mesial or distal edge. Returns an empty list if the tooth has no such place or lies on a side.
+/// which the outline runs to the mesial or distal edge. Returns an empty list if the tooth has no such place or lies on
+/// a side.
 /// @param ideal  of this anatomy; not null
 [[nodiscard]] std::vector<PlacedLandmark> findLandmark(Landmark landmark, const terrain::ToothAnatomy& anatomy,
                                                        const std::vector<float>& ideal);

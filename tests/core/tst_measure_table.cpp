@@ -102,29 +102,30 @@ private slots:
         std::string ids;
         for (const MeasureInfo& row : grading::measureTable())
             ids += std::string(row.id) + ' ';
-        QCOMPARE(ids,
-                 std::string(
-                     "caries_removed_mm3 caries_removed_percent caries_left_mm3 caries_left_percent "
-                     "caries_largest_island_mm3 caries_at_junction_mm2 caries_on_floor_mm2 beyond_lesion_mm "
-                     "ridge_lost_mm below_lesion_mm lesion_mm3 access_mm3 smallest_cavity_mm3 sound_overcut_mm3 "
-                     "enamel_removed_mm3 "
-                     "dentin_removed_mm3 pulp_removed_mm3 deepest_cut_mm pulp_exposed_mm2 perforated_mm2 "
-                     "remaining_over_pulp_mm ideal_mm3 removed_mm3 overcut_mm3 overcut_beside_mm3 "
-                     "overcut_below_mm3 undercut_mm3 overcut_percent undercut_percent ideal_cut_percent dice iou "
-                     "depth_error_mean_mm depth_error_signed_mm depth_error_p95_mm depth_too_deep_mm "
-                     "depth_too_shallow_mm depth_deep_p95_mm depth_shallow_p95_mm floor_gouge_mm outline_mean_mm "
-                     "outline_signed_mm outline_p95_mm outline_max_mm "
-                     "outline_over_mm outline_under_mm beyond_ideal_mm isthmus_width_mm isthmus_error_mm ridge_mesial_mm "
-                     "ridge_distal_mm ridge_least_mm wall_angle_mesial_deg wall_angle_distal_deg "
-                     "wall_angle_buccal_deg wall_angle_lingual_deg wall_angle_least_deg wall_angle_most_deg "
-                     "wall_angle_error_deg wall_roughness_mm floor_flatness_mm floor_slope_deg floor_step_mm "
-                     "floor_into_dentin_mm unsupported_enamel_mm3 target_removed_percent leeway_sides_removed_percent "
-                     "leeway_bottom_removed_percent container_sides_mm3 container_bottom_mm3 time_total_s "
-                     "time_to_first_cut_s time_cutting_s longest_pause_s path_mm path_cutting_mm strokes "
-                     "stroke_length_mean_mm stroke_time_mean_s lift_offs force_mean_n force_sd_n force_p95_n "
-                     "force_largest_n force_over_limit_s jerk_rms_mm_s3 drill_in_air_s contact_bur_off_s "
-                     "undo_count neighbour_hits infractions aids_used points_touched_percent time_to_touch_all_s "
-                     "hold_longest_s hold_within_percent hold_error_n layers_named_percent "));
+        QCOMPARE(
+            ids,
+            std::string(
+                "caries_removed_mm3 caries_removed_percent caries_left_mm3 caries_left_percent "
+                "caries_largest_island_mm3 caries_at_junction_mm2 caries_on_floor_mm2 beyond_lesion_mm "
+                "ridge_lost_mm below_lesion_mm lesion_mm3 access_mm3 smallest_cavity_mm3 sound_overcut_mm3 "
+                "enamel_removed_mm3 "
+                "dentin_removed_mm3 pulp_removed_mm3 deepest_cut_mm pulp_exposed_mm2 perforated_mm2 "
+                "remaining_over_pulp_mm ideal_mm3 removed_mm3 overcut_mm3 overcut_beside_mm3 "
+                "overcut_below_mm3 undercut_mm3 overcut_percent undercut_percent ideal_cut_percent dice iou "
+                "depth_error_mean_mm depth_error_signed_mm depth_error_p95_mm depth_too_deep_mm "
+                "depth_too_shallow_mm depth_deep_p95_mm depth_shallow_p95_mm floor_gouge_mm outline_mean_mm "
+                "outline_signed_mm outline_p95_mm outline_max_mm "
+                "outline_over_mm outline_under_mm beyond_ideal_mm isthmus_width_mm isthmus_error_mm ridge_mesial_mm "
+                "ridge_distal_mm ridge_least_mm wall_angle_mesial_deg wall_angle_distal_deg "
+                "wall_angle_buccal_deg wall_angle_lingual_deg wall_angle_least_deg wall_angle_most_deg "
+                "wall_angle_error_deg wall_roughness_mm floor_flatness_mm floor_slope_deg floor_step_mm "
+                "floor_into_dentin_mm unsupported_enamel_mm3 target_removed_percent leeway_sides_removed_percent "
+                "leeway_bottom_removed_percent container_sides_mm3 container_bottom_mm3 time_total_s "
+                "time_to_first_cut_s time_cutting_s longest_pause_s path_mm path_cutting_mm strokes "
+                "stroke_length_mean_mm stroke_time_mean_s lift_offs force_mean_n force_sd_n force_p95_n "
+                "force_largest_n force_over_limit_s jerk_rms_mm_s3 drill_in_air_s contact_bur_off_s "
+                "undo_count neighbour_hits infractions aids_used points_touched_percent time_to_touch_all_s "
+                "hold_longest_s hold_within_percent hold_error_n layers_named_percent "));
     }
 
     void anUnknownIdIsNone()

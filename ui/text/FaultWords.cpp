@@ -63,11 +63,13 @@ namespace {
     QT_TRANSLATE_NOOP("Fault", "a tooth is tilted by %1 to %2 degrees, not by %3"),
     QT_TRANSLATE_NOOP("Fault", "a bur reaches no fissure of a tooth that is tilted by more than %1 degrees"),
     QT_TRANSLATE_NOOP("Fault", "decay below a contact is on the mesial or distal side; let the tooth lie that way"),
-    QT_TRANSLATE_NOOP("Fault", "decay at the neck or in a pit of a side is on the buccal or lingual side; let the tooth "
-                               "lie that way"),
+    QT_TRANSLATE_NOOP("Fault",
+                      "decay at the neck or in a pit of a side is on the buccal or lingual side; let the tooth "
+                      "lie that way"),
     QT_TRANSLATE_NOOP("Fault", "there is no pit on the side that tooth '%1' shows"),
-    QT_TRANSLATE_NOOP("Fault", "this preparation is made for a tooth that stands upright; leave out \"lies\", or take an "
-                               "ideal from attempts at this tooth"),
+    QT_TRANSLATE_NOOP("Fault",
+                      "this preparation is made for a tooth that stands upright; leave out \"lies\", or take an "
+                      "ideal from attempts at this tooth"),
     QT_TRANSLATE_NOOP("Fault", "The captured ideal is damaged. Use a copy of the file, or capture it again."),
     QT_TRANSLATE_NOOP("Fault",
                       "The ideal was captured on the tooth '%1' (seed %2, grid %3) and does not fit '%4' (seed "
