@@ -464,7 +464,7 @@ private:
                    : buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, layerOptions());
         warnAboutPulp();
         endStage("layers");
-        if (const Status fits = checkSite(m_options.site.value_or(usualSite(m_options.lying)), m_options.lying);
+        if (Status fits = checkSite(m_options.site.value_or(usualSite(m_options.lying)), m_options.lying);
             m_options.caries && !fits)
             return fits;
         if (m_options.caries && m_laid) {

@@ -29,6 +29,9 @@ namespace support {
 
 constexpr int kPatienceMs = 60000;
 
+/// After so long without an answer, a person presses again.
+constexpr int kSecondTryMs = 3000;
+
 /// The whole program with its window and a folder of its own: the base of the tests that use the program as a user
 /// does.
 class ProgramWindow : public QObject
@@ -48,6 +51,18 @@ protected:
     void waitForPage() const
     {
         WAIT_FOR(child<Page>()->isVisible());
+    }
+    /// Asks for the grade until the page is there. What the hand did last may not be counted yet: a person presses
+    /// again.
+    template <class Page>
+    void gradeUntil() const
+    {
+        const auto isThere = [this] { return child<Page>()->isVisible(); };
+        const auto press = [&] {
+            actions().grade->trigger();
+            return QTest::qWaitFor(isThere, kSecondTryMs);
+        };
+        WAIT_FOR(isThere() || press());
     }
     /// Returns the text in the message bar.
     [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }

@@ -10,6 +10,7 @@
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "ui/people/HistoryPage.h"
+#include "ui/study/Forecast.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/Language.h"
 #include "ui/tooth/ToothView.h"
@@ -181,14 +182,13 @@ void SchoolWindow::assign(const std::string& lesson, int attempts, const std::st
 
 void SchoolWindow::grade(const QString& words) const
 {
-    actions().grade->trigger();
-    waitForPage<ui::study::ScorePage>();
+    gradeUntil<ui::study::ScorePage>();
     waitForSaved(words);
 }
 
 void SchoolWindow::gradeLesson(int expectedAttempts) const
 {
-    actions().grade->trigger();
+    gradeUntil<ui::study::Forecast>();
     expectScore();
     WAIT_FOR_VALUE(attempts(), expectedAttempts);
 }

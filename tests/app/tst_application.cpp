@@ -26,6 +26,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
+#include "ui/study/Forecast.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -488,7 +489,7 @@ private slots:
         waitForNewTooth([this] { answer(); });
         const auto* left = child<ui::shell::TabularLabel>("lessonTime");
         QTRY_VERIFY2_WITH_TIMEOUT(left->text().startsWith("5:"), qPrintable(left->text()), kPatienceMs);
-        actions().grade->trigger();
+        gradeUntil<ui::study::Forecast>();
         expectScore();
         static_cast<void>(killWithJournal());
         start();
@@ -570,6 +571,8 @@ private:
         if (!child<QPushButton>("exerciseGrade")->isVisible())
             return QStringLiteral("is not offered");
         click("exerciseGrade");
+        if (!QTest::qWaitFor([this] { return child<ui::study::Forecast>()->isVisible(); }, support::kSecondTryMs))
+            gradeUntil<ui::study::Forecast>();
         expectScore();
         return child<ui::shell::TabularLabel>("total")->text();
     }
@@ -577,8 +580,7 @@ private:
     /// Has the work graded and goes back to it.
     void grade() const
     {
-        actions().grade->trigger();
-        waitForPage<ui::study::ScorePage>();
+        gradeUntil<ui::study::ScorePage>();
         actions().back->trigger();
     }
 

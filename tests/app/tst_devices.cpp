@@ -116,8 +116,7 @@ private slots:
         QVERIFY(child<QLabel>("forceDevice")->isVisible());
         QVERIFY(child<QToolButton>("deviceButton")->toolTip().contains("Test Arm"));
         cutWithArm();
-        actions().grade->trigger();
-        waitForPage<ui::study::ScorePage>();
+        gradeUntil<ui::study::ScorePage>();
         WAIT_FOR_VALUE(deviceOfTheAttempt(), QString("arm"));
     }
 

@@ -42,9 +42,6 @@ constexpr std::array kKinds{"orientation-3-layers", "orientation-1-touch", "orie
 
 constexpr std::array kDevices{"mouse", "pen", "keyboard", "gamepad"};
 
-/// After so long without an answer, a person presses again.
-constexpr int kSecondTryMs = 3000;
-
 QModelIndex indexOf(const QListView& list, const QString& lesson)
 {
     for (int row = 0; row < list.model()->rowCount(); ++row)
@@ -501,7 +498,7 @@ private:
                 m_hand->press(*goOn);
             if (auto* const button = buttonFor(*actions().grade); button != nullptr && !isAsked())
                 m_hand->grade(*button);
-            return QTest::qWaitFor(isAsked, kSecondTryMs);
+            return QTest::qWaitFor(isAsked, support::kSecondTryMs);
         };
         WAIT_FOR(isAsked() || ask());
         m_hand->raiseSlider(*child<QSlider>("expected"));
