@@ -140,7 +140,7 @@ std::vector<Advice> adviceOn(const ScoreSheet& sheet, const Measured& measured,
     std::vector<Advice> all;
     for (std::size_t k = 0; k < sheet.criteria.size(); ++k) {
         const Criterion& line = sheet.criteria[k];
-        const bool hasFailed = line.critical && line.share > 0.0;
+        const bool hasFailed = line.critical && line.capTenths == 0 && line.share > 0.0;
         if (line.lostTenths == 0 && !hasFailed)
             continue;
         const Moment* worst = k < moments.size() ? worstOf(moments[k]) : nullptr;
@@ -159,7 +159,7 @@ std::vector<Advice> adviceOn(const ScoreSheet& sheet, const Measured& measured,
         if (same == each.end())
             each.push_back(advice);
         else if (sheet.criteria[same->criterion].critical && !sheet.criteria[advice.criterion].critical)
-            same->criterion = advice.criterion;
+            *same = advice;
     }
     return each;
 }

@@ -10777,9 +10777,9 @@ ungesichert</translation>
         <translation>Den Moment in der Wiedergabe zeigen</translation>
     </message>
     <message>
-        <source>Not passed: an error limits the score to %1</source>
+        <source>Not passed: limited to %1</source>
         <extracomment>%1: points of a score</extracomment>
-        <translation>Nicht bestanden: Ein Fehler begrenzt die Punktzahl auf %1</translation>
+        <translation>Nicht bestanden: höchstens %1</translation>
     </message>
 </context>
 <context>

@@ -10777,9 +10777,9 @@ sin guardar</translation>
         <translation>Mostrar el momento en la repetición</translation>
     </message>
     <message>
-        <source>Not passed: an error limits the score to %1</source>
+        <source>Not passed: limited to %1</source>
         <extracomment>%1: points of a score</extracomment>
-        <translation>No aprobado: un error limita la puntuación a %1</translation>
+        <translation>No aprobado: como máximo %1</translation>
     </message>
 </context>
 <context>

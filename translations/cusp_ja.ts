@@ -10712,9 +10712,9 @@ unsaved</source>
         <translation>再生でその場面を見る</translation>
     </message>
     <message>
-        <source>Not passed: an error limits the score to %1</source>
+        <source>Not passed: limited to %1</source>
         <extracomment>%1: points of a score</extracomment>
-        <translation>不合格：誤りにより得点は最大%1点</translation>
+        <translation>不合格：最大%1点</translation>
     </message>
 </context>
 <context>

@@ -303,7 +303,7 @@ private slots:
         // Under a version that neither of them had.
         QCOMPARE(saved()["version"].toInt(), others["version"].toInt() + 1);
         // And once more, over what was written just now.
-        spin("depth_mm")->setValue(1.25);
+        spin("depth_mm")->setValue(1.75);
         QTRY_SAVE("Saved");
     }
 
@@ -392,7 +392,7 @@ private slots:
         QTRY_CHECKED(QStringLiteral("⚠ Wrong: scan.lesson.json"));
         QVERIFY2(anyFault(""), "what is wrong is said");
         QVERIFY(!has("depth_mm") && !has("tolerance.outline"));
-        QCOMPARE(spin("tolerance.sound_tissue")->value(), 4.0);
+        QCOMPARE(spin("tolerance.sound_tissue")->value(), 2.5);
     }
 
     void draftsAreKeptUntilTheyAreDiscarded()
@@ -537,7 +537,7 @@ private slots:
         const ::lessons::Lesson lesson = *shipped("class1-36").lesson;
         const auto assignment = support::assigned("class1-36");
         std::vector<PastAttempt> attempts;
-        for (const float tooDeep : {0.0F, 0.4F, 0.9F}) {
+        for (const float tooDeep : {0.0F, 0.4F, 0.55F}) {
             std::vector<float> top = *assignment.ideal->top;
             for (std::size_t k = 0; k < top.size(); ++k)
                 if (assignment.ideal->parts[k] == core::grading::Part::Floor)

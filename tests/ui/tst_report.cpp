@@ -301,7 +301,7 @@ private slots:
         limited.sheet.criteria.front().capTenths = 650;
         limited.sheet.criteria.front().share = 1.0;
         limited.sheet.totalTenths = 650;
-        row("limited", limited, {"Not passed: an error limits the score to 65.0"});
+        row("limited", limited, {"Not passed: limited to 65.0"});
         row("harm, aids and a breach", card,
             {ui::study::ScorePage::verdictWords(card.sheet, {}), "Not passed: critical error",
              "1 breach(es) of the rules: ", " at 0:37", "Aids in use: section, ideal", "Middle half", "Class median",

@@ -153,7 +153,7 @@ private slots:
         const auto* heat = child<HeatMap>();
         int places = 0;
         std::set<std::size_t> nodes;
-        for (CriterionRow* row : m_page->findChildren<CriterionRow*>()) {
+        for (CriterionRow* row : rows()) {
             QTest::mouseClick(row, Qt::LeftButton, {}, {8, 8});
             QVERIFY(row->isChecked());
             const auto own = core::grading::findMeasure(row->criterion().measure)->nodeIn(made.work.measured);
@@ -323,9 +323,9 @@ private slots:
         show(made);
         const auto isShown = [this](const char* name) { return child<CriterionRow>(name)->isVisible(); };
         QVERIFY(!isShown("criterion_thin") && isShown("criterion_in_enamel"));
-        QVERIFY(isShown("criterion_pulp_exposure") && isShown("criterion_depth"));
+        QVERIFY(!isShown("criterion_pulp_exposure") && isShown("criterion_depth"));
         // The arrow keys pass over what is hidden.
-        auto* last = child<CriterionRow>("criterion_perforation");
+        auto* last = child<CriterionRow>("criterion_floor");
         last->setFocus();
         QTest::keyClick(last, Qt::Key_Down);
         QVERIFY(!QApplication::focusWidget()->isHidden() && QApplication::focusWidget() != last);
@@ -613,6 +613,13 @@ private slots:
     }
 
 private:
+    /// Those that are shown.
+    [[nodiscard]] QList<CriterionRow*> rows() const
+    {
+        auto all = m_page->findChildren<CriterionRow*>();
+        all.removeIf([](const CriterionRow* row) { return row->isHidden(); });
+        return all;
+    }
     void show(const Faulty& made)
     {
         const QList<database::AttemptRecord> past = attempts(made.sheet);
@@ -622,8 +629,8 @@ private:
         m_page->setClass({1, {}});
         m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
         // Pages are laid out in passes.
-        const auto rows = m_page->findChildren<CriterionRow*>();
-        QTRY_VERIFY(rows.size() == 1 || rows.back()->y() >= rows.front()->y() + rows.front()->height());
+        const auto all = rows();
+        QTRY_VERIFY(all.size() == 1 || all.back()->y() >= all.front()->y() + all.front()->height());
         QApplication::processEvents();
     }
 };

@@ -453,7 +453,7 @@ private slots:
         QVERIFY2(given.isEmpty(), "the answer is chosen first");
         press(Qt::Key_Return);
         QCOMPARE(given.size(), 1);
-        QCOMPARE(worst(), std::string("outline"));
+        QCOMPARE(worst(), std::string("gouge"));
         // What cost most may be left open.
         actions().back->trigger();
         m_window->askForecast();

@@ -148,8 +148,9 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
 void CriterionRow::setDetailed(bool detailed)
 {
     m_worked->setVisible(detailed);
-    // A limit that took nothing is one of many.
-    setHidden(!detailed && m_criterion.capTenths > 0 && m_criterion.lostTenths == 0);
+    // A serious error that was not made is one of many, and so is a limit that took nothing.
+    const bool isMade = m_criterion.lostTenths > 0 || (m_criterion.capTenths == 0 && m_criterion.share > 0.0);
+    setHidden(!detailed && m_criterion.critical && !isMade);
 }
 
 void CriterionRow::bePlain()

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] const ::lessons::Criterion& criterion() const { return m_criterion; }
     /// @param moments  as lessons::momentsOf() finds them
     void setMoments(const std::vector<::lessons::Moment>& moments);
-    /// Shows how the points were worked out, too. Without details, a limit that took no points hides.
+    /// Shows how the points were worked out, too. Without details, a serious error that was not made hides.
     void setDetailed(bool detailed);
     /// Makes the row plain text: there is no tooth to show its worst place on.
     void bePlain();

@@ -698,7 +698,7 @@ QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optiona
     if (!limit || *limit > sheet.totalTenths)
         return tr("Not passed yet");
     //: %1: points of a score
-    return *limit > 0 ? tr("Not passed: an error limits the score to %1").arg(text::points(*limit))
+    return *limit > 0 ? tr("Not passed: limited to %1").arg(text::points(*limit))
                       : tr("Not passed: critical error");
 }
 
