@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const std::optional<std::array<double, 3>>& pin() const { return m_pin; }
     /// Where a place of the tooth is in the picture; a work is shown.
     [[nodiscard]] QPointF pointOf(const std::array<double, 3>& placeMm) const;
-    [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, 140}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
 signals:

@@ -21,7 +21,7 @@ public:
     void setColours(render::Palette colours);
     void setOnPaper(bool onPaper);
 
-    [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, 140}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
 protected:
