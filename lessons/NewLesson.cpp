@@ -113,11 +113,18 @@ QJsonObject toothOf(const NewLesson& wishes)
     return tooth;
 }
 
+/// A premolar keeps thinner ridges than a molar.
+const char* classOneRubric(int fdi)
+{
+    return fdi % 10 == 4 || fdi % 10 == 5 ? "class1_premolar" : "class1";
+}
+
 /// The kind of ideal that is usual for a tooth, and the rubric for it.
 core::Result<std::pair<QString, QString>> kindFor(int fdi)
 {
     using core::preparation::Kind;
-    for (const auto& [kind, rubric] : {std::pair(Kind::ClassOne, "class1"), std::pair(Kind::Access, "access")})
+    for (const auto& [kind, rubric] :
+         {std::pair(Kind::ClassOne, classOneRubric(fdi)), std::pair(Kind::Access, "access")})
         if (core::preparation::usualDesign(kind, fdi)) {
             const std::string_view id = core::preparation::kindId(kind);
             return std::pair(QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())), QLatin1String(rubric));
@@ -193,7 +200,8 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
         const auto texts = [](const QString& en, const QString& de, const QString& es, const QString& ja) {
             return QJsonObject{{"en", en}, {"de", de}, {"es", es}, {"ja", ja}};
         };
-        QString rubric = QLatin1String(beginning.rubric);
+        QString rubric =
+            QLatin1String(task == Task::CutIdeal ? classOneRubric(wishes.fdi.value_or(kUsualTooth)) : beginning.rubric);
         object.insert(QStringLiteral("title"),
                       wishes.title.isEmpty()
                           ? QJsonValue(texts(QString::fromUtf8(beginning.titleEn).arg(toothName(wishes)),
