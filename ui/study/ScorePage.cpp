@@ -698,8 +698,7 @@ QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optiona
     if (!limit || *limit > sheet.totalTenths)
         return tr("Not passed yet");
     //: %1: points of a score
-    return *limit > 0 ? tr("Not passed: limited to %1").arg(text::points(*limit))
-                      : tr("Not passed: critical error");
+    return *limit > 0 ? tr("Not passed: limited to %1").arg(text::points(*limit)) : tr("Not passed: critical error");
 }
 
 QString ScorePage::sumWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)
