@@ -163,8 +163,9 @@ struct Deviation
 
     std::optional<DepthError> depth;          ///< nothing for an ideal without Floor
     std::optional<OutlineDeviation> outline;  ///< nothing unless both ideal and cut have an outline
-    Placed
-        beyondMm;  ///< kStrayMm2 of the cut, lowered by kStrayDepthMm or more, are so far outside the ideal, or farther
+    /// Distance of the cut outside the ideal outline from that outline, mm. At least kStrayMm2 of the cut are as far
+    /// away. Only places that were lowered by kStrayDepthMm or more count.
+    Placed beyondMm;
     std::optional<FloorForm> floor;  ///< nothing unless three columns of the Floor, not in a row, are cut
     Form form;                       ///< of the cut
     Form idealForm;                  ///< of the ideal, measured the same way

@@ -22,11 +22,11 @@ struct LesionCut
     /// most of it is left.
     Placed junctionMm2;
     Placed floorMm2;
-    /// mm that kStrayMm2 of the cut are away from the smallest cavity, or farther, seen from above. Counted is what was
-    /// lowered by kStrayDepthMm or more.
+    /// Distance of the cut from the smallest cavity, mm, seen from above. At least kStrayMm2 of the cut are as far
+    /// away. Only places that were lowered by kStrayDepthMm or more count.
     Placed beyondMm;
-    /// mm that kLocalMm2 of the cut lie below the lesion, or more: below the lowest floor of decay within
-    /// kLesionReachMm. Nothing counts that is farther from the lesion.
+    /// Depth of the cut below the lesion, mm: below the lowest decay within kLesionReachMm. At least kLocalMm2 of the
+    /// cut are as deep. Places farther from the lesion do not count.
     Placed belowMm;
     /// As in Form.
     std::optional<Placed> ridgeMesialMm;
@@ -36,7 +36,8 @@ struct LesionCut
     bool operator==(const LesionCut&) const = default;
 };
 
-/// Nothing for a tooth without a lesion. Some milliseconds at 150 x 150. Any thread that owns the tooth.
+/// Measures how the cut in a tooth lies to its lesion. Returns nothing for a tooth without a lesion. Takes some
+/// milliseconds at 150 x 150. Any thread that owns the tooth may call it.
 [[nodiscard]] std::optional<LesionCut> measureLesionCut(const terrain::Tooth& tooth);
 
 }  // namespace core::grading

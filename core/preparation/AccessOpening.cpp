@@ -189,7 +189,7 @@ double highestPulpMm(const terrain::ToothAnatomy& anatomy)
     return highest;
 }
 
-/// y of the edge of an upright incisor: the mean of the highest places in slices across.
+/// Returns y of the incisal edge of an upright incisor: the mean over all rows along y of the y of the highest place.
 double edgeOf(const terrain::ToothAnatomy& anatomy)
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -208,7 +208,7 @@ double edgeOf(const terrain::ToothAnatomy& anatomy)
     return edgeY / edges;
 }
 
-/// How far along its own axis the neck of a tooth is that lies on a side, mm in the frame it is cut in.
+/// Returns the position of the neck along the axis of a tooth that lies on a side, mm in the frame in which it is cut.
 double neckAlongAxis(const terrain::ToothAnatomy& anatomy)
 {
     const glm::dvec3 axis = anatomy.lying.cutFromOwn() * glm::dvec3(0.0, 0.0, 1.0);

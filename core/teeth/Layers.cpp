@@ -128,7 +128,7 @@ private:
     double m_deepestSide = 0.0;
     double m_centreX = 0.0;
     double m_halfWidth = 1.0;
-    bool m_isSteepAside = false;  ///< the neck rises with the fourth power, as on our posterior teeth
+    bool m_isSteepAside = false;  ///< towards the sides, the neck rises with the fourth power of the distance
 };
 
 /// The most enamel that a place near a fissure may have: 1.2 below its mouth and 0.25 below its base
@@ -175,7 +175,7 @@ std::vector<float> ridgeUnderEdge(const Lattice& lattice, const terrain::Grid& g
 {
     constexpr float kBelowHighestMm = 2.0F;  // what is lower is no edge but the cingulum
     constexpr double kNearMm = 0.5;
-    constexpr double kAlongEdge = 0.15;  // an edge falls less than that over that distance, the sides more
+    constexpr double kAlongEdge = 0.15;  // within kNearMm, an edge falls by less than this, its sides by more
     constexpr double kOffEdge = 3.0;     // the ridge is lower by that much of what a place is beyond it
     constexpr double kFlank = 2.5;
     constexpr double kReachMm = 1.0;

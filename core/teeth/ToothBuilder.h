@@ -64,7 +64,7 @@ struct ToothReport
     std::size_t shellsInside = 0;     ///< of them, inside another
     std::size_t shellsInsideOut = 0;  ///< of them, turned because they looked inwards
     mesh::Placement placement;
-    glm::dvec3 lowMm{};  ///< bounds in the frame the tooth is cut in
+    glm::dvec3 lowMm{};  ///< lowest corner of the bounding box, in the frame in which the tooth is cut
     glm::dvec3 highMm{};
     double meshAreaMm2 = 0.0;
     double meshVolumeMm3 = 0.0;         ///< signed sum over the faces; means something where oriented

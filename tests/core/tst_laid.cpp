@@ -349,7 +349,7 @@ private slots:
             QVERIFY(recording::toothFrom(wrong) == nullptr);
         }
         QVERIFY(recording::toothFrom(bytes.substr(0, bytes.size() - 1)) == nullptr);
-        // Of an upright tooth nothing is added, so that older programs read it.
+        // Nothing is added for an upright tooth, so that older versions of Cusp can read the recording.
         ToothAnatomy upright = *tooth->anatomy;
         upright.lying = {};
         QCOMPARE(recording::toothBytes(upright), bytes.substr(0, bytes.size() - sizeof(double) - 1));

@@ -31,8 +31,8 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 [[nodiscard]] render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface,
                                                 bool leftHanded, bool amongNeighbours);
 
-/// Names of viewpoints: start, above (along the bur), the directions of the mouth mesial, distal, buccal and lingual,
-/// and below and occlusal, the ends of the tooth's axis.
+/// Returns the names of the viewpoints: start, above (the view along the bur), mesial, distal, buccal, lingual, and the
+/// two views along the axis of the tooth, occlusal and below.
 [[nodiscard]] QStringList viewpointNames();
 
 /// Takes the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). UnknownName with one sentence,

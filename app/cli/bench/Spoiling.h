@@ -37,15 +37,17 @@ public:
     void gouge(double mm);
     /// Digs a round hole into the highest place away from the cavity, so deep.
     void hole(double mm);
-    /// Takes so much off half of the surface, with the cavity in it as it was.
+    /// Lowers half of the surface by this depth. The cavity stays as it was.
     void scribble(double mm);
-    /// Cuts on towards -x until so much of the marginal ridge is left.
+    /// Extends the cavity towards -x until the marginal ridge has only this width.
     void cutRidge(double leftMm);
-    /// Leaves the part of the cavity towards +x, so much of its area.
+    /// Leaves the part of the cavity towards +x uncut; `share` is its part of the area.
     void leave(double share);
-    /// Digs down over the highest place of the pulp below the cavity, until so much is left over it; opens it below 0.
+    /// Digs a hole above the highest place of the pulp below the cavity, until `leftMm` of tissue is left over the
+    /// pulp. A negative value opens the pulp.
     void nearPulp(double leftMm);
-    /// Leaves so much of the decay, of its volume: the outer end, at the enamel-dentin junction, or the floor.
+    /// Leaves this share of the volume of the decay: at its outer end, which lies at the enamel-dentin junction, or on
+    /// the floor.
     void leaveDecay(double share, bool atJunction);
 
 private:
