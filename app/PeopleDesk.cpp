@@ -273,7 +273,8 @@ void PeopleDesk::readLessons(const std::function<void()>& then)
             m_catalog = std::move(entries);
             std::stable_sort(m_catalog.begin(), m_catalog.end(), [](const auto& a, const auto& b) {
                 const auto place = [](const lessons::CatalogEntry& entry) {
-                    return entry.isFaulty() ? INT_MAX : ui::study::groupPlace(*entry.read.lesson);
+                    return entry.isFaulty() ? std::pair(INT_MAX, std::string())
+                                            : ui::study::groupPlace(*entry.read.lesson);
                 };
                 return place(a) < place(b);
             });

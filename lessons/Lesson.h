@@ -147,6 +147,7 @@ struct Lesson
     int version = 1;
     LocalText title;
     LocalText goal;
+    LocalText course;  ///< heading under which it is listed; empty: that of its task
     Task task = Task::RemoveDecay;
     std::variant<MadeTooth, Block, Scan> tooth;
     int gridSide = 150;

@@ -94,6 +94,7 @@ public:
         lesson.version = static_cast<int>(m_keys.whole("version", 1, kNewestFormat, 1));
         lesson.title = m_keys.local("title", true);
         lesson.goal = m_keys.local("goal", true);
+        lesson.course = m_keys.local("course", false);
         lesson.notModelled = m_keys.local("not_modelled", false);
         if (!m_keys.has("task"))
             m_keys.fault("task", {QT_TRANSLATE_NOOP("Fault", "is missing; there are %1"),

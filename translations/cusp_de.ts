@@ -623,6 +623,10 @@
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;; %2: points of a score</extracomment>
         <translation>Erlaubt: %1. Die Punktzahl ist auf %2 begrenzt</translation>
     </message>
+    <message>
+        <source>%1 of the tooth is removed</source>
+        <translation>%1 des Zahns entfernt sind</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -2457,6 +2461,27 @@
         <source>Fails the attempt: %1</source>
         <extracomment>%1: serious errors, with semicolons between</extracomment>
         <translation>Lässt den Versuch scheitern: %1</translation>
+    </message>
+    <message>
+        <source>mesial side towards the bur</source>
+        <translation>mesiale Seite zum Bohrer</translation>
+    </message>
+    <message>
+        <source>distal side towards the bur</source>
+        <translation>distale Seite zum Bohrer</translation>
+    </message>
+    <message>
+        <source>buccal side towards the bur</source>
+        <translation>bukkale Seite zum Bohrer</translation>
+    </message>
+    <message>
+        <source>lingual side towards the bur</source>
+        <translation>linguale Seite zum Bohrer</translation>
+    </message>
+    <message>
+        <source>%1 towards the bur</source>
+        <extracomment>%1: a direction of a scan, such as &quot;+x&quot;</extracomment>
+        <translation>%1 zum Bohrer</translation>
     </message>
 </context>
 <context>

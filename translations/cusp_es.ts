@@ -623,6 +623,10 @@
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;; %2: points of a score</extracomment>
         <translation>Permitido: %1. La nota se limita a %2 puntos</translation>
     </message>
+    <message>
+        <source>%1 of the tooth is removed</source>
+        <translation>se haya eliminado %1 del diente</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -2457,6 +2461,27 @@
         <source>Fails the attempt: %1</source>
         <extracomment>%1: serious errors, with semicolons between</extracomment>
         <translation>Suspende el intento: %1</translation>
+    </message>
+    <message>
+        <source>mesial side towards the bur</source>
+        <translation>cara mesial hacia la fresa</translation>
+    </message>
+    <message>
+        <source>distal side towards the bur</source>
+        <translation>cara distal hacia la fresa</translation>
+    </message>
+    <message>
+        <source>buccal side towards the bur</source>
+        <translation>cara vestibular hacia la fresa</translation>
+    </message>
+    <message>
+        <source>lingual side towards the bur</source>
+        <translation>cara lingual hacia la fresa</translation>
+    </message>
+    <message>
+        <source>%1 towards the bur</source>
+        <extracomment>%1: a direction of a scan, such as &quot;+x&quot;</extracomment>
+        <translation>%1 hacia la fresa</translation>
     </message>
 </context>
 <context>

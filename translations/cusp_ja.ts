@@ -621,6 +621,10 @@
         <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;; %2: points of a score</extracomment>
         <translation>許容：%1。得点は最大%2点です</translation>
     </message>
+    <message>
+        <source>%1 of the tooth is removed</source>
+        <translation>歯の%1の除去</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -2454,6 +2458,27 @@
         <source>Fails the attempt: %1</source>
         <extracomment>%1: serious errors, with semicolons between</extracomment>
         <translation>不合格になる：%1</translation>
+    </message>
+    <message>
+        <source>mesial side towards the bur</source>
+        <translation>近心面をバーに向けて置く</translation>
+    </message>
+    <message>
+        <source>distal side towards the bur</source>
+        <translation>遠心面をバーに向けて置く</translation>
+    </message>
+    <message>
+        <source>buccal side towards the bur</source>
+        <translation>頬側面をバーに向けて置く</translation>
+    </message>
+    <message>
+        <source>lingual side towards the bur</source>
+        <translation>舌側面をバーに向けて置く</translation>
+    </message>
+    <message>
+        <source>%1 towards the bur</source>
+        <extracomment>%1: a direction of a scan, such as &quot;+x&quot;</extracomment>
+        <translation>%1をバーに向けて置く</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@
 #include "ui/inside/OutlinePainter.h"
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/LessonScene.h"
 #include "ui/study/LessonWords.h"
 
 namespace app::cli {
@@ -101,9 +102,9 @@ core::Result<QImage> sheetOf(const lessons::Lesson& lesson, QSize size)
     painter.drawImage(place(0).topLeft(), *inSpace);
 
     const auto tolerances = lessons::tolerancesOf(lesson.rubric);
-    core::imaging::SectionPlane plane;
-    plane.throughMm = anatomy.grid.middleMm();
-    plane.angleRad = 0.5 * std::numbers::pi;
+    core::imaging::SectionPlane plane{anatomy.grid.middleMm(), 0.5 * std::numbers::pi};
+    if (const auto throughDecay = ui::study::planeThroughDecay(whole))
+        plane = *throughDecay;
     std::optional<core::preparation::ToleranceBand> band;
     if (assignment.ideal) {
         band = core::preparation::toleranceBand(anatomy, *assignment.ideal, tolerances.outlineMm, tolerances.depthMm);

@@ -37,7 +37,8 @@ constexpr double kPitTo = 0.75;
 constexpr double kPitAside = 0.4;
 constexpr double kPitHalfMouthMm = 0.7;
 constexpr float kLeastPitMm = 0.04F;
-constexpr float kGrooveEnd = 0.5F;  ///< share of its greatest depth with which a groove ends
+constexpr float kGrooveEnd = 0.5F;   ///< share of its greatest depth with which a groove ends
+constexpr double kGroovePit = 0.55;  ///< height in the crown, at most, of the pit in which a molar's groove ends
 constexpr float kLeastEnamelMm = 0.25F;
 constexpr float kLeastDentinMm = 1.5F;
 
@@ -75,7 +76,7 @@ public:
     [[nodiscard]] glm::dvec3 ownMm(std::size_t k) const { return m_laid.ownMm({m_grid.nodeMm(k), m_top[k]}); }
 
     /// The deepest pit in the middle of the crown that has enamel and dentin below it, by how far it is below what a
-    /// disc would close. Of a posterior tooth: the lower end of its deepest groove, where its pit is.
+    /// disc would close. Of a posterior tooth: where the deepest groove goes on to, halfway down the crown.
     [[nodiscard]] std::optional<std::size_t> deepestPit(const std::vector<terrain::ColumnLayers>& layers) const
     {
         const Lattice lattice(m_grid);
@@ -103,10 +104,24 @@ public:
         for (const Place& place : places)
             if (place.depthMm >= least && place.depthMm > kLeastPitMm && (!found || place.heightMm < found->heightMm))
                 found = place;
-        return found ? std::optional(found->node) : std::nullopt;
+        if (!found)
+            return {};
+        return isPosterior ? pitBelowGroove(found->node, layers) : found->node;
     }
 
 private:
+    [[nodiscard]] std::size_t pitBelowGroove(std::size_t grooveEnd,
+                                             const std::vector<terrain::ColumnLayers>& layers) const
+    {
+        const glm::dvec3 end = ownMm(grooveEnd);
+        const double height = m_laid.neckMm() + kGroovePit * m_laid.crownHeightMm;
+        if (end.z <= height)
+            return grooveEnd;
+        const std::size_t pit = best(
+            [&](const glm::dvec3& own) { return glm::distance(glm::dvec2(own.x, own.z), glm::dvec2(end.x, height)); });
+        return mayHoldPit(pit, layers[pit]) ? pit : grooveEnd;
+    }
+
     [[nodiscard]] bool mayHoldPit(std::size_t k, const terrain::ColumnLayers& column) const
     {
         if (!(m_top[k] > m_bottom[k]) || m_top[k] - std::max(column.dej, m_bottom[k]) < kLeastEnamelMm ||

@@ -269,6 +269,26 @@ private slots:
         spoil();
     }
 
+    void aCourseIsListedUnderItsHeading()
+    {
+        m_window->setLessons(support::catalog(), {});
+        actions().lessons->trigger();
+        const auto* model = child<QListView>("lessonList")->model();
+        QStringList headings;
+        QStringList course;
+        for (int row = 0; row < model->rowCount(); ++row) {
+            const QModelIndex index = model->index(row, 0);
+            if (!index.data(ui::study::CardEntry).isValid())
+                headings << index.data().toString();
+            else if (headings.last() == "First year")
+                course << index.data().toString();
+        }
+        QCOMPARE(headings.count("First year"), 1);
+        QVERIFY(headings.indexOf("Practice block") < headings.indexOf("First year"));
+        QVERIFY(headings.indexOf("First year") < headings.indexOf("Removing decay"));
+        QVERIFY(course.indexOf("Buccal pit on 36") < course.indexOf("Class V on 33"));
+    }
+
     void typingSearchesTheLessons()
     {
         m_window->setLessons(support::catalog(), {});

@@ -17,7 +17,8 @@ namespace {
 constexpr QRgb kRing = 0xFF56C7C9;
 constexpr float kMuchMore = 1.6F;
 
-/// Through the deepest decay, from cheek to tongue unless that misses most of it. Nothing without decay.
+}  // namespace
+
 std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain::Tooth& tooth)
 {
     const core::terrain::Grid& grid = tooth.grid();
@@ -46,8 +47,6 @@ std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain
     return core::imaging::SectionPlane{grid.nodeMm(deepest.x, deepest.y),
                                        alongX > kMuchMore * alongY ? 0.0 : 0.5 * std::numbers::pi};
 }
-
-}  // namespace
 
 bool isPictured(const Lesson& lesson)
 {

@@ -7,7 +7,9 @@
 #include <QPainter>
 #include <QRectF>
 
+#include "core/imaging/Section.h"
 #include "core/preparation/ToleranceBand.h"
+#include "core/terrain/Tooth.h"
 #include "lessons/Assignment.h"
 #include "ui/inside/OutlinePainter.h"
 #include "ui/inside/SectionPainter.h"
@@ -35,6 +37,9 @@ struct LessonScene
 [[nodiscard]] bool isPictured(const ::lessons::Lesson& lesson);
 /// Whether the ideal may be seen beforehand.
 [[nodiscard]] bool isIdealTold(const ::lessons::Lesson& lesson);
+
+/// A section through the deepest decay, from cheek to tongue unless that misses most of it. Nothing without decay.
+[[nodiscard]] std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain::Tooth& tooth);
 
 /// Makes the tooth, which takes its time. Null: it cannot be made; starting the lesson says why. Any thread.
 [[nodiscard]] std::shared_ptr<const LessonScene> makeLessonScene(const ::lessons::Lesson& lesson);

@@ -4,12 +4,16 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <string_view>
+#include <variant>
 
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QLocale>
 #include <QtMath>
 
+#include "core/teeth/Laid.h"
+#include "core/terrain/Lying.h"
 #include "lessons/Capture.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/text/Texts.h"
@@ -97,6 +101,8 @@ QString groupName(const Lesson& lesson)
 {
     if (lesson.exam)
         return QCoreApplication::translate("Lesson", "Exams");
+    if (!lesson.course.empty())
+        return said(lesson.course);
     switch (lesson.task) {
     case Task::TraceShape:
         return QCoreApplication::translate("Lesson", "Practice block");
@@ -112,23 +118,27 @@ QString groupName(const Lesson& lesson)
     return QCoreApplication::translate("Lesson", "Removing decay");
 }
 
-int groupPlace(const Lesson& lesson)
+std::pair<int, std::string> groupPlace(const Lesson& lesson)
 {
+    constexpr int kCourses = 2;
+    constexpr int kExams = 5;
     if (lesson.exam)
-        return 4;
+        return {kExams, {}};
+    if (!lesson.course.empty())
+        return {kCourses, ::lessons::inLanguage(lesson.course, "en")};
     switch (lesson.task) {
     case Task::TouchPoints:
     case Task::HoldForce:
     case Task::TellLayers:
-        return 0;
+        return {0, {}};
     case Task::TraceShape:
-        return 1;
+        return {1, {}};
     case Task::RemoveDecay:
-        return 2;
+        return {3, {}};
     case Task::CutIdeal:
         break;
     }
-    return 3;
+    return {4, {}};
 }
 
 QString toothWords(const Lesson& lesson)
@@ -138,6 +148,29 @@ QString toothWords(const Lesson& lesson)
     if (std::holds_alternative<::lessons::Block>(lesson.tooth))
         return QCoreApplication::translate("Lesson", "Practice block");
     return QFileInfo(QString::fromStdString(std::get<::lessons::Scan>(lesson.tooth).file)).fileName();
+}
+
+QString lyingWords(const Lesson& lesson)
+{
+    const auto* const made = std::get_if<::lessons::MadeTooth>(&lesson.tooth);
+    const auto* const scan = std::get_if<::lessons::Scan>(&lesson.tooth);
+    const core::terrain::Lying lying = made != nullptr   ? made->lying
+                                       : scan != nullptr ? scan->lying
+                                                         : core::terrain::Lying{};
+    if (lying.isUpright())
+        return {};
+    const std::string_view side = core::teeth::nameOf(lying, made != nullptr ? made->fdi : 0);
+    if (side == "mesial")
+        return QCoreApplication::translate("Lesson", "mesial side towards the bur");
+    if (side == "distal")
+        return QCoreApplication::translate("Lesson", "distal side towards the bur");
+    if (side == "buccal")
+        return QCoreApplication::translate("Lesson", "buccal side towards the bur");
+    if (side == "lingual")
+        return QCoreApplication::translate("Lesson", "lingual side towards the bur");
+    //: %1: a direction of a scan, such as "+x"
+    return QCoreApplication::translate("Lesson", "%1 towards the bur")
+        .arg(QString::fromLatin1(side.data(), static_cast<qsizetype>(side.size())));
 }
 
 QString shortTooth(const QString& words, const QFontMetrics& metrics, int widthPx)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include <QDateTime>
 #include <QFontMetrics>
 #include <QString>
@@ -13,12 +16,15 @@ namespace ui::study {
 
 /// A text of the lesson's own in the language of the program.
 [[nodiscard]] QString said(const ::lessons::LocalText& text);
-/// The heading of a lesson's group: "Removing decay". Exams have a group of their own, whatever their task.
+/// The heading of a lesson's group: its course, or by its task "Removing decay". Exams have a group of their own,
+/// whatever their course and task.
 [[nodiscard]] QString groupName(const ::lessons::Lesson& lesson);
-/// The order of the groups: easier work first, exams last.
-[[nodiscard]] int groupPlace(const ::lessons::Lesson& lesson);
+/// The order of the groups: easier work first, exams last. Two lessons are of one group where this is equal.
+[[nodiscard]] std::pair<int, std::string> groupPlace(const ::lessons::Lesson& lesson);
 /// "Lower left first molar (36)", "Practice block", a scan's file name.
 [[nodiscard]] QString toothWords(const ::lessons::Lesson& lesson);
+/// How the tooth lies: "buccal side towards the bur"; empty where it stands upright.
+[[nodiscard]] QString lyingWords(const ::lessons::Lesson& lesson);
 /// Those words where they are too long: the kind is cut short, and not the number behind it.
 [[nodiscard]] QString shortTooth(const QString& words, const QFontMetrics& metrics, int widthPx);
 /// "Pear, No. 330; round, No. 2", or that any may be taken.

@@ -340,13 +340,14 @@ void LessonsPage::setLessons(std::vector<CatalogEntry> entries, std::map<std::st
     // their files.
     std::stable_sort(m_entries.begin(), m_entries.end(), [this](const CatalogEntry& a, const CatalogEntry& b) {
         const auto place = [this](const CatalogEntry& entry) {
+            using Place = std::pair<std::pair<int, std::string>, qint64>;
             constexpr int kLast = 100;
             if (entry.isFaulty())
-                return std::pair(kLast, qint64{0});
+                return Place({kLast, {}}, 0);
             if (!isToDo(entry))
-                return std::pair(groupPlace(*entry.read.lesson), qint64{0});
+                return Place(groupPlace(*entry.read.lesson), 0);
             const QDateTime due = givenOf(entry)->due;
-            return std::pair(-1, due.isValid() ? due.toMSecsSinceEpoch() : std::numeric_limits<qint64>::max());
+            return Place({-1, {}}, due.isValid() ? due.toMSecsSinceEpoch() : std::numeric_limits<qint64>::max());
         };
         return place(a) < place(b);
     });
@@ -678,7 +679,7 @@ const ::lessons::Lesson* LessonsPage::next() const
         return nullptr;
     // As in the catalog: assigned lessons have been moved to the front of the list.
     const auto place = [](const CatalogEntry& entry) { return std::pair(!entry.isShipped, entry.read.file); };
-    const int group = groupPlace(*present->read.lesson);
+    const auto group = groupPlace(*present->read.lesson);
     const CatalogEntry* after = nullptr;
     for (const CatalogEntry& entry : m_entries)
         if (entry.read.lesson && groupPlace(*entry.read.lesson) == group && place(entry) > place(*present) &&
@@ -756,7 +757,8 @@ void LessonsPage::describe()
             what.removeAll({});
             fact(tr("Assigned to"), what.join(u'\n'));
         }
-        fact(tr("Tooth"), toothWords(lesson));
+        const QString lying = lyingWords(lesson);
+        fact(tr("Tooth"), lying.isEmpty() ? toothWords(lesson) : toothWords(lesson) + QStringLiteral(", ") + lying);
         fact(tr("Kind"), lesson.exam ? tr("Exam: mistakes are recorded and reported at the end; undo is disabled")
                                      : tr("Practice: mistakes are reported at once"));
         fact(tr("Time"), timeWords(lesson));

@@ -694,6 +694,8 @@ QString onceWords(const lessons::Once& once)
         return QCoreApplication::translate("Criterion", "%1 of the ideal is cut").arg(reaches);
     if (once.measure == "target_removed_percent")
         return QCoreApplication::translate("Criterion", "%1 of the shape is cut").arg(reaches);
+    if (once.measure == "removed_mm3")
+        return QCoreApplication::translate("Criterion", "%1 of the tooth is removed").arg(reaches);
     //: %1: the name of a measure, %2: a figure with its unit
     return QCoreApplication::translate("Criterion", "%1 has reached %2")
         .arg(QString::fromStdString(once.measure), reaches.trimmed());
