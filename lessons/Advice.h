@@ -37,6 +37,7 @@ struct Advice
         IsthmusWide,    ///< amount: mm
         IsthmusNarrow,  ///< amount: mm
         WallsLean,      ///< amount: degrees from the ideal
+        WallsRough,     ///< amount: mm
         FloorUneven,    ///< amount: mm
         FloorTilted,    ///< amount: degrees
         UnsupportedEnamel,

@@ -9574,6 +9574,10 @@ ungesichert</translation>
         <source>The turning bur touched the neighbouring tooth. Leave a thin shell of enamel towards it, and break it off last.</source>
         <translation>Der drehende Bohrer hat den Nachbarzahn berührt. Lassen Sie zu ihm hin eine dünne Schmelzwand stehen und entfernen Sie sie zuletzt.</translation>
     </message>
+    <message>
+        <source>The walls are wavy. Go along each wall once more with the side of the bur, in one light stroke.</source>
+        <translation>Die Wände sind wellig. Fahren Sie jede Wand noch einmal mit der Seite des Bohrers ab, in einem leichten Zug.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

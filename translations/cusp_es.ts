@@ -9574,6 +9574,10 @@ sin guardar</translation>
         <source>The turning bur touched the neighbouring tooth. Leave a thin shell of enamel towards it, and break it off last.</source>
         <translation>La fresa en marcha tocó el diente vecino. Deje una pared fina de esmalte hacia él y quítela al final.</translation>
     </message>
+    <message>
+        <source>The walls are wavy. Go along each wall once more with the side of the bur, in one light stroke.</source>
+        <translation>Las paredes son onduladas. Repase cada pared con el costado de la fresa, en una sola pasada ligera.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

@@ -9521,6 +9521,10 @@ unsaved</source>
         <source>The turning bur touched the neighbouring tooth. Leave a thin shell of enamel towards it, and break it off last.</source>
         <translation>回転中のバーが隣在歯に触れました。隣側に薄いエナメル質を残し、最後に除去してください。</translation>
     </message>
+    <message>
+        <source>The walls are wavy. Go along each wall once more with the side of the bur, in one light stroke.</source>
+        <translation>壁が波打っています。バーの側面で、軽い一続きのストロークで各壁をもう一度なぞってください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

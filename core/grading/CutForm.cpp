@@ -176,13 +176,9 @@ public:
         m_wallMm += place.wallMm;
     }
 
-    struct Fit
-    {
-        double tangent = 0.0;
-        double rest2 = 0.0;  ///< sum of squared distances left, mm2
-    };
-    /// out = a + b along + c along^2 + tangent height, by least squares; nothing where the heights say nothing.
-    [[nodiscard]] std::optional<Fit> fit();
+    /// The tangent of out = a + b along + c along^2 + tangent height, by least squares; nothing where the heights say
+    /// nothing.
+    [[nodiscard]] std::optional<double> fittedTangent();
     [[nodiscard]] std::size_t count() const { return m_out.size(); }
     /// Of the area that the slope covers seen from above over the area seen from the side.
     [[nodiscard]] double tangentByArea(double cellMm) const
@@ -220,7 +216,7 @@ void takeOut(std::vector<double>& from, const std::vector<double>& what)
         from[n] -= share * what[n];
 }
 
-std::optional<Stretch::Fit> Stretch::fit()
+std::optional<double> Stretch::fittedTangent()
 {
     if (count() < kLeastPlaces)
         return {};
@@ -241,9 +237,7 @@ std::optional<Stretch::Fit> Stretch::fit()
     const double spread2 = dotOf(m_height, m_height);
     if (spread2 < static_cast<double>(count()) * kLeastSpread * kLeastSpread * meanWall * meanWall)
         return {};
-    const double tangent = dotOf(m_out, m_height) / spread2;
-    takeOut(m_out, m_height);
-    return Fit{tangent, dotOf(m_out, m_out)};
+    return dotOf(m_out, m_height) / spread2;
 }
 
 /// The way in which the outline looks around a segment, and whether it goes on the same way there: a corner belongs to
@@ -414,8 +408,6 @@ void measureWalls(const CutSurface& cut, Form& form)
     };
     std::array<Sum, 4> straight;
     std::array<Sum, 4> corners;
-    double rest2 = 0.0;
-    std::size_t restCount = 0;
 
     const Grid& grid = cut.anatomy.grid;
     const Slopes slopes(cut);
@@ -429,14 +421,7 @@ void measureWalls(const CutSurface& cut, Form& form)
             continue;
         const Facing facing = facingOf(cut.outline, segment);
         gather(grid, slopes, segment.middleMm(), facing.outwards, stretch);
-        double tangent = stretch.tangentByArea(grid.cellMm);
-        if (const auto fit = stretch.fit()) {
-            tangent = fit->tangent;
-            if (facing.isStraight) {
-                rest2 += fit->rest2;
-                restCount += stretch.count();
-            }
-        }
+        const double tangent = stretch.fittedTangent().value_or(stretch.tangentByArea(grid.cellMm));
         const auto side = static_cast<std::size_t>(sideOf(facing.outwards));
         (facing.isStraight ? straight : corners).at(side).add(atanDeg(tangent), segment);
     }
@@ -445,8 +430,6 @@ void measureWalls(const CutSurface& cut, Form& form)
         if (sum.weight > 0.0)
             form.wallDeg.at(side) = Placed{sum.weightedDeg / sum.weight, sum.most.node};
     }
-    if (restCount > 0)
-        form.wallRoughnessMm = std::sqrt(rest2 / static_cast<double>(restCount));
 }
 
 }  // namespace core::grading

@@ -26,7 +26,7 @@ struct CutSurface
 /// Distance along x from the cut to the tooth's outline, towards -x (sign -1) or +x (sign 1).
 [[nodiscard]] std::optional<Placed> ridgeOf(const CutSurface& cut, int sign);
 
-/// Sets Form::wallDeg and Form::wallRoughnessMm.
+/// Sets Form::wallDeg.
 void measureWalls(const CutSurface& cut, Form& form);
 
 }  // namespace core::grading

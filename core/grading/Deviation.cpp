@@ -342,6 +342,43 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
 
 // -------------------------------------------------------------------------------------------------------- outline
 
+Placed roughnessOf(const Outline& cut, const Outline& ideal)
+{
+    constexpr double kFarMm = 0.3;       // a wall that is farther off is in the wrong place, and not rough
+    constexpr double kSameFacing = 0.5;  // cosine: the wall across and the one behind a corner are others
+    const std::span<const Outline::Segment> segments = cut.segments();
+    std::vector<double> off;
+    off.reserve(segments.size());
+    for (const Outline::Segment& segment : segments) {
+        const glm::dvec2 middle = segment.middleMm();
+        const double apart = std::min(kFarMm, ideal.distanceMm(middle));
+        off.push_back(ideal.insideMm(middle) > 0.0 ? -apart : apart);
+    }
+    Placed rough{0.0, segments.front().node};
+    double squares = 0.0;
+    double length = 0.0;
+    double most = 0.0;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        double sum = 0.0;
+        double weight = 0.0;
+        cut.forEachWithin(segments[s].middleMm(), 0.5 * kRoughStretchMm, [&](const Outline::Segment& near) {
+            if (glm::dot(near.outwards, segments[s].outwards) < kSameFacing)
+                return;
+            sum += off[static_cast<std::size_t>(&near - segments.data())] * near.lengthMm();
+            weight += near.lengthMm();
+        });
+        const double rest = weight > 0.0 ? off[s] - sum / weight : 0.0;
+        squares += rest * rest * segments[s].lengthMm();
+        length += segments[s].lengthMm();
+        if (std::abs(rest) > most) {
+            most = std::abs(rest);
+            rough.node = segments[s].node;
+        }
+    }
+    rough.value = length > 0.0 ? std::sqrt(squares / length) : 0.0;
+    return rough;
+}
+
 std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Outline& ideal)
 {
     if (cut.segments().empty() || ideal.segments().empty())
@@ -374,6 +411,7 @@ std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Out
     result.meanMm /= length;
     result.signedMm /= length;
     result.p95Mm = percentile(sizes, kPercentile);
+    result.roughnessMm = roughnessOf(cut, ideal);
     return result;
 }
 

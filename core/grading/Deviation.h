@@ -61,6 +61,9 @@ struct DepthError
     bool operator==(const DepthError&) const = default;
 };
 
+/// A wall is rough against a stretch of itself of this length.
+inline constexpr double kRoughStretchMm = 2.0;
+
 /// Distance between the outline cut and the ideal one, seen from above (courseware.md 3.3: outline deviation; teeth.md
 /// section 7: a wall 0.5 mm over-extended is a moderate error). Each point of either outline is asked how far the other
 /// is, so that an arm which is missing and one that is too much both count; weighted by length.
@@ -71,6 +74,9 @@ struct OutlineDeviation
     double p95Mm = 0.0;     ///< 95 % of the length are off by no more than this
     Placed overMm;          ///< farthest that the cut goes beyond the ideal, 0 or more
     Placed underMm;         ///< farthest that it stays behind, 0 or more
+    /// Root mean square distance of the cut's outline from the ideal one, less the mean along kRoughStretchMm of the
+    /// same wall: 0 for a smooth wall in the wrong place. The node is where it sticks out or in most.
+    Placed roughnessMm;
     bool operator==(const OutlineDeviation&) const = default;
 };
 
@@ -113,9 +119,6 @@ struct Form
     /// lattice may be off by a cell over its height, 3 degrees on 1.5 mm at 150. A height is taken as that of its node:
     /// in a map of means over the cells an upright wall leans by as much.
     std::array<std::optional<Placed>, 4> wallDeg;
-    /// mm, root mean square distance of the walls' columns from the smooth stretches above (courseware.md 3.3: wall
-    /// roughness). Nothing where no wall has enough columns on its slope.
-    std::optional<double> wallRoughnessMm;
     bool operator==(const Form&) const = default;
 };
 

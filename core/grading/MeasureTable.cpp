@@ -493,8 +493,15 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      "Largest difference between a wall's angle and that of the ideal on the same side, once half of the ideal is cut.",
      kForms, [](const Measured& m) -> Value { return valueOf(wallError(m)); },
      [](const Measured& m) -> Node { return nodeOf(wallError(m)); }},
-    {"wall_roughness_mm", "mm", "Root mean square distance of the walls from smooth stretches of 0.7 mm.", kMetrics,
-     [](const Measured& m) -> Value { return m.deviation ? m.deviation->form.wallRoughnessMm : std::nullopt; }, nullptr},
+    {"wall_roughness_mm", "mm",
+     "Root mean square distance of the cut's outline from the ideal one, less its mean along 2 mm of the same wall.",
+     kSturdevant,
+     [](const Measured& m) -> Value {
+         return ofPart<Value>(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.roughnessMm.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart<Node>(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.roughnessMm.node; });
+     }},
 
     {"floor_flatness_mm", "mm",
      "Root mean square distance of the floor from the ideal one, tilted and lifted to fit, once half of the ideal is cut.",

@@ -380,6 +380,28 @@ private slots:
         QVERIFY(near(high.depth->gougeMm.value, 0.0, 1.0e-5) && near(high.depth->shallowP95Mm, 0.3, 1.0e-5));
     }
 
+    void aWavyWallIsRoughAndAMisplacedOneIsNot()
+    {
+        const auto anatomy = slabOf(150);
+        const Surface wanted = box(5.0, 2.0, 1.5);
+        const auto roughness = [&](const Surface& done) {
+            return compared(anatomy, done, wanted).outline->roughnessMm.value;
+        };
+        // The long walls, 10 of 14 mm, swing by 0.15 mm to either side.
+        const auto waves = [&](double lengthMm) {
+            return [=](glm::dvec2 p) {
+                const double out = 0.15 * std::sin(2.0 * std::numbers::pi * p.x / lengthMm);
+                return std::abs(p.x) < 2.5 && std::abs(p.y) < 1.0 + (p.y > 0.0 ? out : -out) ? -1.5 : 0.0;
+            };
+        };
+        const double expected = 0.15 / std::sqrt(2.0) * std::sqrt(10.0 / 14.0);
+        QVERIFY(near(roughness(waves(1.0)), expected, 0.02));
+        QVERIFY(roughness(waves(1.6)) > 0.8 * expected);
+        QVERIFY(roughness(wanted) < 1.0e-9);
+        QVERIFY(roughness(box(5.4, 2.4, 1.5)) < 0.02);
+        QVERIFY(roughness(movedBy(wanted, {0.2, 0.0, 0.0})) < 0.03);
+    }
+
     void whatIsCutElsewhereIsBeyondTheIdeal()
     {
         const auto anatomy = slabOf(150);
@@ -524,8 +546,7 @@ private slots:
                     QVERIFY(wall.has_value());
                     QVERIFY(near(wall->value, degrees, tolerance));
                 }
-                if (d.form.wallRoughnessMm)
-                    QVERIFY(near(*d.form.wallRoughnessMm, 0.0, 0.01));
+                QVERIFY(d.outline->roughnessMm.value < 1.0e-9);
                 QVERIFY(d.form == d.idealForm);
             }
     }
@@ -827,7 +848,7 @@ private slots:
         const Deviation d = measured(tooth, ideal(*anatomy, round(1.6, 1.5, 10.0)));
         for (const std::optional<Placed>& wall : d.form.wallDeg)
             QVERIFY(near(wall.value().value, 10.0, 1.0));
-        QVERIFY(d.form.wallRoughnessMm.value() < 0.02);
+        QVERIFY(d.outline->roughnessMm.value < 0.02);
         QVERIFY(near(d.depth->signedMm, 0.0, 0.01));
         QVERIFY(near(d.outline->meanMm, 0.0, 0.02));
     }
@@ -865,7 +886,6 @@ private slots:
         QVERIFY(!d.floor);
         for (const std::optional<Placed>& wall : d.form.wallDeg)
             QVERIFY(!wall);
-        QVERIFY(!d.form.wallRoughnessMm);
     }
 
     void everythingCut()

@@ -107,6 +107,8 @@ QString AdviceWords::of(const ::lessons::Advice& advice, const ::lessons::Criter
     case Rule::WallsLean:
         return tr("A wall leans %1° from the ideal. Move the bur along the wall in one stroke at full depth.")
             .arg(whole);
+    case Rule::WallsRough:
+        return tr("The walls are wavy. Go along each wall once more with the side of the bur, in one light stroke.");
     case Rule::FloorUneven:
         return tr("The floor is uneven. Keep the depth stop on, and sweep the floor in strokes that overlap.");
     case Rule::TooLittleDone:
