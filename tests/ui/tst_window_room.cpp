@@ -369,6 +369,28 @@ private slots:
             QVERIFY(tile->isEnabled() && !tile->toolTip().contains("does not allow"));
     }
 
+    void theBursOfALessonAreAtHand()
+    {
+        const auto inPanel = [&] {
+            QStringList ids;
+            for (const BurTile* tile : child<BurChooser>()->findChildren<BurTile*>(Qt::FindDirectChildrenOnly))
+                if (!tile->isHidden() && tile->isEnabled())
+                    ids << QString::fromStdString(tile->bur().id);
+            ids.sort();
+            return ids;
+        };
+        const auto& lesson = support::assigned("first-03-buccal-pit-36");
+        QCOMPARE(lesson.lesson->burs.front(), std::string("329"));
+        beginLesson(lesson);
+        QCOMPARE(inPanel(), (QStringList{"1", "2", "329", "330"}));
+        const auto first = static_cast<qsizetype>(core::drilling::findBur("329").value());
+        QCOMPARE(actions().burs[first]->shortcut(), QKeySequence(Qt::Key_1));
+        QVERIFY(!actions().burs[first]->toolTip().contains("does not allow"));
+        QCOMPARE(actions().favouriteBurs(), (QList<int>{0, 1, 2, 3}));
+        beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
+        QCOMPARE(actions().burs[0]->shortcut(), QKeySequence(Qt::Key_1));
+    }
+
     void aNumberInFullIsThatBur()
     {
         auto* picker = m_window->findChild<BurPicker*>();

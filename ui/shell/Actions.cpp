@@ -309,18 +309,23 @@ void Actions::setFavouriteBurs(const QList<int>& favourites)
             m_favouriteBurs.size() < kMostFavouriteBurs)
             m_favouriteBurs << bur;
     QStringList ids;
-    for (QAction* action : std::as_const(burs))
-        action->setShortcuts(QList<QKeySequence>{});
-    for (qsizetype k = 0; k < m_favouriteBurs.size(); ++k) {
-        burs[m_favouriteBurs[k]]->setShortcut(QKeySequence(Qt::Key_1 + static_cast<int>(k)));
-        ids << QString::fromStdString(core::drilling::burs()[static_cast<std::size_t>(m_favouriteBurs[k])].id);
-    }
+    for (const int bur : std::as_const(m_favouriteBurs))
+        ids << QString::fromStdString(core::drilling::burs()[static_cast<std::size_t>(bur)].id);
     if (QSettings kept = memory(); kept.value(kFavouriteBurs).toStringList() != ids)
         kept.setValue(kFavouriteBurs, ids);
+    giveKeysToBurs();
+}
+
+void Actions::giveKeysToBurs()
+{
+    for (QAction* action : std::as_const(burs))
+        action->setShortcuts(QList<QKeySequence>{});
+    for (qsizetype k = 0; k < bursAtHand().size(); ++k)
+        burs[bursAtHand()[k]]->setShortcut(QKeySequence(Qt::Key_1 + static_cast<int>(k)));
     for (const Words& words : std::as_const(m_words))
         if (burs.contains(words.action))
             say(words);  // tooltips name the keys
-    emit favouriteBursChanged();
+    emit bursAtHandChanged();
 }
 
 void Actions::allowBurs(const std::vector<std::string>& ids)
@@ -329,6 +334,11 @@ void Actions::allowBurs(const std::vector<std::string>& ids)
         const std::string_view id = core::drilling::burs()[static_cast<std::size_t>(k)].id;
         setAllowed(burs[k], ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end());
     }
+    m_lessonBurs.clear();
+    for (const std::string& id : ids)
+        if (const auto bur = core::drilling::findBur(id); bur && m_lessonBurs.size() < kMostFavouriteBurs)
+            m_lessonBurs << static_cast<int>(*bur);
+    giveKeysToBurs();
 }
 
 QAction* Actions::add(const QString& drawing, std::function<QString()> text, const char* tip,

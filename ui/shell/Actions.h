@@ -52,11 +52,17 @@ public:
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
     /// Returns whether setAllowed() has forbidden an action.
     [[nodiscard]] static bool isRefused(const QAction* aid);
-    /// Indices of the burs that the panel shows and that the keys 1 to 4 choose. Stored between runs. An index without
-    /// a bur and all after the fourth are ignored.
+    /// Indices of the burs that are at hand where a lesson names none. Stored between runs. An index without a bur and
+    /// all after the fourth are ignored.
     void setFavouriteBurs(const QList<int>& favourites);
     [[nodiscard]] const QList<int>& favouriteBurs() const { return m_favouriteBurs; }
     static constexpr int kMostFavouriteBurs = 4;
+    /// Indices of the burs that the panel shows and that the keys 1 to 4 choose: the first four that the lesson names,
+    /// otherwise the favourites.
+    [[nodiscard]] const QList<int>& bursAtHand() const
+    {
+        return m_lessonBurs.isEmpty() ? m_favouriteBurs : m_lessonBurs;
+    }
     /// Calls setAllowed() for each bur.
     /// @param ids  ids of the allowed burs; empty: all are allowed
     void allowBurs(const std::vector<std::string>& ids);
@@ -138,7 +144,7 @@ public:
 signals:
     /// Emitted when the key of `expert` is pressed while that action is disabled.
     void expertMissing();
-    void favouriteBursChanged();
+    void bursAtHandChanged();
 
 private:
     /// @param text, tip  marked for translation; said again in every language
@@ -146,6 +152,7 @@ private:
     QAction* add(const QString& drawing, std::function<QString()> text, const char* tip,
                  const QList<QKeySequence>& keys);
     void speak();
+    void giveKeysToBurs();
 
     struct Words
     {
@@ -157,6 +164,7 @@ private:
     QWidget* m_window;
     QList<Group> m_groups;
     QList<int> m_favouriteBurs;
+    QList<int> m_lessonBurs;
     QList<Words> m_words;
     [[nodiscard]] static QString tipOf(const QAction* action, const QString& what);
     [[nodiscard]] QString wayBack() const;

@@ -164,7 +164,7 @@ BurChooser::BurChooser(Actions& actions, QWidget* parent)
     m_row->setContentsMargins(0, 0, 0, 0);
     m_row->setSpacing(kSpace1);
     connect(actions.allBurs, &QAction::triggered, this, [this] { m_picker->open(*this); });
-    connect(&actions, &Actions::favouriteBursChanged, this, &BurChooser::arrange);
+    connect(&actions, &Actions::bursAtHandChanged, this, &BurChooser::arrange);
     for (int k = 0; k < actions.burs.size(); ++k)
         m_tiles << new BurTile(core::drilling::burs()[static_cast<std::size_t>(k)], actions.burs[k], kPanelTilePx,
                                this);
@@ -176,10 +176,10 @@ BurChooser::BurChooser(Actions& actions, QWidget* parent)
     arrange();
 }
 
-/// Shows the tiles of the favourites and of the bur in hand, in that order.
+/// Shows the tiles of the burs at hand and of the bur in use, in that order.
 void BurChooser::arrange()
 {
-    QList<int> wanted = m_actions.favouriteBurs();
+    QList<int> wanted = m_actions.bursAtHand();
     for (int k = 0; k < m_tiles.size(); ++k)
         if (m_actions.burs[k]->isChecked() && !wanted.contains(k))
             wanted << k;

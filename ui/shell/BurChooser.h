@@ -34,7 +34,8 @@ private:
     int m_heightPx;
 };
 
-/// The favourite burs side by side, then the one in hand if it is no favourite, and a button that opens all of them.
+/// The burs at hand side by side (Actions::bursAtHand()), then the one in use if it is not among them, and a button
+/// that opens all of them.
 class BurChooser : public QWidget
 {
     Q_OBJECT

@@ -139,7 +139,7 @@ BurPicker::BurPicker(Actions& actions, QWidget* parent)
         showStars();
     });
     connect(m_search, &QLineEdit::textChanged, this, &BurPicker::search);
-    connect(&m_actions, &Actions::favouriteBursChanged, this, &BurPicker::showStars);
+    connect(&m_actions, &Actions::bursAtHandChanged, this, &BurPicker::showStars);
     setFixedSize(kColumns * kCellPx + 2 * kSpace4 + kSpace6, kPickerHeightPx);
     hide();
 }

@@ -124,7 +124,7 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     inside->addWidget(m_scroll, 1);
     // Keys have other names in another language, too.
     text::inEveryLanguage(this, [this, &actions] { makeGroups(actions); });
-    connect(&actions, &Actions::favouriteBursChanged, this, [this, &actions] { makeGroups(actions); });
+    connect(&actions, &Actions::bursAtHandChanged, this, [this, &actions] { makeGroups(actions); });
     hide();
 }
 
