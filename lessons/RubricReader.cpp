@@ -63,7 +63,7 @@ CriterionRule takeCriterion(JsonKeys& keys)
     rule.tolerance = keys.number("tolerance", 0.0, kLargestRubricNumber, rule.unit.c_str(), 0.0);
     rule.critical = keys.flag("critical", false);
     if (keys.has("caps_at")) {
-        rule.capTenths = takeTenths(keys, "caps_at", 0);
+        rule.capTenths = takeTenths(keys, "caps_at", 1);  // of one that is refused: not the second fault too
         if (rule.critical)
             keys.fault("caps_at", {QT_TRANSLATE_NOOP("Fault", "a critical criterion leaves no points; give one of the "
                                                               "two")});
