@@ -62,6 +62,8 @@ constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"perforated_mm2", R
                                                             {"ridge_", Rule::RidgeThin},
                                                             {"wall_angle", Rule::WallsLean},
                                                             {"wall_roughness_mm", Rule::WallsRough},
+                                                            {"oblique_ridge_", Rule::ObliqueRidgeThin},
+                                                            {"gingival_floor_", Rule::GingivalFloorOff},
                                                             {"floor_slope_deg", Rule::FloorTilted},
                                                             {"floor_", Rule::FloorUneven},
                                                             {"neighbour_hits", Rule::NeighbourTouched},
@@ -127,6 +129,10 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
                                                             : Finding{Rule::OutlineShort, behind};
     if (id == "isthmus_error_mm")
         return Finding{value > 0.0 ? Rule::IsthmusWide : Rule::IsthmusNarrow, std::abs(value)};
+    if (id.starts_with("axial_depth_")) {
+        const double off = value - line.target;
+        return Finding{off > 0.0 ? Rule::AxialWallDeep : Rule::AxialWallShallow, std::abs(off)};
+    }
     for (const auto& [prefix, rule] : kByMeasure)
         if (id.starts_with(prefix))
             return Finding{rule, std::abs(value)};

@@ -30,16 +30,20 @@ struct Advice
         TooDeep,          ///< amount: mm, or the unit of the criterion where no depth was measured
         TooShallow,       ///< amount: mm
         FloorInEnamel,
-        NotAllCut,      ///< amount: per cent of the preparation that still stands
-        OutlineBeyond,  ///< amount: mm, 0 where no outline was measured
-        OutlineShort,   ///< amount: mm
-        RidgeThin,      ///< amount: mm
-        IsthmusWide,    ///< amount: mm
-        IsthmusNarrow,  ///< amount: mm
-        WallsLean,      ///< amount: degrees from the ideal
-        WallsRough,     ///< amount: mm
-        FloorUneven,    ///< amount: mm
-        FloorTilted,    ///< amount: degrees
+        NotAllCut,         ///< amount: per cent of the preparation that still stands
+        OutlineBeyond,     ///< amount: mm, 0 where no outline was measured
+        OutlineShort,      ///< amount: mm
+        RidgeThin,         ///< amount: mm
+        IsthmusWide,       ///< amount: mm
+        IsthmusNarrow,     ///< amount: mm
+        WallsLean,         ///< amount: degrees from the ideal
+        WallsRough,        ///< amount: mm
+        FloorUneven,       ///< amount: mm
+        FloorTilted,       ///< amount: degrees
+        ObliqueRidgeThin,  ///< amount: mm
+        GingivalFloorOff,  ///< amount: mm
+        AxialWallDeep,     ///< amount: mm too far in
+        AxialWallShallow,  ///< amount: mm too far out
         UnsupportedEnamel,
         NeighbourTouched,
         PushedTooHard,

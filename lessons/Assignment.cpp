@@ -115,7 +115,7 @@ std::optional<double> occlusalDepthMm(const Assignment& assignment)
         return {};
     const Ideal& ideal = *assignment.lesson->ideal;
     const auto kind = core::preparation::findKind(ideal.kind);
-    if (!kind || *kind == core::preparation::Kind::Access || ideal.sizes.contains("follows_junction"))
+    if (!kind || !core::preparation::hasOcclusalPart(*kind) || ideal.sizes.contains("follows_junction"))
         return {};
     if (const auto named = ideal.sizes.find("depth_mm"); named != ideal.sizes.end())
         return named->second;

@@ -85,7 +85,7 @@ struct Captured
 /// The preparation that is asked for: made by a rule whose numbers have names (core::preparation), or captured.
 struct Ideal
 {
-    std::string kind;                     ///< "class1", "class2-mesial", "class2-distal", "access"; empty: captured
+    std::string kind;                     ///< one of core::preparation::kindId(); empty: captured
     std::map<std::string, double> sizes;  ///< by id, what differs from what is usual for the tooth
     std::optional<Captured> captured;
     bool operator==(const Ideal&) const = default;

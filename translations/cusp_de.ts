@@ -1942,6 +1942,10 @@
         <source>this preparation is made for a tooth that stands upright; leave out &quot;lies&quot;, or take an ideal from attempts at this tooth</source>
         <translation>diese Präparation wird für einen aufrecht stehenden Zahn gemacht; lassen Sie „lies“ weg, oder nehmen Sie ein Ideal von Versuchen an diesem Zahn ab</translation>
     </message>
+    <message>
+        <source>this preparation would open the pulp; make the depth of the box (box_floor_mm, box_axial_mm) less</source>
+        <translation>diese Präparation würde die Pulpa eröffnen; verringern Sie die Tiefe des Kastens (box_floor_mm, box_axial_mm)</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -9577,6 +9581,26 @@ ungesichert</translation>
     <message>
         <source>The walls are wavy. Go along each wall once more with the side of the bur, in one light stroke.</source>
         <translation>Die Wände sind wellig. Fahren Sie jede Wand noch einmal mit der Seite des Bohrers ab, in einem leichten Zug.</translation>
+    </message>
+    <message>
+        <source>Only %1 mm of the oblique ridge is left; it should keep %2 mm. Stop earlier on both sides of it.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>Von der schrägen Leiste sind nur %1 mm übrig; es sollen %2 mm bleiben. Halten Sie auf beiden Seiten früher an.</translation>
+    </message>
+    <message>
+        <source>The gingival floor is %1 mm off the height that the lesson asks for. Check its depth in the section before you widen the box.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Der gingivale Boden weicht um %1 mm von der verlangten Höhe ab. Prüfen Sie seine Tiefe im Schnitt, bevor Sie den Kasten verbreitern.</translation>
+    </message>
+    <message>
+        <source>The axial wall of the box is %1 mm too far inside the tooth. Compare the depth of the box with the width of the bur before you go on inwards.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Die axiale Wand des Kastens liegt %1 mm zu weit innen. Vergleichen Sie die Tiefe des Kastens mit der Breite des Bohrers, bevor Sie weiter nach innen gehen.</translation>
+    </message>
+    <message>
+        <source>The axial wall of the box is %1 mm too far outside. Move the bur inwards along the whole wall.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Die axiale Wand des Kastens liegt %1 mm zu weit außen. Führen Sie den Bohrer entlang der ganzen Wand weiter nach innen.</translation>
     </message>
 </context>
 <context>

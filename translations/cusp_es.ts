@@ -1942,6 +1942,10 @@
         <source>this preparation is made for a tooth that stands upright; leave out &quot;lies&quot;, or take an ideal from attempts at this tooth</source>
         <translation>esta preparación se hace para un diente en posición vertical; quite «lies», o tome un ideal de intentos en este diente</translation>
     </message>
+    <message>
+        <source>this preparation would open the pulp; make the depth of the box (box_floor_mm, box_axial_mm) less</source>
+        <translation>esta preparación abriría la pulpa; reduzca la profundidad del cajón (box_floor_mm, box_axial_mm)</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -9577,6 +9581,26 @@ sin guardar</translation>
     <message>
         <source>The walls are wavy. Go along each wall once more with the side of the bur, in one light stroke.</source>
         <translation>Las paredes son onduladas. Repase cada pared con el costado de la fresa, en una sola pasada ligera.</translation>
+    </message>
+    <message>
+        <source>Only %1 mm of the oblique ridge is left; it should keep %2 mm. Stop earlier on both sides of it.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>Solo quedan %1 mm de la cresta oblicua; deben quedar %2 mm. Deténgase antes a ambos lados.</translation>
+    </message>
+    <message>
+        <source>The gingival floor is %1 mm off the height that the lesson asks for. Check its depth in the section before you widen the box.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>El piso gingival se aparta %1 mm de la altura que pide la lección. Compruebe su profundidad en el corte antes de ensanchar el cajón.</translation>
+    </message>
+    <message>
+        <source>The axial wall of the box is %1 mm too far inside the tooth. Compare the depth of the box with the width of the bur before you go on inwards.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>La pared axial del cajón está %1 mm demasiado adentro. Compare la profundidad del cajón con el ancho de la fresa antes de seguir hacia dentro.</translation>
+    </message>
+    <message>
+        <source>The axial wall of the box is %1 mm too far outside. Move the bur inwards along the whole wall.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>La pared axial del cajón está %1 mm demasiado afuera. Lleve la fresa hacia dentro a lo largo de toda la pared.</translation>
     </message>
 </context>
 <context>

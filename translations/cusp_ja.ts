@@ -1940,6 +1940,10 @@
         <source>this preparation is made for a tooth that stands upright; leave out &quot;lies&quot;, or take an ideal from attempts at this tooth</source>
         <translation>この形成は直立した歯のためのものです。&quot;lies&quot;を省くか、この歯での試行から理想形を取ってください</translation>
     </message>
+    <message>
+        <source>this preparation would open the pulp; make the depth of the box (box_floor_mm, box_axial_mm) less</source>
+        <translation>この窩洞では露髄します。ボックスの深さ（box_floor_mm、box_axial_mm）を減らしてください</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -9524,6 +9528,26 @@ unsaved</source>
     <message>
         <source>The walls are wavy. Go along each wall once more with the side of the bur, in one light stroke.</source>
         <translation>壁が波打っています。バーの側面で、軽い一続きのストロークで各壁をもう一度なぞってください。</translation>
+    </message>
+    <message>
+        <source>Only %1 mm of the oblique ridge is left; it should keep %2 mm. Stop earlier on both sides of it.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>斜走隆線が%1 mmしか残っていません。%2 mm残す必要があります。両側でもっと手前で止めてください。</translation>
+    </message>
+    <message>
+        <source>The gingival floor is %1 mm off the height that the lesson asks for. Check its depth in the section before you widen the box.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>歯肉側窩底の高さが課題の値から%1 mmずれています。ボックスを広げる前に、断面で深さを確かめてください。</translation>
+    </message>
+    <message>
+        <source>The axial wall of the box is %1 mm too far inside the tooth. Compare the depth of the box with the width of the bur before you go on inwards.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>ボックスの軸側壁が%1 mm内側に入りすぎています。さらに内側へ進む前に、ボックスの奥行きをバーの幅と比べてください。</translation>
+    </message>
+    <message>
+        <source>The axial wall of the box is %1 mm too far outside. Move the bur inwards along the whole wall.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>ボックスの軸側壁が%1 mm外側にあります。壁全体に沿ってバーを内側へ進めてください。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -31,6 +34,64 @@ double reachOf(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, do
     }
     return mostMm;
 }
+
+/// How far the nearest cut is from a place outside it.
+std::optional<double> gapBefore(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, double stepMm,
+                                double mostMm)
+{
+    double inside = outline.insideMm(fromMm);
+    for (double at = stepMm; at < mostMm; at += stepMm) {
+        const double here = outline.insideMm(fromMm + towards * at);
+        if (here > 0.0)
+            return at - stepMm + stepMm * inside / (inside - here);
+        inside = here;
+    }
+    return {};
+}
+
+/// From the uncut surface inwards to the axial wall along one line through a box.
+class AxialLine
+{
+public:
+    /// @param startMm  outside the tooth, on the line
+    AxialLine(const CutSurface& cut, glm::dvec2 startMm, glm::dvec2 inwards)
+        : m_cut(cut), m_startMm(startMm), m_inwards(inwards)
+    {}
+
+    /// Nothing where the tooth does not reach down to the floor.
+    [[nodiscard]] std::optional<double> depthMm(double floorMm) const
+    {
+        constexpr double kReachMm = 6.0;
+        const double stepMm = 0.5 * m_cut.anatomy.grid.cellMm;
+        const double wallMm = floorMm + kAxialWallMm;
+        std::optional<double> surface;
+        bool isInBox = false;
+        for (double at = 0.0; at < kReachMm; at += stepMm) {
+            const std::size_t k = m_cut.outline.nodeAt(m_startMm + m_inwards * at);
+            if (!surface && spans(k, m_cut.anatomy.top[k], floorMm))
+                surface = at;
+            if (!surface || !spans(k, m_cut.anatomy.top[k], wallMm))
+                continue;
+            if (!spans(k, m_cut.end[k], wallMm))
+                isInBox = true;
+            else if (isInBox)
+                return at - *surface;
+        }
+        if (!surface)
+            return {};
+        return isInBox ? kReachMm - *surface : 0.0;
+    }
+
+private:
+    [[nodiscard]] bool spans(std::size_t k, float top, double heightMm) const
+    {
+        return static_cast<double>(m_cut.anatomy.bottom[k]) < heightMm && heightMm < static_cast<double>(top);
+    }
+
+    const CutSurface& m_cut;
+    glm::dvec2 m_startMm;
+    glm::dvec2 m_inwards;
+};
 
 // ---------------------------------------------------------------------------------------------------------- walls
 
@@ -344,6 +405,48 @@ std::optional<Placed> isthmusOf(const CutSurface& cut, const Preparation::Isthmu
         }
         if (!narrowest || width < narrowest->value)
             narrowest = Placed{width, cut.outline.nodeAt(place)};
+    }
+    return narrowest;
+}
+
+std::optional<Placed> axialDepthOf(const CutSurface& cut, const Preparation::Box& box)
+{
+    constexpr double kOutsideMm = 1.0;
+    const double stepMm = 0.5 * cut.anatomy.grid.cellMm;
+    const glm::dvec2 across(-box.outwards.y, box.outwards.x);
+    const int lines = static_cast<int>(0.25 * box.widthMm / stepMm);
+    double sum = 0.0;
+    int count = 0;
+    for (int line = -lines; line <= lines; ++line) {
+        const glm::dvec2 start = box.atMm + across * (stepMm * line) + box.outwards * kOutsideMm;
+        if (const auto depth = AxialLine(cut, start, -box.outwards).depthMm(box.floorMm)) {
+            sum += *depth;
+            ++count;
+        }
+    }
+    if (count == 0)
+        return {};
+    return Placed{sum / count, cut.outline.nodeAt(box.atMm - box.outwards * (sum / count))};
+}
+
+std::optional<Placed> obliqueRidgeOf(const CutSurface& cut, std::span<const glm::dvec2> crest)
+{
+    constexpr double kReachMm = 2.5;  // a cavity farther from the crest is none beside it
+    const double stepMm = 0.5 * cut.anatomy.grid.cellMm;
+    std::optional<Placed> narrowest;
+    for (std::size_t n = 1; n + 1 < crest.size(); ++n) {
+        const glm::dvec2 way = crest[n + 1] - crest[n - 1];
+        const glm::dvec2 across = glm::dvec2(-way.y, way.x) / std::sqrt(glm::dot(way, way));
+        double width = 0.0;
+        if (!(cut.outline.insideMm(crest[n]) > 0.0)) {
+            const auto left = gapBefore(cut.outline, crest[n], across, stepMm, kReachMm);
+            const auto right = gapBefore(cut.outline, crest[n], -across, stepMm, kReachMm);
+            if (!left || !right)
+                continue;
+            width = *left + *right;
+        }
+        if (!narrowest || width < narrowest->value)
+            narrowest = Placed{width, cut.outline.nodeAt(crest[n])};
     }
     return narrowest;
 }

@@ -144,11 +144,11 @@ void measureVolumes(const Ends& ends, Deviation& result)
 
 // ---------------------------------------------------------------------------------------------------------- floor
 
-/// The columns that speak for the floor, in index order.
-std::vector<std::size_t> floorOf(const Ends& ends, const std::vector<Part>& parts)
+/// The columns that speak for a floor, in index order.
+template <class IsFloor>
+std::vector<std::size_t> floorOf(const Ends& ends, const IsFloor& isFloor)
 {
     const Grid& grid = ends.anatomy.grid;
-    const auto isFloor = [&](std::size_t k) { return parts[k] == Part::Floor && wasSolid(ends.anatomy, k); };
     const Census others(grid, [&](std::size_t k) { return !isFloor(k); });
     const int margin = static_cast<int>(std::ceil(kFloorMarginMm / grid.cellMm - 1.0e-6));
     std::vector<std::size_t> all;
@@ -198,6 +198,33 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     error.deepP95Mm = percentile(depths, kPercentile);
     error.shallowP95Mm = percentile(heights, kPercentile);
     return error;
+}
+
+/// The error in height of a box's gingival floor.
+std::optional<Placed> gingivalErrorOf(const Ends& ends, const std::vector<Part>& parts, const Preparation::Box& box)
+{
+    constexpr double kSameLevelMm = 0.01;
+    constexpr double kDeepestMm = 4.0;  // into the tooth
+    const glm::dvec2 across(-box.outwards.y, box.outwards.x);
+    const auto isInBox = [&](std::size_t k) {
+        const glm::dvec2 way = ends.anatomy.grid.nodeMm(k) - box.atMm;
+        return std::abs(glm::dot(way, across)) <= 0.5 * box.widthMm && glm::dot(way, box.outwards) >= -kDeepestMm;
+    };
+    const std::vector<std::size_t> floor = floorOf(ends, [&](std::size_t k) {
+        return parts[k] == Part::Floor && wasSolid(ends.anatomy, k) && isInBox(k) &&
+               std::abs(ends.idealAt(k) - box.floorMm) <= kSameLevelMm;
+    });
+    if (floor.empty())
+        return {};
+    std::vector<std::pair<double, double>> sizes;
+    Placed worst{0.0, floor.front()};
+    for (const std::size_t k : floor) {
+        const double size = std::abs(ends.nowAt(k) - ends.idealAt(k));
+        sizes.emplace_back(size, ends.area(k));
+        if (size > worst.value)
+            worst = {size, k};
+    }
+    return Placed{percentile(sizes, kPercentile), worst.node};
 }
 
 /// Also where the floor is too narrow to speak for itself: a wall aside does not lower it.
@@ -698,11 +725,14 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
     Deviation result;
     measureVolumes(ends, result);
 
-    const std::vector<std::size_t> floor = floorOf(ends, ideal.parts);
+    const std::vector<std::size_t> floor =
+        floorOf(ends, [&](std::size_t k) { return ideal.parts[k] == Part::Floor && wasSolid(anatomy, k); });
     result.depth = depthErrorOf(ends, floor);
     if (result.depth)
         result.depth->gougeMm = gougeOf(ends, ideal.parts);
     result.floor = floorFormOf(ends, floor);
+    if (ideal.box)
+        result.gingivalFloorErrorMm = gingivalErrorOf(ends, ideal.parts, *ideal.box);
 
     const Outline cutOutline(anatomy, ends.now);
     const Outline idealOutline(anatomy, ends.ideal);
@@ -716,6 +746,9 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
         const CutSurface surface{anatomy, end, outline};
         if (ideal.isthmus)
             form.isthmusMm = isthmusOf(surface, *ideal.isthmus, idealOutline);
+        if (ideal.box)
+            form.axialDepthMm = axialDepthOf(surface, *ideal.box);
+        form.obliqueRidgeMm = obliqueRidgeOf(surface, ideal.obliqueCrest);
         if (knowsSides) {
             form.ridgeMesialMm = ridgeOf(surface, -1);
             form.ridgeDistalMm = ridgeOf(surface, 1);

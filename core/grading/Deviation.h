@@ -33,6 +33,9 @@ inline constexpr double kOutlineDepthMm = 0.1;
 /// stands a cell aside is the outline's fault and not the depth's. Where nothing else is left, they do.
 inline constexpr double kFloorMarginMm = 0.2;
 
+/// The axial wall of a box is looked for so far above the ideal floor, mm: above the round between floor and wall.
+inline constexpr double kAxialWallMm = 0.3;
+
 /// Two places of the floor so far apart along x or y make a step.
 inline constexpr double kStepRunMm = 0.2;
 
@@ -108,6 +111,14 @@ struct Form
     /// there.
     std::optional<Placed> ridgeMesialMm;
     std::optional<Placed> ridgeDistalMm;
+    /// mm, mean distance along Preparation::Box::outwards, in the middle half of the box, from the surface of the uncut
+    /// tooth at the level of the ideal's gingival floor to the axial wall kAxialWallMm above that floor (teeth.md
+    /// section 7: axial depth). A shell that is left before the box does not count as the wall. 0 where nothing is cut.
+    /// Nothing for a preparation without a box.
+    std::optional<Placed> axialDepthMm;
+    /// mm, narrowest width of the oblique ridge between the cuts on both sides of its crest, across the crest; 0 where
+    /// the crest itself is cut (teeth.md section 2: oblique ridge). Nothing where no cut is near on one of the sides.
+    std::optional<Placed> obliqueRidgeMm;
     /// Degrees from upright, positive where the wall opens towards the occlusal, of the walls that stand on each side
     /// of the cut, by Side (teeth.md section 7: wall angles); the node is one on it.
     ///
@@ -164,7 +175,10 @@ struct Deviation
     std::optional<std::size_t> overcutNode;
     std::optional<std::size_t> undercutNode;
 
-    std::optional<DepthError> depth;          ///< nothing for an ideal without Floor
+    std::optional<DepthError> depth;  ///< nothing for an ideal without Floor
+    /// mm, size of the error in height of the box's gingival floor: 95 % of its area are off by no more than this
+    /// (teeth.md section 7: Class II box). The node is where it is largest. Nothing for an ideal without a box.
+    std::optional<Placed> gingivalFloorErrorMm;
     std::optional<OutlineDeviation> outline;  ///< nothing unless both ideal and cut have an outline
     /// Distance of the cut outside the ideal outline from that outline, mm. At least kStrayMm2 of the cut are as far
     /// away. Only places that were lowered by kStrayDepthMm or more count.

@@ -169,12 +169,13 @@ Value allTouchedS(const Touched& touched)
     return last;
 }
 
-Value isthmusError(const Measured& m)
+/// A size of the cut less that of the ideal.
+Value formError(const Measured& m, std::optional<Placed> Form::*part)
 {
-    const auto here = inForm(m, &Form::isthmusMm);
-    if (!here || !m.deviation->idealForm.isthmusMm)
+    const auto here = inForm(m, part);
+    if (!here || !(m.deviation->idealForm.*part))
         return {};
-    return here->value - m.deviation->idealForm.isthmusMm->value;
+    return here->value - (m.deviation->idealForm.*part)->value;
 }
 
 /// The mesial ridge (`inDeviation` and `inLesion` name it) or the distal one, in a preparation or where decay was
@@ -456,10 +457,26 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      },
      [](const Measured& m) -> Node { return ofDeviation(m, [](const Deviation& d) { return worstOf(d.beyondMm); }); }},
 
+    {"gingival_floor_error_mm", "mm",
+     "Size of the error in height of a box's gingival floor that 95 percent of it stay within.", kForms,
+     [](const Measured& m) -> Value {
+         return ofPart<Value>(m, &Deviation::gingivalFloorErrorMm, [](const Placed& p) { return p.value; });
+     },
+     [](const Measured& m) -> Node { return ofPart<Node>(m, &Deviation::gingivalFloorErrorMm, worstOf); }},
+    {"axial_depth_mm", "mm",
+     "Mean distance from the surface of the uncut tooth to the axial wall of a box, at the level of the ideal's gingival "
+     "floor.",
+     kForms, [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::axialDepthMm)); },
+     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::axialDepthMm)); }},
+    {"axial_depth_error_mm", "mm", "Axial depth less that of the ideal, measured the same way.", kForms,
+     [](const Measured& m) -> Value { return formError(m, &Form::axialDepthMm); },
+     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::axialDepthMm)); }},
+
     {"isthmus_width_mm", "mm", "Shortest run of cut across the isthmus; 0 where the cut is interrupted there.", kForms,
      [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::isthmusMm)); },
      [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::isthmusMm)); }},
-    {"isthmus_error_mm", "mm", "Isthmus width less that of the ideal, measured the same way.", kForms, isthmusError,
+    {"isthmus_error_mm", "mm", "Isthmus width less that of the ideal, measured the same way.", kForms,
+     [](const Measured& m) -> Value { return formError(m, &Form::isthmusMm); },
      [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::isthmusMm)); }},
     {"ridge_mesial_mm", "mm", "Least distance from the cut to the mesial surface of the tooth, between the cusps.", kForms,
      [](const Measured& m) -> Value { return valueOf(mesialRidge(m)); },
@@ -470,6 +487,10 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
     {"ridge_least_mm", "mm", "The thinner of the two marginal ridges left.", kForms,
      [](const Measured& m) -> Value { return valueOf(leastRidge(m)); },
      [](const Measured& m) -> Node { return nodeOf(leastRidge(m)); }},
+    {"oblique_ridge_least_mm", "mm",
+     "Narrowest width of the oblique ridge between the cuts on both sides of it; 0 where its crest is cut.", kForms,
+     [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::obliqueRidgeMm)); },
+     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::obliqueRidgeMm)); }},
 
     {"wall_angle_mesial_deg", "deg", "Angle of the mesial wall from upright; positive opens towards the occlusal.", kForms,
      [](const Measured& m) -> Value { return valueOf(namedWall(m, Side::MinusX)); },

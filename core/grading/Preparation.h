@@ -32,6 +32,19 @@ struct Preparation
         double lengthMm = 1.0;        ///< the isthmus is looked for so far to both sides, at right angles to `across`
     };
     std::optional<Isthmus> isthmus;
+    /// A box that is open to the outside of the tooth: the end of a Class II, a slot, a step to the buccal. Tooth
+    /// frame, mm. Nothing for preparations without one, and for captured ones.
+    struct Box
+    {
+        glm::dvec2 atMm{};              ///< the middle of its opening, on the outline of the tooth
+        glm::dvec2 outwards{1.0, 0.0};  ///< unit vector out of the tooth
+        double widthMm = 1.0;           ///< at right angles to `outwards`
+        double floorMm = 0.0;           ///< height of its gingival floor
+    };
+    std::optional<Box> box = {};
+    /// The crest of the oblique ridge, which is to be left; tooth frame, mm. Empty for teeth without one, and for
+    /// captured ideals.
+    std::vector<glm::dvec2> obliqueCrest = {};
 };
 
 }  // namespace core::grading

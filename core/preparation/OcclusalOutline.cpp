@@ -87,6 +87,10 @@ public:
 
     Result<std::vector<OcclusalCavity>> plan()
     {
+        if (isSlot(m_kind)) {
+            planSlot(m_kind == Kind::SlotMesial);
+            return std::move(m_cavities);
+        }
         Status status;
         switch (m_fdi) {
         case 26:
@@ -232,25 +236,43 @@ private:
             if ((m_silhouette[k].x < 0.0) == mesial &&
                 std::abs(m_silhouette[k].y - v) < std::abs(m_silhouette[nearest].y - v))
                 nearest = k;
+        OcclusalCavity::Box box = boxAt(nearest);
+        box.outwards *= (box.outwards.x < 0.0) == mesial ? 1.0 : -1.0;
+        return box;
+    }
+
+    /// At a point of the silhouette, and square to it; which of the two ways is out of the tooth is not said.
+    [[nodiscard]] OcclusalCavity::Box boxAt(std::size_t nearest) const
+    {
         constexpr std::size_t kAside = kOutlinePoints / 30;
         const glm::dvec2 along = glm::normalize(m_silhouette[(nearest + kAside) % kOutlinePoints] -
                                                 m_silhouette[(nearest + kOutlinePoints - kAside) % kOutlinePoints]);
-        glm::dvec2 out{along.y, -along.x};
-        out *= (out.x < 0.0) == mesial ? 1.0 : -1.0;
-        return {m_silhouette[nearest], out};
+        return {m_silhouette[nearest], {along.y, -along.x}};
     }
 
-    /// From a place of the axis straight out through the box.
+    /// Where the tooth is widest on its mesial or distal side.
+    [[nodiscard]] glm::dvec2 contact(bool mesial) const
+    {
+        const Line& side = mesial ? m_mesial : m_distal;
+        return *std::max_element(side.begin(), side.end(),
+                                 [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x) < std::abs(b.x); });
+    }
+
+    /// As proximalAt(), but nearly square to the tooth.
+    [[nodiscard]] OcclusalCavity::Box squareBoxAt(double v, bool mesial) const
+    {
+        constexpr double kMostSkew = 0.2;
+        OcclusalCavity::Box box = proximalAt(v, mesial);
+        glm::dvec2& out = box.outwards;
+        out = glm::normalize(glm::dvec2{out.x, std::clamp(out.y, -kMostSkew, kMostSkew)});
+        return box;
+    }
+
+    /// From a place of the axis straight out through a proximal box.
     void openInto(OcclusalCavity& cavity, glm::dvec2 from, bool mesial) const
     {
-        // Between the groove and the contact, which lies further towards the cheek, and nearly square to the tooth.
-        constexpr double kMostSkew = 0.2;
-        const Line& side = mesial ? m_mesial : m_distal;
-        const glm::dvec2 contact = *std::max_element(
-            side.begin(), side.end(), [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x) < std::abs(b.x); });
-        cavity.box = proximalAt(0.5 * (from.y + contact.y), mesial);
-        glm::dvec2& out = cavity.box->outwards;
-        out = glm::normalize(glm::dvec2{out.x, std::clamp(out.y, -kMostSkew, kMostSkew)});
+        // Between the groove and the contact, which lies further towards the cheek.
+        cavity.box = squareBoxAt(0.5 * (from.y + contact(mesial).y), mesial);
         std::vector<Spot> spots;
         const double length = glm::distance(from, cavity.box->atMm);
         for (double away = 0.0; away <= length; away += kStepMm)
@@ -363,6 +385,16 @@ private:
         return spots;
     }
 
+    /// Where the groove between two cusps leaves the main one.
+    [[nodiscard]] std::optional<glm::dvec2> branchAt(const Line& main, const Lobes& mesial, const Lobes& distal,
+                                                     double fromU, double toU) const
+    {
+        for (const glm::dvec2& p : main)
+            if (p.x >= fromU && p.x <= toU && height(distal, p) >= height(mesial, p))
+                return p;
+        return {};
+    }
+
     /// Out of the main stroke into a groove towards the cheek or the tongue.
     void extend(OcclusalCavity& cavity, const Line& main, const Lobes& mesial, const Lobes& distal, bool buccal,
                 double fromU, double toU) const
@@ -370,13 +402,7 @@ private:
         const double reach = 0.5 * m_design.isthmusMm + m_design.grooveMm - m_radius;
         if (reach <= kJoinMm)
             return;
-        // Where the groove leaves the main one.
-        std::optional<glm::dvec2> start;
-        for (const glm::dvec2& p : main)
-            if (p.x >= fromU && p.x <= toU && height(distal, p) >= height(mesial, p)) {
-                start = p;
-                break;
-            }
+        const auto start = branchAt(main, mesial, distal, fromU, toU);
         if (!start)
             return;
         const double sign = buccal ? 1.0 : -1.0;
@@ -393,6 +419,34 @@ private:
         }
         if (!spots.empty())
             cavity.strokes.push_back(std::move(spots));
+    }
+
+    /// Out of the main stroke along a buccal groove to a box in the buccal surface.
+    void openToCheek(OcclusalCavity& cavity, const Line& main, const Lobes& mesial, const Lobes& distal, double fromU,
+                     double toU) const
+    {
+        const auto start = branchAt(main, mesial, distal, fromU, toU);
+        if (!start)
+            return;
+        constexpr double kMostAsideMm = 1.5;  // a groove that runs farther to one side is lost
+        constexpr double kAtSurfaceMm = 0.3;
+        std::vector<Spot> spots;
+        for (const glm::dvec2& p :
+             smoothed(grooveAlongV(mesial, distal, start->y, start->y + 8.0, start->x), kSmoothMm)) {
+            if (std::abs(p.x - start->x) > kMostAsideMm)
+                break;
+            spots.push_back({p, m_half});
+            if (distanceToLine(m_silhouette, p) < kAtSurfaceMm)
+                break;
+        }
+        const glm::dvec2 end = spots.empty() ? *start : spots.back().atMm;
+        std::size_t nearest = 0;
+        for (std::size_t k = 0; k < kOutlinePoints; ++k)
+            if (glm::distance(m_silhouette[k], end) < glm::distance(m_silhouette[nearest], end))
+                nearest = k;
+        cavity.box = boxAt(nearest);
+        cavity.box->outwards *= cavity.box->outwards.y > 0.0 ? 1.0 : -1.0;
+        cavity.strokes.push_back(std::move(spots));
     }
 
     /// Ends of the main stroke, dovetails at them, isthmus in the middle.
@@ -443,6 +497,18 @@ private:
         return {};
     }
 
+    /// A box at the contact. Its floor is measured from the marginal ridge there.
+    void planSlot(bool mesial)
+    {
+        constexpr double kRidgeEndsMm = 2.5;  // from the proximal surface
+        OcclusalCavity cavity;
+        cavity.box = squareBoxAt(contact(mesial).y, mesial);
+        cavity.floorMm = mouth(cavity.box->atMm);
+        for (double in = 0.0; in <= kRidgeEndsMm; in += kStepMm)
+            cavity.floorMm = std::max(cavity.floorMm, mouth(cavity.box->atMm - cavity.box->outwards * in));
+        add(std::move(cavity));
+    }
+
     Status planCentralGroove()
     {
         Lobes buccal;
@@ -486,12 +552,14 @@ private:
         cavity.floorMm = floorBelow(line, mesialPit, distalPit);
         if (Status done = finishMain(cavity, line, mesialPit, distalPit, true, true); !done)
             return done;
-        if (m_fdi == 36) {
+        if (m_kind == Kind::ClassOneBuccal)
+            openToCheek(cavity, line, lobes({1}), lobes({2}), mesialPit, distalPit);
+        else if (m_fdi == 36 || m_fdi == 37)
             extend(cavity, line, lobes({1}), lobes({2}), true, mesialPit, distalPit);
+        if (m_fdi == 36) {
             extend(cavity, line, lobes({2}), lobes({3}), true, mesialPit, distalPit);
             extend(cavity, line, lobes({4}), lobes({5}), false, mesialPit, distalPit);
         } else if (m_fdi == 37) {
-            extend(cavity, line, lobes({1}), lobes({2}), true, mesialPit, distalPit);
             extend(cavity, line, lobes({3}), lobes({4}), false, mesialPit, distalPit);
         } else if (m_fdi == 35 && !lobes({3}).empty()) {
             extend(cavity, line, lobes({2}), lobes({3}), false, mesialPit, distalPit);

@@ -22,7 +22,7 @@ struct OcclusalCavity
         glm::dvec2 atMm{0.0};
         double halfMm = 0.0;
     };
-    std::vector<std::vector<Spot>> strokes;  ///< they flow into each other with a round
+    std::vector<std::vector<Spot>> strokes;  ///< they flow into each other with a round; none of a slot
     double floorMm = 0.0;
     /// From here outwards the end walls lean: x of the axis' ends, where there is such a wall.
     std::optional<double> mesialEndX;
@@ -34,7 +34,7 @@ struct OcclusalCavity
         double lengthMm = 0.5;
     };
     std::optional<Isthmus> isthmus;
-    /// The middle of a proximal box on the tooth's outline, and the direction out of the tooth there.
+    /// The middle of a box on the tooth's outline, and the direction out of the tooth there.
     struct Box
     {
         glm::dvec2 atMm{0.0};
@@ -43,9 +43,10 @@ struct OcclusalCavity
     std::optional<Box> box;
 };
 
-/// The cavities of a Class I on this tooth, following its grooves; for a Class II the end at the box goes on into it.
-/// Of the teeth with a ridge across (26, 27, 34) two cavities, one on each side. An error says which figure leaves no
-/// room.
+/// The cavities of a Class I on this tooth, following its grooves; for a Class II the end at the box goes on into it,
+/// and so does the mesiobuccal groove of a Class I with an extension to the buccal. A slot is a box without strokes,
+/// and its `floorMm` is the height of the marginal ridge. Of the teeth with a ridge across (26, 27, 34) two cavities,
+/// one on each side. An error says which figure leaves no room.
 [[nodiscard]] Result<std::vector<OcclusalCavity>> occlusalCavities(Kind kind, int fdi, const teeth::PosteriorForm& form,
                                                                    const ToothDesign& design);
 

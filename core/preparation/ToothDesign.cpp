@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 
 namespace core::preparation {
 namespace {
 
-constexpr std::array<std::string_view, 4> kKinds{"class1", "class2-mesial", "class2-distal", "access"};
+constexpr std::array<std::string_view, 7> kKinds{"class1",      "class1-buccal", "class2-mesial", "class2-distal",
+                                                 "slot-mesial", "slot-distal",   "access"};
 constexpr std::array<int, 8> kPosterior{24, 25, 26, 27, 34, 35, 36, 37};
+constexpr std::array<int, 2> kBuccal{36, 37};
 constexpr std::array<int, 2> kAccess{21, 36};
 
 enum class Use : std::uint8_t { Occlusal, Box, Access, All };
@@ -34,7 +37,7 @@ constexpr std::array<Entry, 16> kEntries{{
     {Use::Occlusal,
      {"follows_junction", "floor along the junction", "", &ToothDesign::followsJunction, 0.0, 1.0, true}},
     {Use::Occlusal, {"into_dentin_mm", "depth of the floor in dentin", "mm", &ToothDesign::intoDentinMm, 0.0, 2.0}},
-    {Use::Box, {"box_floor_mm", "depth of the gingival floor", "mm", &ToothDesign::boxFloorMm, 0.0, 3.0}},
+    {Use::Box, {"box_floor_mm", "depth of the gingival floor", "mm", &ToothDesign::boxFloorMm, 0.0, 5.0}},
     {Use::Box, {"box_axial_mm", "depth of the axial wall", "mm", &ToothDesign::boxAxialMm, 0.5, 3.0}},
     {Use::Box, {"box_width_mm", "width of the box", "mm", &ToothDesign::boxWidthMm, 1.0, 7.0}},
     {Use::Access, {"access_lean_deg", "lean of the access walls", "degrees", &ToothDesign::accessLeanDeg, 0.0, 20.0}},
@@ -45,9 +48,9 @@ bool isUsed(Kind kind, Use use)
 {
     switch (use) {
     case Use::Occlusal:
-        return kind != Kind::Access;
+        return hasOcclusalPart(kind);
     case Use::Box:
-        return kind == Kind::ClassTwoMesial || kind == Kind::ClassTwoDistal;
+        return kind != Kind::ClassOne && kind != Kind::Access;
     case Use::Access:
         return kind == Kind::Access;
     default:
@@ -55,7 +58,43 @@ bool isUsed(Kind kind, Use use)
     }
 }
 
+std::span<const int> teethFor(Kind kind)
+{
+    switch (kind) {
+    case Kind::Access:
+        return kAccess;
+    case Kind::ClassOneBuccal:
+        return kBuccal;
+    default:
+        return kPosterior;
+    }
+}
+
+/// The sizes of a box that differ from those of the Class II on this tooth.
+void shapeBox(Kind kind, int fdi, ToothDesign& design)
+{
+    const bool isMolar = fdi % 10 >= 6;
+    if (isSlot(kind)) {
+        design.boxFloorMm = 3.0;
+        design.boxWidthMm = isMolar ? 3.0 : 2.5;
+        design.boxAxialMm = 1.5;
+    } else if (kind == Kind::ClassOneBuccal) {
+        design.boxWidthMm = 1.5;
+        design.boxAxialMm = 1.3;
+    }
+}
+
 }  // namespace
+
+bool isSlot(Kind kind)
+{
+    return kind == Kind::SlotMesial || kind == Kind::SlotDistal;
+}
+
+bool hasOcclusalPart(Kind kind)
+{
+    return kind != Kind::Access && !isSlot(kind);
+}
 
 std::string_view kindId(Kind kind)
 {
@@ -85,7 +124,7 @@ std::vector<NumberField<ToothDesign>> fieldsOf(Kind kind)
 
 Result<ToothDesign> usualDesign(Kind kind, int fdi)
 {
-    const std::span<const int> teeth = kind == Kind::Access ? std::span<const int>(kAccess) : kPosterior;
+    const std::span<const int> teeth = teethFor(kind);
     if (std::find(teeth.begin(), teeth.end(), fdi) == teeth.end()) {
         std::string known;
         for (const int tooth : teeth)
@@ -103,6 +142,7 @@ Result<ToothDesign> usualDesign(Kind kind, int fdi)
     } else {
         design.boxAxialMm = 1.5;
     }
+    shapeBox(kind, fdi, design);
     return design;
 }
 
@@ -115,7 +155,7 @@ Status validate(Kind kind, const ToothDesign& design)
         return unexpected(ErrorCode::OutOfRange,
                           Words{"the radius between floor and wall (line_angle_mm) is more than the radius of the "
                                 "bur (bur_radius_mm): no bur leaves that"});
-    if (kind != Kind::Access && design.isthmusMm < 2.0 * design.burRadiusMm)
+    if (hasOcclusalPart(kind) && design.isthmusMm < 2.0 * design.burRadiusMm)
         return unexpected(ErrorCode::OutOfRange,
                           Words{"the width of the isthmus (isthmus_mm) is less than the bur is wide (twice "
                                 "bur_radius_mm)"});
@@ -128,8 +168,13 @@ std::string_view notModelled(Kind kind)
     case Kind::ClassOne:
         return "Buccal and lingual walls that converge towards the outside are upright here: a height map has no "
                "undercuts.";
+    case Kind::ClassOneBuccal:
+        return "Walls that converge towards the outside are upright here, and the bur comes from above where a hand "
+               "would come from the buccal side: a height map has no undercuts.";
     case Kind::ClassTwoMesial:
     case Kind::ClassTwoDistal:
+    case Kind::SlotMesial:
+    case Kind::SlotDistal:
         return "Walls that converge, a box wider at the gingiva than above, retention grooves and a gingival bevel are "
                "not there, and the neighbour is none that could be touched: a height map has no undercuts.";
     default:

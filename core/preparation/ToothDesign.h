@@ -14,12 +14,15 @@ namespace core::preparation {
 /// The preparations of a tooth that are made by rule.
 enum class Kind : std::uint8_t {
     ClassOne,
+    ClassOneBuccal,  ///< with an extension along the mesiobuccal groove through the buccal surface
     ClassTwoMesial,  ///< as far as a height field goes, see notModelled()
     ClassTwoDistal,
+    SlotMesial,  ///< the box of a Class II alone
+    SlotDistal,
     Access  ///< opening of the pulp chamber
 };
 
-/// "class1", "class2-mesial", "class2-distal", "access".
+/// "class1", "class1-buccal", "class2-mesial", "class2-distal", "slot-mesial", "slot-distal", "access".
 [[nodiscard]] std::string_view kindId(Kind kind);
 /// UnknownName lists those there are.
 [[nodiscard]] Result<Kind> findKind(std::string_view id);
@@ -39,9 +42,9 @@ struct ToothDesign
     double lineAngleMm = 0.2;      ///< radius between floor and wall: the end of a No. 245
     double followsJunction = 0.0;  ///< 1: the floor runs along the enamel-dentin junction; 0: it is flat
     double intoDentinMm = 0.3;     ///< then so deep below it
-    double boxFloorMm = 1.5;       ///< Class II: gingival floor below the pulpal floor
-    double boxAxialMm = 1.8;       ///< Class II: axial wall behind the proximal surface's greatest bulge
-    double boxWidthMm = 3.0;       ///< Class II: between the buccal and the lingual wall
+    double boxFloorMm = 1.5;       ///< gingival floor below the pulpal floor; of a slot, below the marginal ridge
+    double boxAxialMm = 1.8;       ///< axial wall behind the greatest bulge of the surface that the box opens
+    double boxWidthMm = 3.0;       ///< of the box, between the walls on both sides of its opening
     double accessLeanDeg = 4.0;    ///< access: the walls lean outwards from upright
     double accessMarginMm = 0.1;   ///< access: the floor's outline stands so far outside the chamber's
     bool operator==(const ToothDesign&) const = default;
@@ -50,8 +53,14 @@ struct ToothDesign
 /// The numbers that count for a kind.
 [[nodiscard]] std::vector<NumberField<ToothDesign>> fieldsOf(Kind kind);
 
-/// What is usual for this kind on this tooth. UnknownName where the kind is not made for the tooth: Class I and II for
-/// 24, 25, 26, 27, 34, 35, 36, 37; access for 21 and 36.
+/// Whether a kind is a box alone.
+[[nodiscard]] bool isSlot(Kind kind);
+
+/// Whether a kind has a part in the occlusal surface with a pulpal floor.
+[[nodiscard]] bool hasOcclusalPart(Kind kind);
+
+/// What is usual for this kind on this tooth. UnknownName where the kind is not made for the tooth: Class I, Class II
+/// and slots for 24, 25, 26, 27, 34, 35, 36, 37; with an extension to the buccal for 36 and 37; access for 21 and 36.
 [[nodiscard]] Result<ToothDesign> usualDesign(Kind kind, int fdi);
 
 /// Whether each number lies in its range and they go together.

@@ -144,14 +144,16 @@ Status checkPulp(Kind kind, const grading::Preparation& ideal, const terrain::To
             (*ideal.top)[k] <= anatomy.layers[k].pulpRoof)
             return unexpected(
                 ErrorCode::OutOfRange,
-                Words{kind == Kind::ClassOne
-                          ? "this preparation would open the pulp; make its depth (depth_mm) less"
+                Words{kind == Kind::ClassOne ? "this preparation would open the pulp; make its depth (depth_mm) less"
+                      : isSlot(kind)
+                          ? "this preparation would open the pulp; make the depth of the box (box_floor_mm, "
+                            "box_axial_mm) less"
                           : "this preparation would open the pulp; make its depth (depth_mm) or that of the box "
                             "(box_floor_mm, box_axial_mm) less"});
     return {};
 }
 
-/// Where the axis goes in the box of a Class II: from beyond the proximal surface inwards.
+/// Where the axis goes in a box: from beyond the surface of the tooth inwards.
 AxisRegion boxRegion(const OcclusalCavity::Box& box, const ToothDesign& design)
 {
     constexpr double kOutMm = 3.0;
@@ -174,10 +176,13 @@ Result<grading::Preparation> makeOcclusal(Kind kind, const ToothDesign& design, 
         return tl::unexpected<Error>(cavities.error());
     Carver carver(design, anatomy);
     std::optional<grading::Preparation::Isthmus> isthmus;
+    std::optional<grading::Preparation::Box> opening;
     for (const OcclusalCavity& cavity : *cavities) {
         if (cavity.box) {
             const AxisRegion box = boxRegion(*cavity.box, design);
-            carver.carve(cavity, &box, cavity.floorMm - design.boxFloorMm);
+            const double floorMm = cavity.floorMm - design.boxFloorMm;
+            carver.carve(cavity, &box, floorMm);
+            opening = grading::Preparation::Box{cavity.box->atMm, cavity.box->outwards, design.boxWidthMm, floorMm};
         } else {
             carver.carve(cavity, nullptr, 0.0);
         }
@@ -187,6 +192,8 @@ Result<grading::Preparation> makeOcclusal(Kind kind, const ToothDesign& design, 
     }
     grading::Preparation ideal = std::move(carver).finish();
     ideal.isthmus = isthmus;
+    ideal.box = opening;
+    ideal.obliqueCrest = obliqueCrest(anatomy.fdi, *form);
     if (Status safe = checkPulp(kind, ideal, anatomy); !safe)
         return tl::unexpected(std::move(safe).error());
     return ideal;

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/grading/Deviation.h"
 #include "core/grading/Measures.h"
 #include "core/preparation/OcclusalOutline.h"
 #include "core/preparation/ToothPreparation.h"
@@ -147,6 +148,13 @@ double isthmusOf(const Preparation& ideal, const terrain::Grid& grid)
         narrowest = std::min(narrowest, width);
     }
     return narrowest;
+}
+
+/// A preparation that was cut, against an ideal.
+grading::Deviation deviationOf(const Preparation& cut, const Preparation& ideal,
+                               const std::shared_ptr<const terrain::ToothAnatomy>& anatomy)
+{
+    return grading::measureDeviation(terrain::restored(anatomy, *cut.top), ideal).value();
 }
 
 }  // namespace
@@ -408,6 +416,159 @@ private slots:
         QVERIFY(!notModelled(kind).empty());
     }
 
+    void aSlotIsABoxAlone_data() { boxOpensOutOfTheTooth_data(); }
+
+    void aSlotIsABoxAlone()
+    {
+        QFETCH(int, fdi);
+        QFETCH(bool, isMesial);
+        const auto anatomy = anatomyOf(fdi);
+        const auto ideal = usual(isMesial ? Kind::SlotMesial : Kind::SlotDistal, fdi);
+        QVERIFY(support::succeeds(ideal));
+        QVERIFY(ideal->box && !ideal->isthmus);
+        const auto form = teeth::posteriorForm(fdi, 0);
+        const Findings found = find(*ideal, *anatomy, &*form);
+        QCOMPARE(found.islands, 1);
+        QVERIFY(found.overPulpMm >= 2.0);
+        // Within the box, open to its side, and 0.5 below the place where the tooth is widest.
+        const grading::Preparation::Box& box = *ideal->box;
+        QVERIFY(box.outwards.x * (isMesial ? -1.0 : 1.0) > 0.9);
+        const glm::dvec2 across{-box.outwards.y, box.outwards.x};
+        double outermost = -1.0e9;
+        double widestMm = 0.0;
+        double cutOutermost = -1.0e9;
+        support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+            const double out = glm::dot(at - box.atMm, box.outwards);
+            const double aside = std::abs(glm::dot(at - box.atMm, across));
+            if (ideal->parts[k] != Part::Keep) {
+                QVERIFY(aside < 0.5 * box.widthMm + 0.05 && out > -1.6);
+                cutOutermost = std::max(cutOutermost, out);
+            }
+            if (anatomy->top[k] > anatomy->bottom[k] && aside < 0.3 && out > outermost) {
+                outermost = out;
+                widestMm = static_cast<double>(anatomy->top[k]);
+            }
+        });
+        QVERIFY(cutOutermost > outermost - 0.1);
+        QVERIFY2(box.floorMm < widestMm - 0.5, qPrintable(QString::number(widestMm - box.floorMm)));
+        const auto axial = deviationOf(*ideal, *ideal, anatomy).form.axialDepthMm;
+        QVERIFY(axial && axial->value > 1.2 && axial->value < 1.5);
+    }
+
+    void aBuccalExtensionOpensTheBuccalSurface_data()
+    {
+        support::columns<int, int>("fdi", "seed");
+        for (const int fdi : {36, 37})
+            for (const int seed : {0, 1, 2, 3, 4, 5})
+                if (support::isTried(fdi + seed))
+                    QTest::addRow("%d seed %d", fdi, seed) << fdi << seed;
+    }
+
+    void aBuccalExtensionOpensTheBuccalSurface()
+    {
+        QFETCH(int, fdi);
+        QFETCH(int, seed);
+        const auto anatomy = anatomyOf(fdi, static_cast<std::uint64_t>(seed));
+        const auto ideal = usual(Kind::ClassOneBuccal, fdi, static_cast<std::uint64_t>(seed));
+        QVERIFY(support::succeeds(ideal));
+        QVERIFY(ideal->box && ideal->isthmus);
+        const auto form = teeth::posteriorForm(fdi, static_cast<std::uint64_t>(seed));
+        const Findings found = find(*ideal, *anatomy, &*form);
+        QCOMPARE(found.islands, 1);
+        QVERIFY(found.overPulpMm >= 2.0);
+        const grading::Preparation::Box& box = *ideal->box;
+        QVERIFY(box.outwards.y * form->ySign > 0.9);
+        const terrain::Grid& grid = anatomy->grid;
+        const auto idealAt = [&](glm::dvec2 place) {
+            const glm::ivec2 node(grid.latticeOf(place) + 0.5);
+            return static_cast<double>((*ideal->top)[grid.index(node.x, node.y)]);
+        };
+        QVERIFY(std::abs(idealAt(box.atMm - box.outwards * 0.5) - box.floorMm) < 1.0e-4);
+        const double boxFloorMm = usualDesign(Kind::ClassOneBuccal, fdi)->boxFloorMm;
+        QVERIFY(std::abs(idealAt(ideal->isthmus->atMm) - box.floorMm - boxFloorMm) < 1.0e-4);
+        const grading::Deviation deviation = deviationOf(*ideal, *ideal, anatomy);
+        QVERIFY(deviation.form.axialDepthMm->value > 1.0 && deviation.form.axialDepthMm->value < 1.5);
+        QVERIFY(deviation.form.ridgeMesialMm->value > 1.9 && deviation.form.ridgeDistalMm->value > 1.9);
+    }
+
+    void aBoxIsMeasuredAgainstItsIdeal_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("Class II") << static_cast<int>(Kind::ClassTwoMesial);
+        QTest::newRow("slot") << static_cast<int>(Kind::SlotDistal);
+        QTest::newRow("step to the buccal") << static_cast<int>(Kind::ClassOneBuccal);
+    }
+
+    /// What is cut 0.3 mm farther in, or 0.4 mm lower, is off by so much and by nothing else.
+    void aBoxIsMeasuredAgainstItsIdeal()
+    {
+        QFETCH(int, kind);
+        const auto boxed = static_cast<Kind>(kind);
+        const auto anatomy = anatomyOf(36, 4);
+        const ToothDesign design = *fittedDesign(boxed, *anatomy);
+        const Preparation ideal = *makePreparation(boxed, design, *anatomy);
+        const auto errorsOf = [&](double ToothDesign::*value, double more) {
+            ToothDesign other = design;
+            other.*value += more;
+            const auto deviation = deviationOf(*makePreparation(boxed, other, *anatomy), ideal, anatomy);
+            return std::pair(deviation.form.axialDepthMm->value - deviation.idealForm.axialDepthMm->value,
+                             deviation.gingivalFloorErrorMm->value);
+        };
+        const auto [inwards, level] = errorsOf(&ToothDesign::boxAxialMm, 0.3);
+        QVERIFY2(std::abs(inwards - 0.3) < 0.04 && level < 1.0e-4, qPrintable(QString::number(inwards)));
+        const auto [depth, lower] = errorsOf(&ToothDesign::boxFloorMm, 0.4);
+        QVERIFY2(std::abs(lower - 0.4) < 0.01 && std::abs(depth) < 0.04, qPrintable(QString::number(lower)));
+        const auto [shallow, higher] = errorsOf(&ToothDesign::boxFloorMm, -0.2);
+        QVERIFY2(std::abs(higher - 0.2) < 0.01 && std::abs(shallow) < 0.15, qPrintable(QString::number(shallow)));
+    }
+
+    /// The shell that is left before the neighbour is no axial wall.
+    void aShellBeforeABoxIsNoWall()
+    {
+        const auto anatomy = anatomyOf(36);
+        const Preparation ideal = *usual(Kind::ClassTwoMesial, 36);
+        std::vector<float> top = *ideal.top;
+        support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+            if (glm::dot(at - ideal.box->atMm, ideal.box->outwards) > -0.4)
+                top[k] = anatomy->top[k];
+        });
+        const auto whole = deviationOf(ideal, ideal, anatomy).form.axialDepthMm;
+        const auto shelled = grading::measureDeviation(terrain::restored(anatomy, top), ideal)->form.axialDepthMm;
+        QCOMPARE(shelled->value, whole->value);
+        QCOMPARE(grading::measureDeviation(terrain::Tooth(anatomy), ideal)->form.axialDepthMm->value, 0.0);
+    }
+
+    void theObliqueRidgeIsMeasuredAcross()
+    {
+        for (const int fdi : {26, 27}) {
+            const auto anatomy = anatomyOf(fdi);
+            const Preparation ideal = *usual(Kind::ClassOne, fdi);
+            QVERIFY(!ideal.obliqueCrest.empty());
+            const auto left = deviationOf(ideal, ideal, anatomy).form.obliqueRidgeMm;
+            QVERIFY(left && left->value > 2.0 * usualDesign(Kind::ClassOne, fdi)->obliqueMm - 0.1);
+            // Cut 0.2 mm wider on both sides, it is so much narrower; a trench across it leaves nothing.
+            std::vector<float> wider = *ideal.top;
+            std::vector<float> through = *ideal.top;
+            const glm::dvec2 middle = ideal.obliqueCrest[ideal.obliqueCrest.size() / 2];
+            support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+                if (glm::distance(at, middle) < 0.4)
+                    through[k] = anatomy->top[k] - 1.0F;
+                const glm::ivec2 node(anatomy->grid.latticeOf(at) + 0.5);
+                support::eachOf(anatomy->grid, support::around(anatomy->grid, node.x, node.y, 3), [&](std::size_t n) {
+                    if (ideal.parts[n] != Part::Keep && glm::distance(at, anatomy->grid.nodeMm(n)) < 0.2)
+                        wider[k] = std::min(wider[k], anatomy->top[k] - 1.0F);
+                });
+            });
+            const auto measured = [&](const std::vector<float>& top) {
+                return grading::measureDeviation(terrain::restored(anatomy, top), ideal)->form.obliqueRidgeMm;
+            };
+            QVERIFY(std::abs(measured(wider)->value - (left->value - 0.4)) < 0.1);
+            QCOMPARE(measured(through)->value, 0.0);
+            QVERIFY(!measured(anatomy->top));
+        }
+        QVERIFY(usual(Kind::ClassOne, 36)->obliqueCrest.empty());
+    }
+
     void accessTakesTheWholeRoofAndNoFloor()
     {
         for (const std::uint64_t seed : {0U, 1U, 2U, 3U})
@@ -465,8 +626,10 @@ private slots:
 
     void everyKindAndFieldHasAName()
     {
-        for (const Kind kind : {Kind::ClassOne, Kind::ClassTwoMesial, Kind::ClassTwoDistal, Kind::Access}) {
+        for (const Kind kind : {Kind::ClassOne, Kind::ClassOneBuccal, Kind::ClassTwoMesial, Kind::ClassTwoDistal,
+                                Kind::SlotMesial, Kind::SlotDistal, Kind::Access}) {
             QCOMPARE(*findKind(kindId(kind)), kind);
+            QVERIFY(!notModelled(kind).empty());
             const ToothDesign usual = *usualDesign(kind, 36);
             QVERIFY(validate(kind, usual));
             for (const auto& field : fieldsOf(kind)) {

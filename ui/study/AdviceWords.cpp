@@ -99,6 +99,24 @@ QString AdviceWords::of(const ::lessons::Advice& advice, const ::lessons::Criter
         //: %1 and %2 are lengths in mm
         return tr("The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.")
             .arg(number, text::number(criterion.target, 1));
+    case Rule::ObliqueRidgeThin:
+        //: %1 and %2 are lengths in mm
+        return tr("Only %1 mm of the oblique ridge is left; it should keep %2 mm. Stop earlier on both sides of it.")
+            .arg(number, text::number(criterion.target, 1));
+    case Rule::GingivalFloorOff:
+        //: %1 is a length in mm
+        return tr("The gingival floor is %1 mm off the height that the lesson asks for. Check its depth in the section "
+                  "before you widen the box.")
+            .arg(number);
+    case Rule::AxialWallDeep:
+        //: %1 is a length in mm
+        return tr("The axial wall of the box is %1 mm too far inside the tooth. Compare the depth of the box with the "
+                  "width of the bur before you go on inwards.")
+            .arg(number);
+    case Rule::AxialWallShallow:
+        //: %1 is a length in mm
+        return tr("The axial wall of the box is %1 mm too far outside. Move the bur inwards along the whole wall.")
+            .arg(number);
     case Rule::IsthmusWide:
         return tr("The isthmus is %1 mm too wide. Go through it once, with a bur that is not wider than it.")
             .arg(number);

@@ -78,10 +78,12 @@ QLabel* scoreLabel(const QString& words, int size, QFont::Weight weight, QPalett
     return made;
 }
 
-/// Whether it is measured across: a wall, a ridge, an isthmus. How deep the cut is there says nothing about it.
+/// Whether it is measured across: a wall, a ridge, an isthmus, the depth of a box. How deep the cut is there says
+/// nothing about it.
 bool isAcross(std::string_view measure)
 {
-    return measure.starts_with("wall_") || measure.starts_with("ridge_") || measure.starts_with("isthmus_");
+    return measure.starts_with("wall_") || measure.starts_with("ridge_") || measure.starts_with("oblique_") ||
+           measure.starts_with("axial_") || measure.starts_with("isthmus_");
 }
 
 /// Words that fold: they take the height that their width asks for, and claim no more than that beforehand.

@@ -50,6 +50,8 @@ namespace {
     QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make its depth (depth_mm) less"),
     QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make its depth (depth_mm) or that of the box "
                                "(box_floor_mm, box_axial_mm) less"),
+    QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make the depth of the box (box_floor_mm, "
+                               "box_axial_mm) less"),
     QT_TRANSLATE_NOOP("Fault", "nobody knows where the fissures of '%1' run or which side is mesial; choose a tooth by "
                                "its FDI number, or take an ideal from attempts at this one"),
     //: %1: a part of a preparation, %2: keys of numbers

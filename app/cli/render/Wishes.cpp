@@ -92,11 +92,10 @@ void addRenderOptions(QCommandLineParser& parser)
         "hand (of a recording: where the hand holds the bur), left-hand (the other hand works), prepared (cut as the "
         "ideal says); with --xray: before (the whole tooth beside it).",
         "WHAT");
-    option(
-        "ideal",
-        "What ought to be cut, for --show ideal and prepared: class1, class2-mesial, class2-distal or access. If not "
-        "given, the shape of a block, and on a tooth the decay.",
-        "NAME");
+    option("ideal",
+           "What ought to be cut, for --show ideal and prepared: class1, class1-buccal, class2-mesial, class2-distal, "
+           "slot-mesial, slot-distal or access. If not given, the shape of a block, and on a tooth the decay.",
+           "NAME");
     option("out", "The picture.", "FILE.png");
     addToothOptions(parser);
 }
