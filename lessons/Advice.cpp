@@ -16,6 +16,7 @@ struct Finding
 {
     Rule rule;
     double amount = 0.0;
+    double askedMm = 0.0;
 };
 
 bool isOneOf(std::string_view measure, std::initializer_list<std::string_view> prefixes)
@@ -54,6 +55,26 @@ double leftPercent(const Measured& measured)
     if (!measured.deviation || measured.deviation->idealMm3 <= 0.0)
         return 0.0;
     return 100.0 * measured.deviation->undercutMm3 / measured.deviation->idealMm3;
+}
+
+Finding pitFinding(const Measured& measured, double value)
+{
+    const auto& worst =
+        measured.deviation && measured.deviation->depth ? measured.deviation->depth->worstPiece : std::nullopt;
+    if (!worst)
+        return {Rule::TooShallow, value};
+    return {worst->meanMm < 0.0 ? Rule::PitTooDeep : Rule::PitTooShallow, value, worst->depthMm};
+}
+
+/// Where enamel alone was to be cut, a floor that is too deep or too shallow means dentin cut or enamel left.
+Finding toTheJunction(const Finding& finding, const Measured& measured)
+{
+    constexpr auto kDentin = static_cast<std::size_t>(core::terrain::Material::Dentin);
+    if (finding.rule == Rule::TooDeep)
+        return {Rule::DentinCut, measured.measures.removedMm3[kDentin]};
+    if (finding.rule == Rule::TooShallow)
+        return {Rule::EnamelLeft, finding.amount};
+    return finding;
 }
 
 /// Advice that depends on the measure alone; the amount is what was measured.
@@ -104,6 +125,10 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
         return Finding{Rule::BelowDecay, value};
     if (id == "floor_into_dentin_mm")
         return Finding{Rule::FloorInEnamel};
+    if (id == "dentin_removed_mm3")
+        return Finding{Rule::DentinCut, value};
+    if (id == "plunge_error_worst_mm")
+        return pitFinding(measured, value);
     if (id == "floor_gouge_mm")
         return fastOr(Rule::TooDeepFast, Rule::TooDeep, value);
     const auto [deep, shallow] = depthOf(measured);
@@ -145,14 +170,20 @@ std::vector<Advice> adviceOn(const ScoreSheet& sheet, const Measured& measured,
                              const std::vector<std::vector<Moment>>& moments)
 {
     std::vector<Advice> all;
+    const bool sparesDentin = std::any_of(sheet.criteria.begin(), sheet.criteria.end(),
+                                          [](const Criterion& line) { return line.measure == "dentin_removed_mm3"; });
     for (std::size_t k = 0; k < sheet.criteria.size(); ++k) {
         const Criterion& line = sheet.criteria[k];
         const bool hasFailed = line.critical && line.capTenths == 0 && line.share > 0.0;
         if (line.lostTenths == 0 && !hasFailed)
             continue;
         const Moment* worst = k < moments.size() ? worstOf(moments[k]) : nullptr;
-        if (const auto found = findingOf(line, measured, worst != nullptr ? worst->feedMmPerS : 0.0))
-            all.push_back({found->rule, k, found->amount, worst != nullptr ? std::optional(*worst) : std::nullopt});
+        auto found = findingOf(line, measured, worst != nullptr ? worst->feedMmPerS : 0.0);
+        if (found && sparesDentin)
+            found = toTheJunction(*found, measured);
+        if (found)
+            all.push_back({found->rule, k, found->amount, found->askedMm,
+                           worst != nullptr ? std::optional(*worst) : std::nullopt});
     }
     std::stable_sort(all.begin(), all.end(), [&](const Advice& a, const Advice& b) {
         const Criterion& first = sheet.criteria[a.criterion];

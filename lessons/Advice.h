@@ -52,10 +52,15 @@ struct Advice
         NotTouched,     ///< points of an exercise
         NotNamed,       ///< layers of an exercise
         CutInExercise,  ///< amount: mm3
+        PitTooDeep,     ///< amount: mm
+        PitTooShallow,  ///< amount: mm
+        DentinCut,      ///< where enamel alone was to be cut; amount: mm3
+        EnamelLeft,     ///< there; amount: mm
     };
     Rule rule = Rule::TooLittleDone;
     std::size_t criterion = 0;     ///< index in the sheet
     double amount = 0.0;           ///< as the rule says
+    double askedMm = 0.0;          ///< of a pit: the depth that was asked for
     std::optional<Moment> moment;  ///< when most was lost; empty: no single moment caused it, or it is not found yet
     bool operator==(const Advice&) const = default;
 };

@@ -50,7 +50,8 @@ struct Block
 {
     std::string shape;
     std::map<std::string, double> sizes;  ///< by id (core::teeth::blockFields), what differs from the usual block
-    std::optional<std::uint64_t> seed;    ///< of the order of its layers; nothing: drawn anew for each attempt
+    std::optional<std::uint64_t>
+        seed;  ///< of the order or thickness of its layers; nothing: drawn anew for each attempt
     bool operator==(const Block&) const = default;
 };
 /// The scan of a tooth, a file beside the lesson.
@@ -187,10 +188,12 @@ enum class ShownTarget : std::uint8_t { Decay, Ideal, Nothing };
     return lesson == nullptr || lesson->task == Task::RemoveDecay ? ShownTarget::Decay : ShownTarget::Ideal;
 }
 
-/// Returns whether a lesson is on a block whose layers do not matter. Its material is called "block" on the screen.
+/// Returns whether a lesson is on a block whose layers do not matter. Its material is called "block" on the screen. The
+/// layers of a block of pads and of a junction matter.
 [[nodiscard]] inline bool isOnPlainBlock(const Lesson& lesson)
 {
-    return std::holds_alternative<Block>(lesson.tooth) && lesson.task != Task::TellLayers;
+    const auto* block = std::get_if<Block>(&lesson.tooth);
+    return block != nullptr && lesson.task != Task::TellLayers && block->shape != "junction";
 }
 
 }  // namespace lessons

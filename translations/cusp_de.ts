@@ -347,6 +347,14 @@
         <source>Practice block: three layers</source>
         <translation>Übungsblock: drei Schichten</translation>
     </message>
+    <message>
+        <source>Practice block: depth plunges</source>
+        <translation>Übungsblock: Tiefenbohrungen</translation>
+    </message>
+    <message>
+        <source>Practice block: enamel and dentin</source>
+        <translation>Übungsblock: Schmelz und Dentin</translation>
+    </message>
 </context>
 <context>
     <name>Breach</name>
@@ -1946,6 +1954,18 @@
         <source>this preparation would open the pulp; make the depth of the box (box_floor_mm, box_axial_mm) less</source>
         <translation>diese Präparation würde die Pulpa eröffnen; verringern Sie die Tiefe des Kastens (box_floor_mm, box_axial_mm)</translation>
     </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves less than %1 mm of the block between its pits (width_mm, steps)</source>
+        <translation>die Länge der Form (length_mm) lässt zwischen ihren Vertiefungen weniger als %1 mm des Blocks (width_mm, steps)</translation>
+    </message>
+    <message>
+        <source>the enamel is thinner where it is thickest (depth_mm) than where it is thinnest (enamel_mm)</source>
+        <translation>der Schmelz ist an der dicksten Stelle (depth_mm) dünner als an der dünnsten (enamel_mm)</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make the reduction (reduction_mm, functional_mm) less</source>
+        <translation>diese Präparation würde die Pulpa eröffnen; verringern Sie die Reduktion (reduction_mm, functional_mm)</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -2048,6 +2068,14 @@
     <message>
         <source>radius of inner corners</source>
         <translation>Radius der Innenecken</translation>
+    </message>
+    <message>
+        <source>occlusal reduction</source>
+        <translation>okklusale Reduktion</translation>
+    </message>
+    <message>
+        <source>reduction of the functional cusps</source>
+        <translation>Reduktion der tragenden Höcker</translation>
     </message>
 </context>
 <context>
@@ -9601,6 +9629,26 @@ ungesichert</translation>
         <source>The axial wall of the box is %1 mm too far outside. Move the bur inwards along the whole wall.</source>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>Die axiale Wand des Kastens liegt %1 mm zu weit außen. Führen Sie den Bohrer entlang der ganzen Wand weiter nach innen.</translation>
+    </message>
+    <message>
+        <source>The %1 mm pit is %2 mm too deep. Lift the bur sooner, and compare the depth with the head of the bur.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>Die Vertiefung von %1 mm ist um %2 mm zu tief. Heben Sie den Bohrer früher ab und vergleichen Sie die Tiefe mit seinem Kopf.</translation>
+    </message>
+    <message>
+        <source>The %1 mm pit is %2 mm too shallow. Go down in short steps, and compare the depth with the head of the bur.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>Die Vertiefung von %1 mm ist um %2 mm zu flach. Gehen Sie in kleinen Schritten tiefer und vergleichen Sie die Tiefe mit dem Kopf des Bohrers.</translation>
+    </message>
+    <message>
+        <source>You cut %1 mm³ of dentin. Stop as soon as the bur sinks more easily and the floor looks yellow.</source>
+        <extracomment>%1 is a volume in mm³</extracomment>
+        <translation>Sie haben %1 mm³ Dentin abgetragen. Halten Sie an, sobald der Bohrer leichter sinkt und der Boden gelb aussieht.</translation>
+    </message>
+    <message>
+        <source>Up to %1 mm of enamel is left on the floor. Cut on with light strokes until the bur meets less resistance.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Am Boden sind noch bis zu %1 mm Schmelz. Arbeiten Sie mit leichten Zügen weiter, bis der Widerstand nachlässt.</translation>
     </message>
 </context>
 <context>

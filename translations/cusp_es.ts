@@ -347,6 +347,14 @@
         <source>Practice block: three layers</source>
         <translation>Bloque de práctica: tres capas</translation>
     </message>
+    <message>
+        <source>Practice block: depth plunges</source>
+        <translation>Bloque de práctica: pozos de profundidad</translation>
+    </message>
+    <message>
+        <source>Practice block: enamel and dentin</source>
+        <translation>Bloque de práctica: esmalte y dentina</translation>
+    </message>
 </context>
 <context>
     <name>Breach</name>
@@ -1946,6 +1954,18 @@
         <source>this preparation would open the pulp; make the depth of the box (box_floor_mm, box_axial_mm) less</source>
         <translation>esta preparación abriría la pulpa; reduzca la profundidad del cajón (box_floor_mm, box_axial_mm)</translation>
     </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves less than %1 mm of the block between its pits (width_mm, steps)</source>
+        <translation>la longitud de la forma (length_mm) deja menos de %1 mm del bloque entre sus pozos (width_mm, steps)</translation>
+    </message>
+    <message>
+        <source>the enamel is thinner where it is thickest (depth_mm) than where it is thinnest (enamel_mm)</source>
+        <translation>el esmalte es más fino donde es más grueso (depth_mm) que donde es más fino (enamel_mm)</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make the reduction (reduction_mm, functional_mm) less</source>
+        <translation>esta preparación abriría la pulpa; disminuya la reducción (reduction_mm, functional_mm)</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -2048,6 +2068,14 @@
     <message>
         <source>radius of inner corners</source>
         <translation>radio de los ángulos internos</translation>
+    </message>
+    <message>
+        <source>occlusal reduction</source>
+        <translation>reducción oclusal</translation>
+    </message>
+    <message>
+        <source>reduction of the functional cusps</source>
+        <translation>reducción de las cúspides funcionales</translation>
     </message>
 </context>
 <context>
@@ -9601,6 +9629,26 @@ sin guardar</translation>
         <source>The axial wall of the box is %1 mm too far outside. Move the bur inwards along the whole wall.</source>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>La pared axial del cajón está %1 mm demasiado afuera. Lleve la fresa hacia dentro a lo largo de toda la pared.</translation>
+    </message>
+    <message>
+        <source>The %1 mm pit is %2 mm too deep. Lift the bur sooner, and compare the depth with the head of the bur.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>El pozo de %1 mm es %2 mm demasiado profundo. Levante antes la fresa y compare la profundidad con su cabeza.</translation>
+    </message>
+    <message>
+        <source>The %1 mm pit is %2 mm too shallow. Go down in short steps, and compare the depth with the head of the bur.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>Al pozo de %1 mm le faltan %2 mm de profundidad. Baje a pasos cortos y compare la profundidad con la cabeza de la fresa.</translation>
+    </message>
+    <message>
+        <source>You cut %1 mm³ of dentin. Stop as soon as the bur sinks more easily and the floor looks yellow.</source>
+        <extracomment>%1 is a volume in mm³</extracomment>
+        <translation>Ha tallado %1 mm³ de dentina. Pare en cuanto la fresa entre con más facilidad y el piso se vea amarillo.</translation>
+    </message>
+    <message>
+        <source>Up to %1 mm of enamel is left on the floor. Cut on with light strokes until the bur meets less resistance.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>En el piso quedan hasta %1 mm de esmalte. Siga con pasadas ligeras hasta que la resistencia disminuya.</translation>
     </message>
 </context>
 <context>

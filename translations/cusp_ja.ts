@@ -346,6 +346,14 @@
         <source>Practice block: three layers</source>
         <translation>練習ブロック：3層</translation>
     </message>
+    <message>
+        <source>Practice block: depth plunges</source>
+        <translation>練習用ブロック：深さ別の穴</translation>
+    </message>
+    <message>
+        <source>Practice block: enamel and dentin</source>
+        <translation>練習用ブロック：エナメル質と象牙質</translation>
+    </message>
 </context>
 <context>
     <name>Breach</name>
@@ -1944,6 +1952,18 @@
         <source>this preparation would open the pulp; make the depth of the box (box_floor_mm, box_axial_mm) less</source>
         <translation>この窩洞では露髄します。ボックスの深さ（box_floor_mm、box_axial_mm）を減らしてください</translation>
     </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves less than %1 mm of the block between its pits (width_mm, steps)</source>
+        <translation>形の長さ（length_mm）では、穴の間にブロックが%1 mm残りません（width_mm、steps）</translation>
+    </message>
+    <message>
+        <source>the enamel is thinner where it is thickest (depth_mm) than where it is thinnest (enamel_mm)</source>
+        <translation>エナメル質の最も厚い所（depth_mm）が最も薄い所（enamel_mm）より薄くなっています</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make the reduction (reduction_mm, functional_mm) less</source>
+        <translation>この形成では露髄します。削除量（reduction_mm、functional_mm）を小さくしてください</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -2046,6 +2066,14 @@
     <message>
         <source>radius of inner corners</source>
         <translation>内角の半径</translation>
+    </message>
+    <message>
+        <source>occlusal reduction</source>
+        <translation>咬合面の削除量</translation>
+    </message>
+    <message>
+        <source>reduction of the functional cusps</source>
+        <translation>機能咬頭の削除量</translation>
     </message>
 </context>
 <context>
@@ -9548,6 +9576,26 @@ unsaved</source>
         <source>The axial wall of the box is %1 mm too far outside. Move the bur inwards along the whole wall.</source>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>ボックスの軸側壁が%1 mm外側にあります。壁全体に沿ってバーを内側へ進めてください。</translation>
+    </message>
+    <message>
+        <source>The %1 mm pit is %2 mm too deep. Lift the bur sooner, and compare the depth with the head of the bur.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>%1 mmの穴が%2 mm深すぎます。早めにバーを上げ、深さをバーの頭部と比べてください。</translation>
+    </message>
+    <message>
+        <source>The %1 mm pit is %2 mm too shallow. Go down in short steps, and compare the depth with the head of the bur.</source>
+        <extracomment>%1 and %2 are lengths in mm</extracomment>
+        <translation>%1 mmの穴が%2 mm浅すぎます。少しずつ下げ、深さをバーの頭部と比べてください。</translation>
+    </message>
+    <message>
+        <source>You cut %1 mm³ of dentin. Stop as soon as the bur sinks more easily and the floor looks yellow.</source>
+        <extracomment>%1 is a volume in mm³</extracomment>
+        <translation>象牙質を%1 mm³切削しました。バーが軽く沈み、窩底が黄色く見えたらすぐに止めてください。</translation>
+    </message>
+    <message>
+        <source>Up to %1 mm of enamel is left on the floor. Cut on with light strokes until the bur meets less resistance.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>窩底にエナメル質が最大%1 mm残っています。抵抗が減るまで軽いストロークで切削を続けてください。</translation>
     </message>
 </context>
 <context>

@@ -237,6 +237,73 @@ Placed gougeOf(const Ends& ends, const std::vector<Part>& parts)
     return gouge.over(kLocalMm2);
 }
 
+/// The columns of each separate piece of the ideal's floor, in index order.
+std::vector<std::vector<std::size_t>> piecesOf(const Ends& ends, const std::vector<Part>& parts)
+{
+    const Grid& grid = ends.anatomy.grid;
+    std::vector<bool> isOpen(grid.count(), false);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        isOpen[k] = parts[k] == Part::Floor && wasSolid(ends.anatomy, k);
+    std::vector<std::vector<std::size_t>> pieces;
+    for (std::size_t start = 0; start < isOpen.size(); ++start) {
+        if (!isOpen[start])
+            continue;
+        std::vector<std::size_t> piece{start};
+        isOpen[start] = false;
+        for (std::size_t next = 0; next < piece.size(); ++next) {
+            const int i = static_cast<int>(piece[next] % static_cast<std::size_t>(grid.side));
+            const int j = static_cast<int>(piece[next] / static_cast<std::size_t>(grid.side));
+            for (int nj = j - 1; nj <= j + 1; ++nj)
+                for (int ni = i - 1; ni <= i + 1; ++ni)
+                    if (grid.contains(ni, nj) && isOpen[grid.index(ni, nj)]) {
+                        isOpen[grid.index(ni, nj)] = false;
+                        piece.push_back(grid.index(ni, nj));
+                    }
+        }
+        std::sort(piece.begin(), piece.end());
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
+
+/// @param speaks  for each column, whether it speaks for the floor; in a piece without such a column all do
+PieceError pieceErrorOf(const Ends& ends, const std::vector<std::size_t>& piece, const std::vector<bool>& speaks)
+{
+    const bool anySpeaks = std::any_of(piece.begin(), piece.end(), [&](std::size_t k) { return speaks[k]; });
+    PieceError error;
+    error.node = piece[piece.size() / 2];
+    double area = 0.0;
+    for (const std::size_t k : piece) {
+        if (anySpeaks && !speaks[k])
+            continue;
+        area += ends.area(k);
+        error.meanMm += (ends.nowAt(k) - ends.idealAt(k)) * ends.area(k);
+        error.depthMm += (ends.top(k) - ends.idealAt(k)) * ends.area(k);
+    }
+    if (area > 0.0) {
+        error.meanMm /= area;
+        error.depthMm /= area;
+    }
+    return error;
+}
+
+std::optional<PieceError> worstPieceOf(const Ends& ends, const std::vector<Part>& parts,
+                                       const std::vector<std::size_t>& floor)
+{
+    const std::vector<std::vector<std::size_t>> pieces = piecesOf(ends, parts);
+    if (pieces.size() < 2)
+        return {};
+    std::vector<bool> speaks(parts.size(), false);
+    for (const std::size_t k : floor)
+        speaks[k] = true;
+    std::optional<PieceError> worst;
+    for (const std::vector<std::size_t>& piece : pieces)
+        if (const PieceError error = pieceErrorOf(ends, piece, speaks);
+            !worst || std::abs(error.meanMm) > std::abs(worst->meanMm))
+            worst = error;
+    return worst;
+}
+
 std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor)
 {
     double depth = 0.0;
@@ -728,8 +795,10 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
     const std::vector<std::size_t> floor =
         floorOf(ends, [&](std::size_t k) { return ideal.parts[k] == Part::Floor && wasSolid(anatomy, k); });
     result.depth = depthErrorOf(ends, floor);
-    if (result.depth)
+    if (result.depth) {
         result.depth->gougeMm = gougeOf(ends, ideal.parts);
+        result.depth->worstPiece = worstPieceOf(ends, ideal.parts, floor);
+    }
     result.floor = floorFormOf(ends, floor);
     if (ideal.box)
         result.gingivalFloorErrorMm = gingivalErrorOf(ends, ideal.parts, *ideal.box);

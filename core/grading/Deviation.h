@@ -49,6 +49,15 @@ inline constexpr double kStrayMm2 = 0.1;
 /// The slope of a floor is that between places so far apart.
 inline constexpr double kSlopeRunMm = 0.3;
 
+/// One of several separate pieces of a floor, such as a pit of a row of pits.
+struct PieceError
+{
+    double meanMm = 0.0;   ///< of the error in height, as below: negative is too deep
+    double depthMm = 0.0;  ///< mean depth of the ideal there, below the uncut surface
+    std::size_t node = 0;  ///< a node in it
+    bool operator==(const PieceError&) const = default;
+};
+
 /// Depth of the floor against the ideal (teeth.md section 7: floor depth; courseware.md 3.3: depth error).
 /// The error of a column is its height less the ideal one: negative is too deep.
 struct DepthError
@@ -61,6 +70,9 @@ struct DepthError
     double deepP95Mm = 0.0;     ///< 95 % of the floor's area lie no lower than so much below the ideal
     double shallowP95Mm = 0.0;  ///< and no higher than so much above it
     Placed gougeMm;             ///< kLocalMm2 of the floor, its edge included, lie so much below the ideal, or more
+    /// Of a floor in separate pieces, the one whose mean error is largest; nothing for a floor in one piece. Pieces
+    /// that share an edge or a corner of their columns are one.
+    std::optional<PieceError> worstPiece;
     bool operator==(const DepthError&) const = default;
 };
 

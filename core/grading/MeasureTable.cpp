@@ -235,6 +235,11 @@ Node depthNode(const Measured& m)
     });
 }
 
+std::optional<PieceError> worstPiece(const Measured& m)
+{
+    return m.deviation && m.deviation->depth ? m.deviation->depth->worstPiece : std::nullopt;
+}
+
 Node cariesNode(const Measured& m)
 {
     return m.measures.cariesLeftNode;
@@ -410,6 +415,17 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      },
      [](const Measured& m) -> Node {
          return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) { return worstOf(d.gougeMm); });
+     }},
+    {"plunge_error_worst_mm", "mm",
+     "Of a floor in separate pieces, such as a row of pits, the size of the mean error in height of the worst piece.",
+     kPad,
+     [](const Measured& m) -> Value {
+         const auto worst = worstPiece(m);
+         return worst ? Value(std::abs(worst->meanMm)) : std::nullopt;
+     },
+     [](const Measured& m) -> Node {
+         const auto worst = worstPiece(m);
+         return worst && worst->meanMm != 0.0 ? Node(worst->node) : std::nullopt;
      }},
 
     {"outline_mean_mm", "mm", "Mean distance between the outline cut and the ideal one.", kMetrics,

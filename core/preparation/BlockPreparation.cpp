@@ -24,7 +24,8 @@ struct Pocket
     double depthMm = 0.0;
 };
 
-/// A staircase has one pocket for each step, each within the one before; every other shape has one.
+/// A staircase has one pocket for each step, each within the one before, and plunges have one for each pit; every other
+/// shape has one.
 std::vector<Pocket> pocketsOf(const BlockDesign& design)
 {
     const double inside = 0.5 * design.widthMm - design.cornerRadiusMm;  // half of where the axis goes
@@ -81,6 +82,16 @@ std::vector<Pocket> pocketsOf(const BlockDesign& design)
     case BlockShape::Layers:
         pockets.clear();
         break;
+    case BlockShape::Plunges:
+        pockets.clear();
+        for (const teeth::Pit& pit : teeth::pitsOf(design)) {
+            pockets.push_back({{}, pit.depthMm});
+            pockets.back().axis.addRing({pit.xMm, 0.0}, 0.0, inside);
+        }
+        break;
+    case BlockShape::Junction:
+        alongX(-end, end, 0.0);
+        break;
     }
     return pockets;
 }
@@ -98,6 +109,7 @@ Result<grading::Preparation> blockPreparation(const BlockDesign& design, const t
     std::vector<float> top = anatomy.top;
     std::vector<Part> parts(grid.count(), Part::Keep);
     const std::vector<Pocket> pockets = pocketsOf(design);
+    const bool followsJunction = design.shape == BlockShape::Junction;
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
@@ -108,7 +120,8 @@ Result<grading::Preparation> blockPreparation(const BlockDesign& design, const t
                 if (away > design.cornerRadiusMm + kOnEdgeMm)
                     continue;
                 const double rise = riseBeside(away, design.cornerRadiusMm, design.lineAngleMm);
-                const auto height = static_cast<float>(rise - pocket.depthMm);
+                const double floor = followsJunction ? static_cast<double>(anatomy.layers[k].dej) : -pocket.depthMm;
+                const auto height = static_cast<float>(rise + floor);
                 if (height < top[k]) {
                     top[k] = height;
                     parts[k] = rise > 0.0 ? Part::Wall : Part::Floor;

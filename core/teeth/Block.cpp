@@ -6,13 +6,14 @@
 #include <utility>
 
 #include "core/base/Rng.h"
+#include "core/teeth/ValueNoise.h"
 
 namespace core::teeth {
 namespace {
 
 constexpr std::string_view kPrefix = "block:";
-constexpr std::array<std::string_view, 9> kShapes{"line",      "circle", "cross", "square", "dovetail",
-                                                  "staircase", "bar",    "tee",   "layers"};
+constexpr std::array<std::string_view, 11> kShapes{"line", "circle", "cross",  "square",  "dovetail", "staircase",
+                                                   "bar",  "tee",    "layers", "plunges", "junction"};
 
 constexpr std::array<NumberField<BlockDesign>, 10> kFields{{
     {"side_mm", "block's side", "mm", &BlockDesign::sideMm, 6.0, 30.0},
@@ -30,6 +31,8 @@ constexpr std::array<NumberField<BlockDesign>, 10> kFields{{
 constexpr double kMarginMm = 0.5;       ///< of block that stays around and below a shape
 constexpr double kLeastIslandMm = 0.5;  ///< what a ring or frame stands around
 constexpr double kPadSoftMm = 2.0;      ///< a pad's material goes so deep
+constexpr double kBetweenPitsMm = 0.5;  ///< of block that stays between two pits
+constexpr double kWaveMm = 3.5;         ///< from a thick place of the enamel over a junction to a thin one
 
 Status misfit(const char* sentence, std::vector<Words> values = {})
 {
@@ -103,6 +106,61 @@ private:
     mesh::TriangleMesh m_mesh;
 };
 
+/// Depth of the junction below the top of a block, mm: a smooth random field, stretched so that it runs from enamelMm
+/// to depthMm within the window.
+class JunctionDepth
+{
+public:
+    JunctionDepth(const BlockDesign& design, std::uint64_t seed)
+        : m_noise(seed ^ 0x6a756e6374696f6eULL, kWaveMm), m_thinnestMm(design.enamelMm), m_thickestMm(design.depthMm)
+    {
+        constexpr int kSamples = 40;
+        for (int b = 0; b <= kSamples; ++b)
+            for (int a = 0; a <= kSamples; ++a) {
+                const double here = m_noise.at(
+                    (static_cast<double>(a) / kSamples - 0.5) * (design.lengthMm - 2.0 * design.cornerRadiusMm),
+                    (static_cast<double>(b) / kSamples - 0.5) * (design.widthMm - 2.0 * design.cornerRadiusMm));
+                m_least = std::min(m_least, here);
+                m_most = std::max(m_most, here);
+            }
+    }
+
+    [[nodiscard]] double at(glm::dvec2 placeMm) const
+    {
+        const double range = m_most - m_least;
+        const double share = range > 0.0 ? (m_noise.at(placeMm.x, placeMm.y) - m_least) / range : 0.5;
+        return m_thinnestMm + std::clamp(share, 0.0, 1.0) * (m_thickestMm - m_thinnestMm);
+    }
+
+private:
+    ValueNoise m_noise;
+    double m_thinnestMm;
+    double m_thickestMm;
+    double m_least = 1.0;
+    double m_most = -1.0;
+};
+
+/// What only some shapes ask for.
+Status validateShape(const BlockDesign& design)
+{
+    if (design.shape == BlockShape::Staircase && design.lengthMm / design.steps < design.widthMm)
+        return misfit("the length of the shape (length_mm) leaves each of its steps shorter than the channel is wide "
+                      "(width_mm)");
+    if (design.shape == BlockShape::Plunges &&
+        (design.lengthMm - design.widthMm) / (design.steps - 1.0) < design.widthMm + kBetweenPitsMm)
+        return misfit("the length of the shape (length_mm) leaves less than %1 mm of the block between its pits "
+                      "(width_mm, steps)",
+                      {number(kBetweenPitsMm)});
+    if (design.shape == BlockShape::Junction && design.depthMm < design.enamelMm)
+        return misfit("the enamel is thinner where it is thickest (depth_mm) than where it is thinnest (enamel_mm)");
+    return {};
+}
+
+bool hasSteps(BlockShape shape)
+{
+    return shape == BlockShape::Staircase || shape == BlockShape::Plunges;
+}
+
 }  // namespace
 
 std::span<const NumberField<BlockDesign>> blockFields()
@@ -136,20 +194,19 @@ Status validate(const BlockDesign& design)
     if (design.lineAngleMm > design.cornerRadiusMm)
         return misfit("the radius between floor and wall (line_angle_mm) is more than the radius of inner corners "
                       "(corner_radius_mm): no bur leaves that");
-    if (design.lineAngleMm > design.depthMm / (design.shape == BlockShape::Staircase ? design.steps : 1.0))
+    if (design.lineAngleMm > design.depthMm / (hasSteps(design.shape) ? design.steps : 1.0))
         return misfit("the radius between floor and wall (line_angle_mm) is more than the depth (depth_mm)");
     const bool goesRound = design.shape == BlockShape::Circle || design.shape == BlockShape::Square;
     const double needed = goesRound ? 2.0 * design.widthMm + kLeastIslandMm : 3.0 * design.widthMm;
-    if (design.shape != BlockShape::Line && design.shape != BlockShape::Staircase && design.lengthMm < needed)
+    const bool isStraight =
+        hasSteps(design.shape) || design.shape == BlockShape::Line || design.shape == BlockShape::Junction;
+    if (!isStraight && design.lengthMm < needed)
         return misfit("the length of the shape (length_mm) must be at least %1 mm with a channel of that width "
                       "(width_mm)",
                       {number(needed)});
     if (design.lengthMm < design.widthMm)
         return misfit("the length of the shape (length_mm) is less than the width of the channel (width_mm)");
-    if (design.shape == BlockShape::Staircase && design.lengthMm / design.steps < design.widthMm)
-        return misfit("the length of the shape (length_mm) leaves each of its steps shorter than the channel is wide "
-                      "(width_mm)");
-    return {};
+    return validateShape(design);
 }
 
 std::string blockName(BlockShape shape)
@@ -184,6 +241,16 @@ std::array<terrain::Material, 3> padMaterials(std::uint64_t seed)
     return order;
 }
 
+std::vector<Pit> pitsOf(const BlockDesign& design)
+{
+    std::vector<Pit> pits;
+    const auto count = static_cast<int>(design.steps);
+    for (int k = 0; k < count; ++k)
+        pits.push_back({(static_cast<double>(k) / (count - 1) - 0.5) * (design.lengthMm - design.widthMm),
+                        design.depthMm * (k + 1) / count});
+    return pits;
+}
+
 mesh::TriangleMesh blockMesh(const BlockDesign& design)
 {
     const double half = 0.5 * design.sideMm;
@@ -210,11 +277,14 @@ std::vector<terrain::ColumnLayers> blockLayers(const BlockDesign& design, const 
     std::vector<terrain::ColumnLayers> layers(grid.count());
     const bool hasPads = design.shape == BlockShape::Layers;
     const std::array<terrain::Material, 3> order = padMaterials(seed);
+    std::optional<JunctionDepth> junction;
+    if (design.shape == BlockShape::Junction)
+        junction.emplace(design, seed);
     const float slab = hasPads ? -static_cast<float>(kPadHeightMm) : 0.0F;
     for (std::size_t k = 0; k < grid.count(); ++k) {
         if (!(top[k] > bottom[k]))
             continue;
-        layers[k].dej = slab - static_cast<float>(design.enamelMm);
+        layers[k].dej = slab - static_cast<float>(junction ? junction->at(grid.nodeMm(k)) : design.enamelMm);
         if (!hasPads || !(top[k] > slab))
             continue;
         const double x = grid.nodeMm(k).x;

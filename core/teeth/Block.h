@@ -27,7 +27,9 @@ enum class BlockShape : std::uint8_t {
     Staircase,  ///< a line that gets deeper in steps
     Bar,        ///< the letter I: a line with a bar across each end
     Tee,
-    Layers  ///< nothing to cut: three pads of enamel, dentin and soft caries to be told apart by feel
+    Layers,   ///< nothing to cut: three pads of enamel, dentin and soft caries to be told apart by feel
+    Plunges,  ///< round pits in a row along x, each deeper than the one before
+    Junction  ///< a window in enamel of uneven thickness; its floor is the enamel-dentin junction
 };
 
 /// A block and the shape in its middle. No source gives sizes of such shapes but "1.5 to 2 mm deep" [W in teeth.md]:
@@ -37,12 +39,14 @@ struct BlockDesign
     BlockShape shape = BlockShape::Line;
     double sideMm = 14.0;   ///< of the slab, a square seen from above
     double heightMm = 8.0;  ///< of the slab
-    double enamelMm = 1.0;  ///< of them, of enamel
-    double widthMm = 1.5;   ///< of the channel
-    double depthMm = 1.5;   ///< of the channel; of a staircase, of its lowest step
+    double enamelMm = 1.0;  ///< of them, of enamel; of a junction, where the enamel is thinnest in the window
+    double widthMm = 1.5;   ///< of the channel or window, along y; of a pit, its diameter
+    /// Of the channel; of a staircase or plunges, the deepest; of a junction, where the enamel is thickest in the
+    /// window.
+    double depthMm = 1.5;
     double lengthMm = 9.0;  ///< of the whole shape from end to end: a ring's or frame's outer width
     double flareMm = 0.5;   ///< a dovetail is so much wider at its ends, on each side
-    double steps = 4.0;     ///< of a staircase
+    double steps = 4.0;     ///< of a staircase; the pits of plunges
     /// Corners into which a bur has to reach are round with this radius. A bur is round: no upright one cuts a corner
     /// that is tighter than itself.
     double cornerRadiusMm = 0.4;
@@ -57,7 +61,7 @@ struct BlockDesign
 [[nodiscard]] Status validate(const BlockDesign& design);
 
 /// "block:line", "block:circle", "block:cross", "block:square", "block:dovetail", "block:staircase", "block:bar",
-/// "block:tee", "block:layers".
+/// "block:tee", "block:layers", "block:plunges", "block:junction".
 [[nodiscard]] std::string blockName(BlockShape shape);
 /// The usual block of that name. An error lists the names; nothing at all where the text does not begin with "block:".
 [[nodiscard]] std::optional<Result<BlockDesign>> findBlock(std::string_view name);
@@ -70,9 +74,18 @@ inline constexpr double kPadWidthMm = 3.2;
 inline constexpr double kPadLengthMm = 9.0;
 inline constexpr double kPadHeightMm = 1.0;
 
+/// Where the middle of each pit of plunges is along x, mm, and how deep it is to be, mm.
+struct Pit
+{
+    double xMm = 0.0;
+    double depthMm = 0.0;
+};
+[[nodiscard]] std::vector<Pit> pitsOf(const BlockDesign& design);
+
 /// Its closed surface in the tooth frame: the top is at z = 0.
 [[nodiscard]] mesh::TriangleMesh blockMesh(const BlockDesign& design);
-/// Its tissues, one entry a node; empty columns are all zero.
+/// Its tissues, one entry a node; empty columns are all zero. The seed shuffles the pads of a block of layers and draws
+/// the thickness of the enamel over a junction.
 [[nodiscard]] std::vector<terrain::ColumnLayers> blockLayers(const BlockDesign& design, const terrain::Grid& grid,
                                                              std::span<const float> top, std::span<const float> bottom,
                                                              std::uint64_t seed);

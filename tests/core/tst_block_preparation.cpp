@@ -105,7 +105,7 @@ class TestBlockPreparation : public QObject
 private slots:
     void namesAreKnown()
     {
-        for (int k = 0; k <= static_cast<int>(BlockShape::Layers); ++k) {
+        for (int k = 0; k <= static_cast<int>(BlockShape::Junction); ++k) {
             const auto shape = static_cast<BlockShape>(k);
             const std::string name = teeth::blockName(shape);
             const teeth::ToothSource source = teeth::parseSource(name);
@@ -187,6 +187,66 @@ private slots:
             }
     }
 
+    void eachPitIsAsDeepAsItSays()
+    {
+        BlockDesign design = designOf(BlockShape::Plunges);
+        design.depthMm = 2.0;
+        design.widthMm = 1.4;
+        const auto block = makeBlock(design, 300);
+        QVERIFY(block);
+        const std::vector<teeth::Pit> pits = teeth::pitsOf(design);
+        QCOMPARE(pits.size(), std::size_t{4});
+        double volumeMm3 = 0.0;
+        const double c = design.lineAngleMm;
+        for (std::size_t n = 0; n < pits.size(); ++n) {
+            QVERIFY(support::near(pits[n].depthMm, 0.5 * static_cast<double>(n + 1), 1e-9));
+            const std::size_t k = support::nodeAt(block->anatomy->grid, {pits[n].xMm, 0.0});
+            QVERIFY(support::near(static_cast<double>((*block->ideal.top)[k]), -pits[n].depthMm, 1e-6));
+            QVERIFY(block->ideal.parts[k] == Part::Floor);
+            // The rounded edge keeps (1 - pi/4) c^2 along a circle a little smaller than the pit.
+            volumeMm3 += kPi * 0.7 * 0.7 * pits[n].depthMm - 2.0 * kPi * (0.7 - 0.22 * c) * (1.0 - kPi / 4.0) * c * c;
+        }
+        const double slack = 0.5 * block->anatomy->grid.cellMm * 2.0 * kPi * 0.7 * 5.0;
+        QVERIFY(support::near(sumOf(*block).volumeMm3, volumeMm3, slack));
+    }
+
+    void floorOfAJunctionIsTheJunction()
+    {
+        BlockDesign design = designOf(BlockShape::Junction);
+        design.enamelMm = 0.8;
+        design.depthMm = 1.8;
+        design.lengthMm = 5.0;
+        design.widthMm = 4.0;
+        std::vector<float> before;
+        for (const std::uint64_t seed : {0U, 1U, 2U, 77U}) {
+            const auto block = makeBlock(design, 200, seed);
+            QVERIFY(block);
+            const terrain::ToothAnatomy& anatomy = *block->anatomy;
+            double thinnestMm = 9.0;
+            double thickestMm = 0.0;
+            double floorMm2 = 0.0;
+            std::vector<float> floors;
+            for (std::size_t k = 0; k < block->ideal.parts.size(); ++k) {
+                if (block->ideal.parts[k] != Part::Floor)
+                    continue;
+                const float floor = (*block->ideal.top)[k];
+                QCOMPARE(floor, anatomy.layers[k].dej);
+                QVERIFY(terrain::materialAt(anatomy.layers[k], floor + 0.01F) == terrain::Material::Enamel);
+                QVERIFY(terrain::materialAt(anatomy.layers[k], floor - 0.01F) == terrain::Material::Dentin);
+                thinnestMm = std::min(thinnestMm, -static_cast<double>(floor));
+                thickestMm = std::max(thickestMm, -static_cast<double>(floor));
+                floorMm2 += static_cast<double>(anatomy.areaMm2[k]);
+                floors.push_back(floor);
+            }
+            // The very edge of the window is a wall.
+            QVERIFY(thinnestMm >= 0.8 - 1e-6 && thinnestMm < 0.95);
+            QVERIFY(thickestMm <= 1.8 + 1e-6 && thickestMm > 1.65);
+            QVERIFY(floorMm2 > 0.8 * 5.0 * 4.0);
+            QVERIFY(floors != before);
+            before = floors;
+        }
+    }
+
     void floorAndWallsAreTold()
     {
         const auto block = makeBlock(designOf(BlockShape::Cross), 300);
@@ -212,8 +272,9 @@ private slots:
     void everyColumnIsInReachOfTheBur_data()
     {
         QTest::addColumn<int>("shape");
-        for (int k = 0; k < static_cast<int>(BlockShape::Layers); ++k)
-            QTest::newRow(teeth::blockName(static_cast<BlockShape>(k)).c_str()) << k;
+        for (int k = 0; k <= static_cast<int>(BlockShape::Junction); ++k)
+            if (static_cast<BlockShape>(k) != BlockShape::Layers)
+                QTest::newRow(teeth::blockName(static_cast<BlockShape>(k)).c_str()) << k;
     }
 
     /// A disc of the bur's radius that holds the column lies within the shape. Discs are laid at nodes only, so that
@@ -247,7 +308,9 @@ private slots:
 
     void shapeIsTheSameOnEveryGrid()
     {
-        for (int shape = 0; shape < static_cast<int>(BlockShape::Layers); ++shape) {
+        for (int shape = 0; shape <= static_cast<int>(BlockShape::Junction); ++shape) {
+            if (static_cast<BlockShape>(shape) == BlockShape::Layers)
+                continue;
             const BlockDesign design = designOf(static_cast<BlockShape>(shape));
             const Sum fine = sumOf(*makeBlock(design, 1024));
             const Sum coarse = sumOf(*makeBlock(design, 150));
@@ -324,6 +387,8 @@ private slots:
         QVERIFY(isRefused("corner_radius_mm", BlockShape::Cross, &BlockDesign::cornerRadiusMm, 0.8));
         QVERIFY(isRefused("line_angle_mm", BlockShape::Cross, &BlockDesign::lineAngleMm, 0.5));
         QVERIFY(isRefused("width_mm", BlockShape::Circle, &BlockDesign::widthMm, 4.9));
+        QVERIFY(isRefused("steps", BlockShape::Plunges, &BlockDesign::widthMm, 2.2));
+        QVERIFY(isRefused("enamel_mm", BlockShape::Junction, &BlockDesign::depthMm, 0.7));
         QVERIFY(isRefused("height_mm", BlockShape::Layers, &BlockDesign::heightMm, 2.5));
     }
 };

@@ -402,6 +402,34 @@ private slots:
         QVERIFY(roughness(movedBy(wanted, {0.2, 0.0, 0.0})) < 0.03);
     }
 
+    void theWorstOfSeveralPitsIsNamed()
+    {
+        const auto anatomy = slabOf(150);
+        const auto pits = [](double left, double right) -> Surface {
+            return [=](glm::dvec2 p) {
+                const bool isLeft = glm::length(p - glm::dvec2(-2.0, 0.0)) < 0.7;
+                const bool isRight = glm::length(p - glm::dvec2(2.0, 0.0)) < 0.7;
+                return isLeft ? -left : isRight ? -right : 1.0;
+            };
+        };
+        const Surface wanted = pits(0.5, 1.5);
+        Preparation both = ideal(*anatomy, wanted);
+        std::replace(both.parts.begin(), both.parts.end(), Part::Wall, Part::Floor);
+        const auto worst = [&](const Surface& done) {
+            return measured(lowered(anatomy, done), both).depth->worstPiece;
+        };
+        const auto deep = worst(pits(0.6, 1.8));
+        QVERIFY(deep && near(deep->meanMm, -0.3, 1.0e-5) && near(deep->depthMm, 1.5, 1.0e-5));
+        QVERIFY(anatomy->grid.nodeMm(deep->node).x > 1.0);
+        const auto shallow = worst(pits(0.1, 1.6));
+        QVERIFY(shallow && near(shallow->meanMm, 0.4, 1.0e-5) && near(shallow->depthMm, 0.5, 1.0e-5));
+        // A hole in the middle that is too narrow counts for its depth, and one that is missing for all of it.
+        const Surface narrow = [](glm::dvec2 p) { return glm::length(p - glm::dvec2(-2.0, 0.0)) < 0.5 ? -0.5 : 1.0; };
+        const auto missing = worst(narrow);
+        QVERIFY(missing && near(missing->meanMm, 1.5, 1.0e-5));
+        QVERIFY(!compared(anatomy, box(3.0, 2.0, 1.4), box(3.0, 2.0, 1.5)).depth->worstPiece);
+    }
+
     void whatIsCutElsewhereIsBeyondTheIdeal()
     {
         const auto anatomy = slabOf(150);

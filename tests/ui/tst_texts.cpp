@@ -203,7 +203,7 @@ private slots:
     {
         using core::teeth::BlockShape;
         QSet<QString> titles;
-        for (int k = 0; k <= static_cast<int>(BlockShape::Layers); ++k) {
+        for (int k = 0; k <= static_cast<int>(BlockShape::Junction); ++k) {
             core::teeth::BuildOptions build;
             build.gridSide = 64;
             const auto source = core::teeth::parseSource(core::teeth::blockName(static_cast<BlockShape>(k)));
@@ -213,7 +213,7 @@ private slots:
             QVERIFY2(title.startsWith("Practice block: "), qPrintable(title));
             titles << title;
         }
-        QCOMPARE(titles.size(), static_cast<int>(BlockShape::Layers) + 1);
+        QCOMPARE(titles.size(), static_cast<int>(BlockShape::Junction) + 1);
     }
 
     void whatAnAuditRowIsAboutIsToldInWords()

@@ -143,6 +143,25 @@ QString AdviceWords::of(const ::lessons::Advice& advice, const ::lessons::Criter
         return tr("Touch each pad slowly again: enamel is hardest, dentin yields, decay is soft.");
     case Rule::CutInExercise:
         return tr("You cut the tooth. In this exercise the bur only touches it: do not press the drill.");
+    case Rule::PitTooDeep:
+        //: %1 and %2 are lengths in mm
+        return tr("The %1 mm pit is %2 mm too deep. Lift the bur sooner, and compare the depth with the head of the "
+                  "bur.")
+            .arg(text::number(advice.askedMm, 1), number);
+    case Rule::PitTooShallow:
+        //: %1 and %2 are lengths in mm
+        return tr("The %1 mm pit is %2 mm too shallow. Go down in short steps, and compare the depth with the head of "
+                  "the bur.")
+            .arg(text::number(advice.askedMm, 1), number);
+    case Rule::DentinCut:
+        //: %1 is a volume in mm³
+        return tr("You cut %1 mm³ of dentin. Stop as soon as the bur sinks more easily and the floor looks yellow.")
+            .arg(number);
+    case Rule::EnamelLeft:
+        //: %1 is a length in mm
+        return tr("Up to %1 mm of enamel is left on the floor. Cut on with light strokes until the bur meets less "
+                  "resistance.")
+            .arg(number);
     }
     return {};
 }

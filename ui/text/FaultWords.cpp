@@ -40,6 +40,10 @@ namespace {
     QT_TRANSLATE_NOOP("Fault",
                       "the length of the shape (length_mm) leaves each of its steps shorter than the channel is "
                       "wide (width_mm)"),
+    QT_TRANSLATE_NOOP("Fault", "the length of the shape (length_mm) leaves less than %1 mm of the block between its "
+                               "pits (width_mm, steps)"),
+    QT_TRANSLATE_NOOP("Fault", "the enamel is thinner where it is thickest (depth_mm) than where it is thinnest "
+                               "(enamel_mm)"),
     QT_TRANSLATE_NOOP("Fault", "there is no practice block '%1'; choose one of %2"),
     QT_TRANSLATE_NOOP("Fault", "there is no preparation '%1'; choose one of %2"),
     QT_TRANSLATE_NOOP("Fault", "the preparation '%1' is not made for tooth %2; it is for %3"),
@@ -48,6 +52,8 @@ namespace {
     QT_TRANSLATE_NOOP("Fault",
                       "the width of the isthmus (isthmus_mm) is less than the bur is wide (twice bur_radius_mm)"),
     QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make its depth (depth_mm) less"),
+    QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make the reduction (reduction_mm, "
+                               "functional_mm) less"),
     QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make its depth (depth_mm) or that of the box "
                                "(box_floor_mm, box_axial_mm) less"),
     QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make the depth of the box (box_floor_mm, "

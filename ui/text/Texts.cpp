@@ -467,6 +467,10 @@ QString blockTitle(const std::string& name)
         return QCoreApplication::translate("Block", "Practice block: letter I");
     case core::teeth::BlockShape::Tee:
         return QCoreApplication::translate("Block", "Practice block: letter T");
+    case core::teeth::BlockShape::Plunges:
+        return QCoreApplication::translate("Block", "Practice block: depth plunges");
+    case core::teeth::BlockShape::Junction:
+        return QCoreApplication::translate("Block", "Practice block: enamel and dentin");
     case core::teeth::BlockShape::Layers:
         break;
     }
