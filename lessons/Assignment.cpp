@@ -107,8 +107,8 @@ core::Result<core::grading::Preparation> idealOf(const Ideal& ideal, const core:
     return core::preparation::makePreparation(*kind, *design, anatomy);
 }
 
-/// Returns the depth of the flat occlusal floor of a Class I or II, below the groove, or nothing if the lesson asks for
-/// something else.
+/// Returns the depth of the flat occlusal floor of a Class I or II, below the groove, or of an occlusal reduction, or
+/// nothing if the lesson asks for something else.
 std::optional<double> occlusalDepthMm(const Assignment& assignment)
 {
     if (!assignment.lesson || !assignment.lesson->ideal || assignment.lesson->ideal->captured)
@@ -117,10 +117,13 @@ std::optional<double> occlusalDepthMm(const Assignment& assignment)
     const auto kind = core::preparation::findKind(ideal.kind);
     if (!kind || !core::preparation::hasOcclusalPart(*kind) || ideal.sizes.contains("follows_junction"))
         return {};
-    if (const auto named = ideal.sizes.find("depth_mm"); named != ideal.sizes.end())
+    const bool isReduction = *kind == core::preparation::Kind::OcclusalReduction;
+    if (const auto named = ideal.sizes.find(isReduction ? "reduction_mm" : "depth_mm"); named != ideal.sizes.end())
         return named->second;
     const auto usual = core::preparation::usualDesign(*kind, assignment.anatomy->fdi);
-    return usual ? std::optional(usual->depthMm) : std::nullopt;
+    if (!usual)
+        return {};
+    return isReduction ? usual->reductionMm : usual->depthMm;
 }
 
 /// What is to be practised where nothing is to be cut; the sentence names the key.

@@ -61,7 +61,8 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 [[nodiscard]] bool isSameLesson(const Assignment& a, const Assignment& b);
 
 /// Returns the depth that the depth stop starts with, mm below the original surface. For a Class I or II, it is the
-/// depth of the occlusal floor below the groove, where the bur enters; otherwise the median over the columns of the
+/// depth of the occlusal floor below the groove, where the bur enters; for an occlusal reduction, that of most of the
+/// surface; otherwise the median over the columns of the
 /// ideal floor, or 1.5 if no ideal is shown.
 [[nodiscard]] double depthToCutMm(const Assignment& assignment);
 

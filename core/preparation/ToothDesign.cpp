@@ -9,13 +9,13 @@
 namespace core::preparation {
 namespace {
 
-constexpr std::array<std::string_view, 7> kKinds{"class1",      "class1-buccal", "class2-mesial", "class2-distal",
-                                                 "slot-mesial", "slot-distal",   "access"};
+constexpr std::array<std::string_view, 8> kKinds{"class1",      "class1-buccal", "class2-mesial", "class2-distal",
+                                                 "slot-mesial", "slot-distal",   "access",        "occlusal-reduction"};
 constexpr std::array<int, 8> kPosterior{24, 25, 26, 27, 34, 35, 36, 37};
 constexpr std::array<int, 2> kBuccal{36, 37};
 constexpr std::array<int, 2> kAccess{21, 36};
 
-enum class Use : std::uint8_t { Occlusal, Box, Access, All };
+enum class Use : std::uint8_t { Occlusal, Box, Access, Reduction, Cavity };
 
 struct Entry
 {
@@ -23,7 +23,7 @@ struct Entry
     NumberField<ToothDesign> field;
 };
 
-constexpr std::array<Entry, 16> kEntries{{
+constexpr std::array<Entry, 18> kEntries{{
     {Use::Occlusal, {"isthmus_mm", "width of the isthmus", "mm", &ToothDesign::isthmusMm, 0.6, 4.0}},
     {Use::Occlusal, {"depth_mm", "depth of the pulpal floor", "mm", &ToothDesign::depthMm, 0.5, 3.5}},
     {Use::Occlusal, {"dovetail_mm", "width of the dovetail", "mm", &ToothDesign::dovetailMm, 0.0, 1.5}},
@@ -32,8 +32,8 @@ constexpr std::array<Entry, 16> kEntries{{
     {Use::Occlusal,
      {"oblique_mm", "ridge across the tooth that is left on each side", "mm", &ToothDesign::obliqueMm, 0.0, 2.0}},
     {Use::Occlusal, {"diverge_deg", "divergence of the end walls", "degrees", &ToothDesign::divergeDeg, 0.0, 20.0}},
-    {Use::All, {"bur_radius_mm", "radius of the bur", "mm", &ToothDesign::burRadiusMm, 0.25, 1.2}},
-    {Use::All, {"line_angle_mm", "radius between floor and wall", "mm", &ToothDesign::lineAngleMm, 0.0, 1.2}},
+    {Use::Cavity, {"bur_radius_mm", "radius of the bur", "mm", &ToothDesign::burRadiusMm, 0.25, 1.2}},
+    {Use::Cavity, {"line_angle_mm", "radius between floor and wall", "mm", &ToothDesign::lineAngleMm, 0.0, 1.2}},
     {Use::Occlusal,
      {"follows_junction", "floor along the junction", "", &ToothDesign::followsJunction, 0.0, 1.0, true}},
     {Use::Occlusal, {"into_dentin_mm", "depth of the floor in dentin", "mm", &ToothDesign::intoDentinMm, 0.0, 2.0}},
@@ -42,6 +42,9 @@ constexpr std::array<Entry, 16> kEntries{{
     {Use::Box, {"box_width_mm", "width of the box", "mm", &ToothDesign::boxWidthMm, 1.0, 7.0}},
     {Use::Access, {"access_lean_deg", "lean of the access walls", "degrees", &ToothDesign::accessLeanDeg, 0.0, 20.0}},
     {Use::Access, {"access_margin_mm", "margin around the chamber", "mm", &ToothDesign::accessMarginMm, 0.0, 1.0}},
+    {Use::Reduction, {"reduction_mm", "occlusal reduction", "mm", &ToothDesign::reductionMm, 0.5, 3.0}},
+    {Use::Reduction,
+     {"functional_mm", "reduction of the functional cusps", "mm", &ToothDesign::functionalMm, 0.5, 3.0}},
 }};
 
 bool isUsed(Kind kind, Use use)
@@ -50,11 +53,13 @@ bool isUsed(Kind kind, Use use)
     case Use::Occlusal:
         return hasOcclusalPart(kind);
     case Use::Box:
-        return kind != Kind::ClassOne && kind != Kind::Access;
+        return kind != Kind::ClassOne && kind != Kind::Access && kind != Kind::OcclusalReduction;
     case Use::Access:
         return kind == Kind::Access;
-    default:
-        return true;
+    case Use::Reduction:
+        return kind == Kind::OcclusalReduction;
+    default:  // Cavity
+        return kind != Kind::OcclusalReduction;
     }
 }
 
@@ -93,7 +98,7 @@ bool isSlot(Kind kind)
 
 bool hasOcclusalPart(Kind kind)
 {
-    return kind != Kind::Access && !isSlot(kind);
+    return kind != Kind::Access && kind != Kind::OcclusalReduction && !isSlot(kind);
 }
 
 std::string_view kindId(Kind kind)
@@ -177,6 +182,9 @@ std::string_view notModelled(Kind kind)
     case Kind::SlotDistal:
         return "Walls that converge, a box wider at the gingiva than above, retention grooves and a gingival bevel are "
                "not there, and the neighbour is none that could be touched: a height map has no undercuts.";
+    case Kind::OcclusalReduction:
+        return "Axial walls, the finish line, the neighbours and the opposing teeth are not there: the depth is judged "
+               "along the bur, not as the clearance from the opposing tooth.";
     default:
         return "All is cut straight down from above: the access of a front tooth, which leans in from its lingual "
                "side, frees only so much of the chamber as lies behind the edge, and canals are not entered.";

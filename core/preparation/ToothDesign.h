@@ -19,10 +19,12 @@ enum class Kind : std::uint8_t {
     ClassTwoDistal,
     SlotMesial,  ///< the box of a Class II alone
     SlotDistal,
-    Access  ///< opening of the pulp chamber
+    Access,            ///< opening of the pulp chamber
+    OcclusalReduction  ///< the occlusal surface is lowered for a crown
 };
 
-/// "class1", "class1-buccal", "class2-mesial", "class2-distal", "slot-mesial", "slot-distal", "access".
+/// "class1", "class1-buccal", "class2-mesial", "class2-distal", "slot-mesial", "slot-distal", "access",
+/// "occlusal-reduction".
 [[nodiscard]] std::string_view kindId(Kind kind);
 /// UnknownName lists those there are.
 [[nodiscard]] Result<Kind> findKind(std::string_view id);
@@ -47,6 +49,8 @@ struct ToothDesign
     double boxWidthMm = 3.0;       ///< of the box, between the walls on both sides of its opening
     double accessLeanDeg = 4.0;    ///< access: the walls lean outwards from upright
     double accessMarginMm = 0.1;   ///< access: the floor's outline stands so far outside the chamber's
+    double reductionMm = 1.5;      ///< reduction: the occlusal surface is lowered by so much,
+    double functionalMm = 2.0;     ///< and over the functional cusps by so much
     bool operator==(const ToothDesign&) const = default;
 };
 
@@ -59,8 +63,9 @@ struct ToothDesign
 /// Whether a kind has a part in the occlusal surface with a pulpal floor.
 [[nodiscard]] bool hasOcclusalPart(Kind kind);
 
-/// What is usual for this kind on this tooth. UnknownName where the kind is not made for the tooth: Class I, Class II
-/// and slots for 24, 25, 26, 27, 34, 35, 36, 37; with an extension to the buccal for 36 and 37; access for 21 and 36.
+/// What is usual for this kind on this tooth. UnknownName where the kind is not made for the tooth: Class I, Class II,
+/// slots and the occlusal reduction for 24, 25, 26, 27, 34, 35, 36, 37; with an extension to the buccal for 36 and 37;
+/// access for 21 and 36.
 [[nodiscard]] Result<ToothDesign> usualDesign(Kind kind, int fdi);
 
 /// Whether each number lies in its range and they go together.

@@ -14,6 +14,7 @@
 #include "core/preparation/AccessOpening.h"
 #include "core/preparation/AxisRegion.h"
 #include "core/preparation/OcclusalOutline.h"
+#include "core/preparation/OcclusalReduction.h"
 #include "core/teeth/ToothBuilder.h"
 #include "core/teeth/ToothGenerator.h"
 
@@ -137,19 +138,28 @@ private:
     std::vector<Part> m_parts;
 };
 
+const char* opensPulp(Kind kind)
+{
+    switch (kind) {
+    case Kind::ClassOne:
+        return "this preparation would open the pulp; make its depth (depth_mm) less";
+    case Kind::OcclusalReduction:
+        return "this preparation would open the pulp; make the reduction (reduction_mm, functional_mm) less";
+    case Kind::SlotMesial:
+    case Kind::SlotDistal:
+        return "this preparation would open the pulp; make the depth of the box (box_floor_mm, box_axial_mm) less";
+    default:
+        return "this preparation would open the pulp; make its depth (depth_mm) or that of the box (box_floor_mm, "
+               "box_axial_mm) less";
+    }
+}
+
 Status checkPulp(Kind kind, const grading::Preparation& ideal, const terrain::ToothAnatomy& anatomy)
 {
     for (std::size_t k = 0; k < ideal.parts.size(); ++k)
         if (ideal.parts[k] != Part::Keep && terrain::hasPulp(anatomy, k) &&
             (*ideal.top)[k] <= anatomy.layers[k].pulpRoof)
-            return unexpected(
-                ErrorCode::OutOfRange,
-                Words{kind == Kind::ClassOne ? "this preparation would open the pulp; make its depth (depth_mm) less"
-                      : isSlot(kind)
-                          ? "this preparation would open the pulp; make the depth of the box (box_floor_mm, "
-                            "box_axial_mm) less"
-                          : "this preparation would open the pulp; make its depth (depth_mm) or that of the box "
-                            "(box_floor_mm, box_axial_mm) less"});
+            return unexpected(ErrorCode::OutOfRange, Words{opensPulp(kind)});
     return {};
 }
 
@@ -220,7 +230,7 @@ Result<ToothDesign> fittedDesign(Kind kind, const terrain::ToothAnatomy& anatomy
 {
     constexpr double kLeastRidgeMm = 0.8;
     auto design = checkTooth(kind, anatomy);
-    if (!design || kind == Kind::Access)
+    if (!design || kind == Kind::Access || kind == Kind::OcclusalReduction)
         return design;
     const auto form = teeth::posteriorForm(anatomy.fdi, anatomy.seed);
     if (!form)
@@ -247,7 +257,15 @@ Result<grading::Preparation> makePreparation(Kind kind, const ToothDesign& desig
         return tl::unexpected<Error>(usual.error());
     if (Status good = validate(kind, design); !good)
         return tl::unexpected(std::move(good).error());
-    return kind == Kind::Access ? accessOpening(design, anatomy) : makeOcclusal(kind, design, anatomy);
+    if (kind == Kind::Access)
+        return accessOpening(design, anatomy);
+    if (kind != Kind::OcclusalReduction)
+        return makeOcclusal(kind, design, anatomy);
+    auto ideal = occlusalReduction(design, anatomy);
+    if (ideal)
+        if (Status safe = checkPulp(kind, *ideal, anatomy); !safe)
+            return tl::unexpected(std::move(safe).error());
+    return ideal;
 }
 
 }  // namespace core::preparation

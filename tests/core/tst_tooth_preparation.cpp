@@ -624,14 +624,88 @@ private slots:
         }
     }
 
+    void reductionFollowsTheCusps_data()
+    {
+        QTest::addColumn<int>("fdi");
+        for (const int fdi : kTeeth)
+            QTest::newRow(std::to_string(fdi).c_str()) << fdi;
+    }
+
+    /// 2.0 mm over functional cusps, 1.5 mm over the others and over the mouth of the central groove.
+    void reductionFollowsTheCusps()
+    {
+        QFETCH(int, fdi);
+        for (const std::uint64_t seed : {0U, 1U, 2U}) {
+            const auto anatomy = anatomyOf(fdi, seed);
+            const auto ideal = usual(Kind::OcclusalReduction, fdi, seed);
+            QVERIFY(support::succeeds(ideal));
+            const auto form = teeth::posteriorForm(fdi, seed);
+            const auto depthAt = [&](glm::dvec2 designMm) {
+                const std::size_t k = support::nodeAt(anatomy->grid, form->toTooth(designMm));
+                return static_cast<double>(anatomy->top[k] - (*ideal->top)[k]);
+            };
+            for (const teeth::Lobe& lobe : form->crown.design().lobes) {
+                using teeth::Cusp;
+                if (lobe.cusp == Cusp::None)
+                    continue;
+                const bool isBuccal =
+                    lobe.cusp == Cusp::B || lobe.cusp == Cusp::MB || lobe.cusp == Cusp::DB || lobe.cusp == Cusp::D;
+                const double asked = isBuccal == (fdi > 30) ? 2.0 : 1.5;
+                QVERIFY2(
+                    support::near(depthAt({lobe.x, lobe.y}), asked, 0.15),
+                    qPrintable(
+                        QString("seed %1, cusp %2: %3").arg(seed).arg(int(lobe.cusp)).arg(depthAt({lobe.x, lobe.y}))));
+            }
+            // Along the central groove, from its mouth.
+            double sumMm = 0.0;
+            int count = 0;
+            for (double x = -1.5; x <= 1.5; x += 0.1, ++count) {
+                glm::dvec2 groove(x, -2.0);
+                for (double y = -2.0; y <= 2.0; y += 0.05)
+                    if (form->mouthMm({x, y}) < form->mouthMm(groove))
+                        groove.y = y;
+                const std::size_t k = support::nodeAt(anatomy->grid, groove);
+                sumMm += form->mouthMm(groove) - static_cast<double>((*ideal->top)[k]);
+            }
+            QVERIFY2(support::near(sumMm / count, 1.5, 0.2), qPrintable(QString::number(sumMm / count)));
+            // Nothing is steeper than 45 degrees, and no fissure is left: no place lies lower than both its sides.
+            const terrain::Grid& grid = anatomy->grid;
+            const int run = static_cast<int>(std::ceil(0.3 / grid.cellMm));
+            const auto floorAt = [&](int i, int j) -> std::optional<double> {
+                const std::size_t k = grid.index(i, j);
+                if (ideal->parts[k] != Part::Floor || !((*ideal->top)[k] > terrain::kEmptyTop))
+                    return {};
+                return static_cast<double>((*ideal->top)[k]);
+            };
+            for (int j = run; j < grid.side - run; ++j)
+                for (int i = run; i < grid.side - run; ++i)
+                    for (const auto& [di, dj] : {std::pair(run, 0), {0, run}}) {
+                        const auto here = floorAt(i, j);
+                        const auto one = floorAt(i - di, j - dj);
+                        const auto other = floorAt(i + di, j + dj);
+                        if (!here || !one || !other)
+                            continue;
+                        QVERIFY(std::abs(*here - *one) <= 1.01 * run * grid.cellMm);
+                        QVERIFY(0.5 * (*one + *other) - *here < 0.1);
+                    }
+            const Findings found = find(*ideal, *anatomy, nullptr);
+            QCOMPARE(found.islands, 1);
+            QVERIFY(found.overPulpMm >= 0.5);
+        }
+        const double fine =
+            find(*usual(Kind::OcclusalReduction, fdi, 0, 300), *anatomyOf(fdi, 0, 300), nullptr).volumeMm3;
+        const double coarse = find(*usual(Kind::OcclusalReduction, fdi), *anatomyOf(fdi), nullptr).volumeMm3;
+        QVERIFY(std::abs(coarse / fine - 1.0) < 0.03);
+    }
+
     void everyKindAndFieldHasAName()
     {
         for (const Kind kind : {Kind::ClassOne, Kind::ClassOneBuccal, Kind::ClassTwoMesial, Kind::ClassTwoDistal,
-                                Kind::SlotMesial, Kind::SlotDistal, Kind::Access}) {
+                                Kind::SlotMesial, Kind::SlotDistal, Kind::Access, Kind::OcclusalReduction}) {
             QCOMPARE(*findKind(kindId(kind)), kind);
             QVERIFY(!notModelled(kind).empty());
             const ToothDesign usual = *usualDesign(kind, 36);
-            QVERIFY(validate(kind, usual));
+            QVERIFY(validate(kind, usual) && !notModelled(kind).empty());
             for (const auto& field : fieldsOf(kind)) {
                 for (const double wrong : {field.minimum - 1.0, field.maximum + 1.0, std::nan("")}) {
                     ToothDesign design = usual;

@@ -43,6 +43,8 @@ namespace {
     QT_TRANSLATE_NOOP("Field", "width of the box"),
     QT_TRANSLATE_NOOP("Field", "lean of the access walls"),
     QT_TRANSLATE_NOOP("Field", "margin around the chamber"),
+    QT_TRANSLATE_NOOP("Field", "occlusal reduction"),
+    QT_TRANSLATE_NOOP("Field", "reduction of the functional cusps"),
     QT_TRANSLATE_NOOP("Field", "block's side"),
     QT_TRANSLATE_NOOP("Field", "block's height"),
     QT_TRANSLATE_NOOP("Field", "thickness of the enamel layer"),

@@ -94,7 +94,8 @@ void addRenderOptions(QCommandLineParser& parser)
         "WHAT");
     option("ideal",
            "What ought to be cut, for --show ideal and prepared: class1, class1-buccal, class2-mesial, class2-distal, "
-           "slot-mesial, slot-distal or access. If not given, the shape of a block, and on a tooth the decay.",
+           "slot-mesial, slot-distal, access or occlusal-reduction. If not given, the shape of a block, and on a tooth "
+           "the decay.",
            "NAME");
     option("out", "The picture.", "FILE.png");
     addToothOptions(parser);
