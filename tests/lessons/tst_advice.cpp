@@ -16,12 +16,17 @@ using Rule = Advice::Rule;
 
 namespace {
 
-Assignment classOne()
+Assignment shippedAssignment(const std::string& id)
 {
     for (const CatalogEntry& entry : readCatalog({}))
-        if (entry.read.lesson && entry.read.lesson->id == "class1-36")
+        if (entry.read.lesson && entry.read.lesson->id == id)
             return assign(*entry.read.lesson).value().assignment;
-    qFatal("the lesson class1-36 is gone");
+    qFatal("the lesson %s is gone", id.c_str());
+}
+
+Assignment classOne()
+{
+    return shippedAssignment("class1-36");
 }
 
 /// A slab with decay in the middle and pulp below it, marked as free practice is.
@@ -148,6 +153,39 @@ private slots:
         const Advice* found = find(advice, static_cast<Rule>(rule));
         QVERIFY(found != nullptr);
         QVERIFY(!found->moment);
+    }
+
+    void thePitThatIsOffIsNamed()
+    {
+        const Assignment assignment = shippedAssignment("first-01-plunges");
+        // The third pit, of 1.5 mm, lies to the right of the middle.
+        const auto off = [&](float byMm) {
+            return adviceFor(assignment, changed(assignment, [=](const Assignment& a, std::size_t k, auto, float z) {
+                                 return isCut(a, k) && z < -1.1F && z > -1.6F ? z + byMm : z;
+                             }));
+        };
+        const auto deep = off(-0.4F);
+        const Advice* tooDeep = find(deep, Rule::PitTooDeep);
+        QVERIFY(tooDeep != nullptr && find(deep, Rule::PitTooShallow) == nullptr);
+        QVERIFY(std::abs(tooDeep->askedMm - 1.5) < 0.01 && std::abs(tooDeep->amount - 0.4) < 0.01);
+        const auto shallow = off(0.5F);
+        const Advice* tooShallow = find(shallow, Rule::PitTooShallow);
+        QVERIFY(tooShallow != nullptr && std::abs(tooShallow->askedMm - 1.5) < 0.01);
+    }
+
+    void whereEnamelAloneWasToBeCutDentinIsNamed()
+    {
+        const Assignment assignment = shippedAssignment("first-02-enamel-only");
+        const auto off = [&](float byMm) {
+            return adviceFor(assignment, changed(assignment, [=](const Assignment& a, std::size_t k, auto, float z) {
+                                 return isCut(a, k) ? z + byMm : z;
+                             }));
+        };
+        const auto deep = off(-0.4F);
+        const Advice* dentin = find(deep, Rule::DentinCut);
+        QVERIFY(dentin != nullptr && dentin->amount > 5.0);
+        QVERIFY(find(deep, Rule::TooDeep) == nullptr);
+        QVERIFY(find(off(0.4F), Rule::EnamelLeft) != nullptr);
     }
 
     void whereMostIsLeftThatComesFirst()

@@ -309,7 +309,11 @@ private slots:
             row(id, "quarter ground off", Slip::QuarterGroundOff);
         }
         row("access-21", "chamber not opened", Slip::TooShallow);
-        for (const char* id : {"block-circle", "block-cross", "block-staircase"}) {
+        row("first-15-reduction-36", "surface too low", Slip::FloorTooDeep);
+        row("first-15-reduction-36", "quarter ground off", Slip::QuarterGroundOff);
+        row("first-15-reduction-36", "flat to the floor", Slip::FlatToTheFloor);
+        for (const char* id :
+             {"block-circle", "block-cross", "block-staircase", "first-01-plunges", "first-02-enamel-only"}) {
             row(id, "floor too deep", Slip::FloorTooDeep);
             row(id, "quarter ground off", Slip::QuarterGroundOff);
             row(id, "flat to the floor", Slip::FlatToTheFloor);
@@ -595,7 +599,8 @@ private slots:
         };
         for (const auto& field : core::teeth::blockFields())
             QVERIFY2(isOffered(part(keys["tooth"].toObject(), "sizes"), field), field.id);
-        for (const auto kind : {core::preparation::Kind::ClassTwoMesial, core::preparation::Kind::Access})
+        for (const auto kind : {core::preparation::Kind::ClassTwoMesial, core::preparation::Kind::Access,
+                                core::preparation::Kind::OcclusalReduction})
             for (const auto& field : core::preparation::fieldsOf(kind))
                 QVERIFY2(isOffered(part(keys["ideal"].toObject(), "sizes"), field), field.id);
     }
