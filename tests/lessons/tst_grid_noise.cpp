@@ -90,6 +90,7 @@ private slots:
     /// A perfect preparation passes on every grid.
     void idealWorkStaysGoodAtEveryGrid()
     {
+        const Conduct blameless;
         int lesson = 0;
         for (const CatalogEntry& entry : readCatalog({})) {
             if (!entry.read.lesson || entry.read.lesson->task == Task::RemoveDecay ||
@@ -97,7 +98,8 @@ private slots:
                 continue;
             const Assignment assignment = assign(*entry.read.lesson).value().assignment;
             const GridNoise noise =
-                gridNoise(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top)).value();
+                gridNoise(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top), blameless)
+                    .value();
             QCOMPARE(noise.own.totalTenths, 1000);
             QVERIFY(!noise.isUncertain());
         }
