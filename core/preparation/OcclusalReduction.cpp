@@ -11,6 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
+#include "core/teeth/OcclusalField.h"
+#include "core/teeth/PosteriorForm.h"
 #include "core/teeth/ToothGenerator.h"
 
 namespace core::preparation {

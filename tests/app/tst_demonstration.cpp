@@ -21,6 +21,9 @@ private slots:
         QTest::newRow("Class II on a lower premolar") << "class2-35-distal";
         QTest::newRow("Class II on an upper molar") << "class2-26-mesial";
         QTest::newRow("a block") << "block-line";
+        QTest::newRow("pits of four depths") << "first-01-plunges";
+        QTest::newRow("enamel down to the junction") << "first-02-enamel-only";
+        QTest::newRow("occlusal reduction") << "first-15-reduction-36";
         QTest::newRow("decay") << "decay-36-small";
         QTest::newRow("exam, decay on a lower molar") << "exam-36-decay";
         QTest::newRow("exam, decay on an upper molar") << "exam-26-decay";
