@@ -27,6 +27,7 @@ core::teeth::BuildOptions buildOptions(const Lesson& lesson)
     if (lesson.lesion) {
         options.cariesExtent = lesson.lesion->extent;
         options.site = lesson.lesion->site;
+        options.hasDecayZones = lesson.kind.decay == core::settings::DecayKind::Graded;
     } else {
         options.caries.reset();
     }

@@ -411,22 +411,30 @@ private:
         m_whole.remove(QStringLiteral("plastic"));
     }
 
+    void sayThatHardnessHasItsOwnKind()
+    {
+        m_keys.fault("hardness",
+                     {QT_TRANSLATE_NOOP("Fault", "has its own caries and plastic; leave it out, or leave out "
+                                                 "\"caries\" and \"plastic\"")});
+    }
+
     /// The school's, of which the lesson says the rows; or "natural", or one of those with other figures for some of
     /// its materials.
     void takeHardness(Lesson& lesson)
     {
         lesson.kind.isPlastic = m_keys.flag("plastic", false);
-        lesson.kind.hasFirmCaries = m_keys.choice("caries", {QStringLiteral("soft"), QStringLiteral("firm")}) == 1;
+        lesson.kind.decay = static_cast<core::settings::DecayKind>(std::max(
+            0, m_keys.choice("caries", {QStringLiteral("soft"), QStringLiteral("firm"), QStringLiteral("graded")})));
         const QString file = m_whole.value(QStringLiteral("hardness")).toString();
         if (m_files != nullptr && file.endsWith(QStringLiteral(".") + QLatin1String(kPresetSuffix))) {
             static_cast<void>(m_keys.has("hardness"));
+            if (lesson.kind.decay == core::settings::DecayKind::Graded)
+                sayThatHardnessHasItsOwnKind();
             takePreset(lesson, file);
             return;
         }
         if (m_keys.has("hardness") && !(lesson.kind == core::settings::ToothKind{}))
-            m_keys.fault("hardness",
-                         {QT_TRANSLATE_NOOP("Fault", "has its own caries and plastic; leave it out, or leave out "
-                                                     "\"caries\" and \"plastic\"")});
+            sayThatHardnessHasItsOwnKind();
         if (m_whole.value(QStringLiteral("hardness")).isString()) {
             const std::string name = m_keys.text("hardness");
             if (const auto known = core::settings::findHardnessPreset(name))

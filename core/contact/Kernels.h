@@ -114,6 +114,15 @@ struct Descent
     float highestMm;
 };
 
+/// Time that it takes to remove a mm3, s.
+struct RemovalTimes
+{
+    terrain::PerMaterial ofMaterial{};
+    bool hasDecayZones = false;  ///< then ofMaterial has the soft zone of decay
+    double leatheryDecay = 0.0;
+    double firmDecay = 0.0;
+};
+
 struct Kernels
 {
     const char* name;  ///< "plain" or "avx2"
@@ -132,7 +141,7 @@ struct Kernels
                                 std::span<Columns> room) noexcept;
     /// Time that it takes to remove what is in a head's way.
     double (*secondsToRemove)(std::span<const Columns> columns, const Head& head, const Descent& descent,
-                              const terrain::PerMaterial& secondsPerMm3) noexcept;
+                              const RemovalTimes& secondsPerMm3) noexcept;
     /// Lowers the copies of the columns in a head's way by a share of it, empties those that are lowered to their
     /// bottom, and adds what that takes away, mm3.
     void (*remove)(std::span<Columns> columns, const Head& head, const Descent& descent, float share,

@@ -68,7 +68,7 @@ struct Advance
     }
 
     /// Time that it takes to remove what is under a bur with its tip at `tip`.
-    [[nodiscard]] double secondsTo(const glm::dvec3& tip, const terrain::PerMaterial& secondsPerMm3) const noexcept
+    [[nodiscard]] double secondsTo(const glm::dvec3& tip, const contact::RemovalTimes& secondsPerMm3) const noexcept
     {
         return tooth.kernels().secondsToRemove(columns, headAt(tip), descentTo(tip), secondsPerMm3);
     }
@@ -124,10 +124,17 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     const double direction = share + (1.0 - share) * sideways;
     const auto radiusMm = static_cast<double>(tooth.mask().radiusMm);
     const auto speedAt = [&](double newtons) { return rpmUnder(newtons, radiusMm) * radiusMm / kReferenceRpmMm; };
-    terrain::PerMaterial secondsPerMm3{};
-    for (std::size_t m = 0; m < secondsPerMm3.size(); ++m) {
-        const double rate = paceMm3PerS(m_preset, m_preset.material[m], forceN, direction, speedAt);
-        secondsPerMm3[m] = rate > 0.0 ? 1.0 / rate : kNever;
+    const auto secondsOf = [&](const settings::MaterialHardness& hardness) {
+        const double rate = paceMm3PerS(m_preset, hardness, forceN, direction, speedAt);
+        return rate > 0.0 ? 1.0 / rate : kNever;
+    };
+    contact::RemovalTimes secondsPerMm3;
+    for (std::size_t m = 0; m < secondsPerMm3.ofMaterial.size(); ++m)
+        secondsPerMm3.ofMaterial[m] = secondsOf(m_preset.material[m]);
+    if (m_preset.decayZones && tooth.tooth().anatomy->hasDecayZones) {
+        secondsPerMm3.hasDecayZones = true;
+        secondsPerMm3.leatheryDecay = secondsOf(m_preset.decayZones->leathery);
+        secondsPerMm3.firmDecay = secondsOf(m_preset.decayZones->firm);
     }
 
     // The time that removal takes rises with the advance: bracket it, beginning with the last tick's pace, then

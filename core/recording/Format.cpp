@@ -14,9 +14,11 @@ namespace core::recording {
 namespace {
 
 constexpr int kPackLevel = 3;
+constexpr std::uint8_t kHasDecayZones = 1;
 constexpr std::uint32_t kWithNumbers = 6;
 constexpr std::uint32_t kWithSpeeds = 7;
 constexpr std::uint32_t kWithEndsAndFullLoad = 8;
+constexpr std::uint32_t kWithDecayZones = 9;
 /// Columns that the undo steps of one recording may set back, all together: 44,000 steps at grid 150, half a minute's
 /// work. A small hostile file could otherwise ask for hours.
 constexpr std::uint64_t kMaxRestoredColumns = 1'000'000'000;
@@ -56,6 +58,8 @@ std::uint32_t versionWith(const ServoEvent& event)
 
 std::uint32_t versionWith(const session::ServoSettings& settings)
 {
+    if (settings.hardness.decayZones)
+        return kWithDecayZones;
     return isCutAsBefore(settings.hardness) ? kOldestVersion : kWithEndsAndFullLoad;
 }
 
@@ -108,9 +112,16 @@ std::string settingsBytes(const session::ServoSettings& settings)
     }
     out.put(static_cast<std::uint8_t>(settings.breakOff.on ? 1 : 0));
     out.put(settings.breakOff.slenderness);
-    if (!isCutAsBefore(settings.hardness)) {
+    const auto& zones = settings.hardness.decayZones;
+    if (zones || !isCutAsBefore(settings.hardness)) {
         out.put(settings.hardness.flatEndShare);
         out.put(settings.hardness.fullLoadN);
+    }
+    if (zones) {
+        for (const settings::MaterialHardness& zone : {zones->leathery, zones->firm}) {
+            out.put(zone.rateMm3PerNs);
+            out.put(zone.thresholdN);
+        }
     }
     return out.bytes();
 }
@@ -150,6 +161,13 @@ std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
         settings.hardness.flatEndShare = in.take<double>();
         settings.hardness.fullLoadN = in.take<double>();
     }
+    if (in.left() != 0) {
+        settings::DecayZoneHardness& zones = settings.hardness.decayZones.emplace();
+        for (settings::MaterialHardness* zone : {&zones.leathery, &zones.firm}) {
+            zone->rateMm3PerNs = in.take<double>();
+            zone->thresholdN = in.take<double>();
+        }
+    }
     if (!in.ok() || in.left() != 0)
         return std::nullopt;
     return settings;
@@ -173,6 +191,8 @@ std::string toothBytes(const terrain::ToothAnatomy& tooth)
         out.put(static_cast<std::uint8_t>(tooth.lying.up));
         out.put(tooth.lying.tiltDeg);
     }
+    if (tooth.hasDecayZones)
+        out.put(kHasDecayZones);
     return out.bytes();
 }
 
@@ -193,8 +213,12 @@ std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes)
                             std::abs(grid.originMm.y) < 1.0e4;
     constexpr std::size_t kLyingBytes = sizeof(std::uint8_t) + sizeof(double);
     const std::size_t mapBytes = grid.count() * (3 * sizeof(float) + sizeof(terrain::ColumnLayers));
-    const bool isLaid = in.left() == mapBytes + kLyingBytes;
-    if (!in.ok() || !gridIsSane || (in.left() != mapBytes && !isLaid))
+    if (!in.ok() || !gridIsSane || in.left() < mapBytes)
+        return nullptr;
+    const std::size_t behindMaps = in.left() - mapBytes;
+    const bool isLaid = behindMaps >= kLyingBytes;
+    const std::size_t behindLying = behindMaps - (isLaid ? kLyingBytes : 0);
+    if (behindLying > sizeof(kHasDecayZones))
         return nullptr;
     tooth->top.resize(grid.count());
     tooth->bottom.resize(grid.count());
@@ -209,6 +233,11 @@ std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes)
         tooth->lying.tiltDeg = in.take<double>();
         if (!tooth->lying.isSound() || tooth->lying.isUpright())
             return nullptr;
+    }
+    if (behindLying != 0) {
+        if (in.take<std::uint8_t>() != kHasDecayZones)
+            return nullptr;
+        tooth->hasDecayZones = true;
     }
     return in.ok() && plausible(*tooth) ? tooth : nullptr;
 }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/recording/Recording.h"
-#include "core/terrain/Lying.h"
 #include "core/terrain/Tooth.h"
 
 /// The parts of which recordings and journals are made, as bytes. Pure functions; readers check all that a replay
@@ -19,7 +18,7 @@ namespace core::recording {
 
 using session::ServoEvent;
 
-inline constexpr std::uint32_t kFormatVersion = 8;
+inline constexpr std::uint32_t kFormatVersion = 9;
 /// Oldest version that is read. A recording is written in the oldest version that has its tooth, its settings and all
 /// of its events (versionWith()).
 inline constexpr std::uint32_t kOldestVersion = 5;
@@ -37,13 +36,15 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 }
 
 /// Returns the oldest version that has such an event, or such settings. Version 6 brought numbers of the feel, 7 the
-/// speed of a pedal, 8 the share of flat ends and the full load.
+/// speed of a pedal, 8 the share of flat ends and the full load, 9 the zones of decay.
 [[nodiscard]] std::uint32_t versionWith(const ServoEvent& event);
 [[nodiscard]] std::uint32_t versionWith(const session::ServoSettings& settings);
-/// Returns the oldest version that has teeth which lie like this.
-[[nodiscard]] inline std::uint32_t versionWith(const terrain::Lying& lying)
+/// Returns the oldest version that has such a tooth. Version 8 brought teeth that lie on a side, 9 the zones of decay.
+[[nodiscard]] inline std::uint32_t versionWith(const terrain::ToothAnatomy& tooth)
 {
-    return lying.isUpright() ? kOldestVersion : 8;
+    if (tooth.hasDecayZones)
+        return 9;
+    return tooth.lying.isUpright() ? kOldestVersion : 8;
 }
 
 /// By Zstandard.
@@ -53,10 +54,12 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 
 /// What versionWith() says an older version knows is written as that version does.
 [[nodiscard]] std::string settingsBytes(const session::ServoSettings& settings);
-/// Settings that end before the share of flat ends were made without one. Values are not checked: makeServoTick() does.
+/// Settings that end before the share of flat ends were made without one, and those that end behind the full load
+/// without zones of decay. Values are not checked: makeServoTick() does.
 [[nodiscard]] std::optional<session::ServoSettings> settingsFrom(std::string_view bytes);
 
-/// How a tooth lies comes behind its maps, and only if it lies on a side.
+/// How a tooth lies comes behind its maps, and only if it lies on a side. One byte more, 1, says that its decay has
+/// zones.
 [[nodiscard]] std::string toothBytes(const terrain::ToothAnatomy& tooth);
 /// Null if it is damaged or no tooth can be like that.
 [[nodiscard]] std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes);

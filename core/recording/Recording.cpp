@@ -107,7 +107,7 @@ std::string Recording::toBytes() const
 {
     ByteWriter out;
     out.putAll(std::span(kRecordingMagic.data(), kRecordingMagic.size()));
-    out.put(std::max({m_version, versionWith(m_settings), versionWith(m_anatomy->lying)}));
+    out.put(std::max({m_version, versionWith(m_settings), versionWith(*m_anatomy)}));
     putSection(out, Section::Settings, pack(settingsBytes(m_settings)));
     if (!m_lesson.empty())
         putSection(out, Section::Lesson, pack(m_lesson));

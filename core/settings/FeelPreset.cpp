@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/settings/FeelPreset.h"
 
+#include <cmath>
+
 namespace core::settings {
 namespace {
 
@@ -43,6 +45,12 @@ std::string labelWith(const FeelPreset& preset, std::size_t digits)
 {
     const std::string label = preset.name + " v" + std::to_string(preset.version);
     return label + (preset.hash.empty() ? ", changed" : " #" + preset.hash.substr(0, digits));
+}
+
+/// The row of the preset that stands for all decay, or for its soft zone.
+Substance decayOf(const ToothKind& tooth)
+{
+    return tooth.decay == DecayKind::Firm ? Substance::FirmCaries : Substance::SoftCaries;
 }
 
 }  // namespace
@@ -89,9 +97,14 @@ HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth)
     if (tooth.isPlastic)
         hardness.material.fill(hardnessOf(preset, Substance::Plastic));
     else
-        hardness.material = {hardnessOf(preset, tooth.hasFirmCaries ? Substance::FirmCaries : Substance::SoftCaries),
-                             hardnessOf(preset, Substance::Enamel), hardnessOf(preset, Substance::Dentin),
-                             hardnessOf(preset, Substance::Pulp)};
+        hardness.material = {hardnessOf(preset, decayOf(tooth)), hardnessOf(preset, Substance::Enamel),
+                             hardnessOf(preset, Substance::Dentin), hardnessOf(preset, Substance::Pulp)};
+    if (!tooth.isPlastic && tooth.decay == DecayKind::Graded) {
+        const MaterialHardness soft = hardnessOf(preset, Substance::SoftCaries);
+        const MaterialHardness firm = hardnessOf(preset, Substance::FirmCaries);
+        hardness.decayZones = {
+            {std::sqrt(soft.rateMm3PerNs * firm.rateMm3PerNs), 0.5 * (soft.thresholdN + firm.thresholdN)}, firm};
+    }
     return hardness;
 }
 
@@ -107,15 +120,19 @@ void putForces(const FeelPreset& preset, contact::ForceSettings& force)
 FeelPreset feltAs(FeelPreset base, const HardnessPreset& hardness, const contact::ForceSettings& force,
                   const ToothKind& tooth)
 {
-    const auto put = [&](Substance substance, terrain::Material material) {
-        const MaterialHardness& yields = hardness.material[static_cast<std::size_t>(material)];
+    const auto putRow = [&](Substance substance, const MaterialHardness& yields) {
         base.*rateField(substance).value = yields.rateMm3PerNs;
         base.*thresholdField(substance).value = yields.thresholdN;
+    };
+    const auto put = [&](Substance substance, terrain::Material material) {
+        putRow(substance, hardness.material[static_cast<std::size_t>(material)]);
     };
     if (tooth.isPlastic) {
         put(Substance::Plastic, terrain::Material::Enamel);
     } else {
-        put(tooth.hasFirmCaries ? Substance::FirmCaries : Substance::SoftCaries, terrain::Material::Caries);
+        put(decayOf(tooth), terrain::Material::Caries);
+        if (hardness.decayZones)
+            putRow(Substance::FirmCaries, hardness.decayZones->firm);
         put(Substance::Enamel, terrain::Material::Enamel);
         put(Substance::Dentin, terrain::Material::Dentin);
         put(Substance::Pulp, terrain::Material::Pulp);

@@ -70,11 +70,17 @@ inline constexpr std::size_t kCuttingFields = 2 * kSubstances + 3;
 /// them.
 [[nodiscard]] FeelPreset withoutEndsAndFullLoad(FeelPreset preset);
 
+enum class DecayKind {
+    Soft,
+    Firm,   ///< discoloured and firm throughout
+    Graded  ///< soft above, then leathery, firm at the bottom (terrain::DecayZones)
+};
+
 /// What a tooth is made of, as far as its layers do not say it.
 struct ToothKind
 {
-    bool isPlastic = false;      ///< one resin throughout, as a typodont's
-    bool hasFirmCaries = false;  ///< its decay is discoloured and firm, not soft
+    bool isPlastic = false;  ///< one resin throughout, as a typodont's
+    DecayKind decay = DecayKind::Soft;
     bool operator==(const ToothKind&) const = default;
 };
 
@@ -82,7 +88,8 @@ struct ToothKind
 /// not what its version says.
 [[nodiscard]] std::string labelOf(const FeelPreset& preset);
 
-/// The rows of a preset that such a tooth is cut by, with the preset's label for a name.
+/// The rows of a preset that such a tooth is cut by, with the preset's label for a name. A preset knows soft and firm
+/// decay. Leathery decay lies between: the geometric mean of the two rates, the mean of the two thresholds.
 [[nodiscard]] HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth);
 /// Puts the forces of a preset into a force law and leaves what is the device's.
 void putForces(const FeelPreset& preset, contact::ForceSettings& force);

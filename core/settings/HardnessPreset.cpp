@@ -21,17 +21,32 @@ Result<HardnessPreset> findHardnessPreset(std::string_view name)
                             {noted(std::string(name))}});
 }
 
+namespace {
+
+Status checkRow(const HardnessPreset& preset, const MaterialHardness& row, std::string_view name)
+{
+    if (!within(row.rateMm3PerNs, kMinRateMm3PerNs, kMaxRateMm3PerNs))
+        return unexpected(ErrorCode::OutOfRange, "Hardness preset '" + preset.name + "': the rate of " +
+                                                     std::string(name) + " must lie between 0 and 100 mm3/(N s).");
+    if (!within(row.thresholdN, 0.0, kMaxThresholdN))
+        return unexpected(ErrorCode::OutOfRange, "Hardness preset '" + preset.name + "': the threshold of " +
+                                                     std::string(name) + " must lie between 0 and 10 N.");
+    return {};
+}
+
+}  // namespace
+
 Status check(const HardnessPreset& preset)
 {
     static constexpr std::array<std::string_view, terrain::kMaterialCount> kNames{"caries", "enamel", "dentin", "pulp"};
-    for (std::size_t m = 0; m < kNames.size(); ++m) {
-        if (!within(preset.material[m].rateMm3PerNs, kMinRateMm3PerNs, kMaxRateMm3PerNs))
-            return unexpected(ErrorCode::OutOfRange, "Hardness preset '" + preset.name + "': the rate of " +
-                                                         std::string(kNames[m]) +
-                                                         " must lie between 0 and 100 mm3/(N s).");
-        if (!within(preset.material[m].thresholdN, 0.0, kMaxThresholdN))
-            return unexpected(ErrorCode::OutOfRange, "Hardness preset '" + preset.name + "': the threshold of " +
-                                                         std::string(kNames[m]) + " must lie between 0 and 10 N.");
+    for (std::size_t m = 0; m < kNames.size(); ++m)
+        if (Status row = checkRow(preset, preset.material[m], kNames[m]); !row)
+            return row;
+    if (preset.decayZones) {
+        if (Status row = checkRow(preset, preset.decayZones->leathery, "leathery caries"); !row)
+            return row;
+        if (Status row = checkRow(preset, preset.decayZones->firm, "firm caries"); !row)
+            return row;
     }
     if (!within(preset.axialShare, kMinShare, 1.0))
         return unexpected(ErrorCode::OutOfRange,

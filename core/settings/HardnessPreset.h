@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "core/base/Result.h"
@@ -18,6 +19,14 @@ struct MaterialHardness
     bool operator==(const MaterialHardness&) const = default;
 };
 
+/// How the lower zones of decay yield, in a tooth whose decay has zones (terrain::DecayZones).
+struct DecayZoneHardness
+{
+    MaterialHardness leathery;
+    MaterialHardness firm;
+    bool operator==(const DecayZoneHardness&) const = default;
+};
+
 /// The full load of a preset whose pace grows with the load without end: the largest force limit that a preset may
 /// have.
 inline constexpr double kNoFullLoadN = 20.0;
@@ -32,6 +41,9 @@ struct HardnessPreset
         {2.2, 0.10},  // dentin
         {20.0, 0.0},  // pulp gives way
     }};
+    /// Of the leathery and the firm zone; the row of caries is then that of the soft one. Without it, the row of caries
+    /// holds for all decay.
+    std::optional<DecayZoneHardness> decayZones = {};
     /// Share of the rate that is left when a bur is pushed along its axis: the end cuts more slowly than the side.
     double axialShare = 0.65;
     /// Share of axialShare that a bur with a flat end has, as a pear or a fissure bur (Bur::hasFlatEnd()): 0.40 of the
@@ -50,6 +62,7 @@ struct HardnessPreset
     void takeFigures(const HardnessPreset& other) noexcept
     {
         material = other.material;
+        decayZones = other.decayZones;
         axialShare = other.axialShare;
         flatEndShare = other.flatEndShare;
         fullLoadN = other.fullLoadN;

@@ -453,6 +453,7 @@ private:
         const auto* const file = std::get_if<std::filesystem::path>(&m_source.what);
         m_anatomy.name = file != nullptr ? file->filename().string() : m_report.source;
         m_anatomy.seed = m_options.seed;
+        m_anatomy.hasDecayZones = m_options.hasDecayZones;
         m_report.fdi = m_anatomy.fdi;
         if (m_block != nullptr) {
             m_anatomy.layers = blockLayers(*m_block, m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_options.seed);

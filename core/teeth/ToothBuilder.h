@@ -44,6 +44,7 @@ struct BuildOptions
     std::optional<CariesRule> caries = CariesRule::FissureWalk;  ///< none: a sound tooth
     double cariesExtent = 0.5;                                   ///< 0 .. 1
     std::optional<LesionSite> site;                              ///< of the decay; none: usualSite()
+    bool hasDecayZones = false;                                  ///< the decay is soft, leathery and firm
 };
 
 /// What was found in the source and made of it: `cusp tooth` prints it. Lengths in mm unless the name says otherwise.

@@ -117,6 +117,7 @@ std::shared_ptr<const ToothAnatomy> resampled(const ToothAnatomy& anatomy, Sampl
     made->fdi = anatomy.fdi;
     made->seed = anatomy.seed;
     made->lying = anatomy.lying;
+    made->hasDecayZones = anatomy.hasDecayZones;
     made->grid = resampled(anatomy.grid, sampling);
     const std::size_t count = made->grid.count();
     made->top.assign(count, kEmptyTop);

@@ -33,7 +33,8 @@ std::uint64_t mix(std::uint64_t hash, std::uint32_t word)
 
 bool isSameTooth(const ToothAnatomy& a, const ToothAnatomy& b)
 {
-    return &a == &b || (a.grid == b.grid && a.top == b.top && a.bottom == b.bottom && a.layers == b.layers);
+    return &a == &b || (a.grid == b.grid && a.top == b.top && a.bottom == b.bottom && a.layers == b.layers &&
+                        a.hasDecayZones == b.hasDecayZones);
 }
 
 bool hasDecay(const ToothAnatomy& anatomy)

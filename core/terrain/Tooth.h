@@ -55,6 +55,8 @@ struct ToothAnatomy
     /// Area of silhouette each column stands for, mm2, [side * side]: cell^2 inside; at the rim the part of the
     /// silhouette nearest to that node, so that volumes are not rounded to whole cells. 0 outside.
     std::vector<float> areaMm2;
+    /// Decay in dentin has a soft, a leathery and a firm zone (DecayZones.h). False: decay is of one kind throughout.
+    bool hasDecayZones = false;
 };
 
 /// Whether two teeth are the same before anyone cuts them: grid, surfaces and tissues, whatever they are called.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "core/teeth/ToothBuilder.h"
+#include "core/terrain/DecayZones.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
@@ -86,6 +88,17 @@ double crossedMm(const char* method)
     return anchor.x;
 }
 
+/// Seconds a mm2 that the leathery and the firm decay between two heights take longer than soft decay would.
+double harderSeconds(const terrain::ColumnLayers& column, float low, float high, const contact::RemovalTimes& times)
+{
+    const terrain::DecayZones zones = terrain::decayZonesOf(column);
+    const auto overlap = [&](float from, float to) {
+        return std::max(0.0, static_cast<double>(std::min(high, to)) - static_cast<double>(std::max(low, from)));
+    };
+    return overlap(zones.firmRoof, zones.leatheryRoof) * (times.leatheryDecay - times.ofMaterial[0]) +
+           overlap(column.cariesFloor, zones.firmRoof) * (times.firmDecay - times.ofMaterial[0]);
+}
+
 }  // namespace
 
 class TestContact : public QObject
@@ -111,6 +124,7 @@ private slots:
             const contact::Descent descent{static_cast<float>(rng.uniform(-6.0, 0.0)), 0.5F};
             const float share = n % 3 == 0 ? 0.4F : 1.0F;
             const terrain::PerMaterial seconds{2.0, 7.0, 3.0, 1.0};
+            const contact::RemovalTimes times{seconds, n % 2 == 1, 2.5, 4.0};
             std::vector<float> tops = thin.top;
             terrain::PerMaterial removed{};
             double spent = 0.0;
@@ -127,6 +141,9 @@ private slots:
                     const auto all = terrain::lengthsBetween(anatomy->layers[k], low, thin.top[k]);
                     const auto part =
                         terrain::lengthsBetween(anatomy->layers[k], std::max(to, thin.bottom[k]), thin.top[k]);
+                    const double area = static_cast<double>(anatomy->areaMm2[k]);
+                    if (times.hasDecayZones)
+                        spent += area * harderSeconds(anatomy->layers[k], low, thin.top[k], times);
                     for (std::size_t m = 0; m < all.size(); ++m) {
                         spent += all[m] * static_cast<double>(anatomy->areaMm2[k]) * seconds[m];
                         removed[m] += part[m] * static_cast<double>(anatomy->areaMm2[k]);
@@ -144,7 +161,7 @@ private slots:
                 if (count > 0)
                     QCOMPARE(kernels->columnsUnder(tooth.view(), head, reach, std::span(room).first(count - 1)), count);
                 const std::span<contact::Columns> columns = std::span(room).first(count);
-                const double took = kernels->secondsToRemove(columns, head, descent, seconds);
+                const double took = kernels->secondsToRemove(columns, head, descent, times);
                 QVERIFY2(std::abs(took - spent) <= 1.0e-6 * spent, qPrintable(QString::number(took - spent)));
                 terrain::PerMaterial mm3{};
                 kernels->remove(columns, head, descent, share, mm3);

@@ -353,8 +353,8 @@ private slots:
         ToothAnatomy upright = *tooth->anatomy;
         upright.lying = {};
         QCOMPARE(recording::toothBytes(upright), bytes.substr(0, bytes.size() - sizeof(double) - 1));
-        QCOMPARE(recording::versionWith(upright.lying), recording::kOldestVersion);
-        QCOMPARE(recording::Recording({}, tooth->anatomy).toBytes()[8], static_cast<char>(recording::kFormatVersion));
+        QCOMPARE(recording::versionWith(upright), recording::kOldestVersion);
+        QCOMPARE(recording::Recording({}, tooth->anatomy).toBytes()[8], static_cast<char>(8));
     }
 
     /// A scan is laid by the axes of the frame it was placed in.

@@ -209,7 +209,7 @@ private slots:
         row("an unknown aid", "aids", "[\"x-ray\"]", "aids: \"x-ray\" is no aid");
         row("a handpiece unheard of", "handpieces", "[\"laser\"]", "handpieces: There is no handpiece 'laser'");
         row("a hardness unheard of", "hardness", "\"stone\"", "hardness: There is no hardness preset 'stone'");
-        row("caries unheard of", "caries", "\"hard\"", "caries: \"hard\" is not known; there are soft, firm");
+        row("caries unheard of", "caries", "\"hard\"", "caries: \"hard\" is not known; there are soft, firm, graded");
         row("plastic in words", "plastic", "\"yes\"", "plastic: is a text; write true or false");
         row("a hardness like none", "hardness", R"({"name": "x", "like": "stone"})",
             "hardness.like: There is no hardness preset 'stone'");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QTest>
+#include <cmath>
 #include <set>
 
 #include "core/settings/StabilityBound.h"
@@ -382,31 +383,42 @@ private slots:
         QCOMPARE(settingsOf(nullptr).force.clampN, preset.clampN);
         QVERIFY(settingsOf(nullptr).hardness.name.starts_with(core::settings::labelOf(preset)));
         lessons::Lesson lesson;
-        lesson.kind.hasFirmCaries = true;
+        lesson.kind.decay = core::settings::DecayKind::Firm;
         QCOMPARE(rate(settingsOf(&lesson), Material::Caries), preset.firmCariesRate);
+        lesson.kind.decay = core::settings::DecayKind::Graded;
+        const core::settings::HardnessPreset graded = settingsOf(&lesson).hardness;
+        QCOMPARE(rate(settingsOf(&lesson), Material::Caries), preset.softCariesRate);
+        QCOMPARE(graded.decayZones->firm.rateMm3PerNs, preset.firmCariesRate);
+        QCOMPARE(graded.decayZones->leathery.rateMm3PerNs, std::sqrt(preset.softCariesRate * preset.firmCariesRate));
+        QCOMPARE(graded.decayZones->leathery.thresholdN, 0.5 * (preset.softCariesFromN + preset.firmCariesFromN));
         lesson.kind.isPlastic = true;
+        QVERIFY(!settingsOf(&lesson).hardness.decayZones);
         for (const Material material : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
             QCOMPARE(rate(settingsOf(&lesson), material), preset.plasticRate);
         lesson.hardness = core::settings::findHardnessPreset("typodont").value();
         QCOMPARE(settingsOf(&lesson).hardness.name, std::string("typodont"));
         // Back again, as for an attempt that is taken up.
-        for (const core::settings::ToothKind kind : {core::settings::ToothKind{}, {true, false}, {false, true}}) {
+        for (const core::settings::ToothKind kind : {core::settings::ToothKind{},
+                                                     {true},
+                                                     {false, core::settings::DecayKind::Firm},
+                                                     {false, core::settings::DecayKind::Graded}}) {
             lesson = {};
             lesson.kind = kind;
             const core::session::ServoSettings set = settingsOf(&lesson);
             const FeelPreset felt = core::settings::feltAs(FeelPreset{}, set.hardness, set.force, kind);
             QVERIFY(lessons::servoSettings(&lesson, {}, felt).hardness.material == set.hardness.material);
+            QVERIFY(lessons::servoSettings(&lesson, {}, felt).hardness.decayZones == set.hardness.decayZones);
             QCOMPARE(felt.stiffnessNPerMm, preset.stiffnessNPerMm);
         }
         const lessons::ReadLesson read = lessons::readDraft(
             QJsonObject{
                 {"format", 1}, {"based_on", "decay-36-2-moderate.lesson.json"}, {"id", "firm-36"}, {"caries", "firm"}},
             QDir::temp().filePath("firm.lesson.json"));
-        QVERIFY(read.lesson && read.lesson->kind.hasFirmCaries && !read.lesson->hardness);
+        QVERIFY(read.lesson && read.lesson->kind.decay == core::settings::DecayKind::Firm && !read.lesson->hardness);
         lesson.hardness = core::settings::findHardnessPreset("typodont").value();
         // As before: plastic as shipped is the typodont, and the shipped preset is what a tooth was.
         const FeelPreset shipped = lessons::shippedPresets().front();
-        QVERIFY(core::settings::hardnessFor(shipped, {true, false}).material == lesson.hardness->material);
+        QVERIFY(core::settings::hardnessFor(shipped, {true}).material == lesson.hardness->material);
         QVERIFY(core::settings::hardnessFor(shipped, {}).material == core::settings::HardnessPreset{}.material);
         core::contact::ForceSettings force;
         core::settings::putForces(shipped, force);
@@ -427,7 +439,7 @@ private slots:
         const auto read = [&] { return folder.read("hard.lesson.json", object); };
         const lessons::ReadLesson found = read();
         QVERIFY(support::isSound(found));
-        const core::settings::HardnessPreset hardness = core::settings::hardnessFor(preset, {false, true});
+        const core::settings::HardnessPreset hardness = core::settings::hardnessFor(preset, {false, core::settings::DecayKind::Firm});
         QVERIFY(found.lesson->hardness == hardness);
         QVERIFY(found.uses.contains(folder.at("hard.cusppreset")));
         const lessons::ReadLesson again =

@@ -33,7 +33,11 @@ constexpr double kHardlyChance = 0.05;
 
 /// So that every row of a preset can be felt that teeth are cut by: enamel, dentin and soft decay lie in the block side
 /// by side, the others take their place.
-constexpr std::array<core::settings::ToothKind, 3> kBlocks{{{}, {false, true}, {true, false}}};
+constexpr std::array<core::settings::ToothKind, 3> kBlocks{{
+    {},
+    {false, core::settings::DecayKind::Firm},
+    {true},
+}};
 
 /// What the answers are worth, to somebody who has not learnt statistics.
 QString chanceWords(double p)
