@@ -90,6 +90,8 @@ SectionSample sampleAt(const Tooth& tooth, const std::vector<float>& ideal, glm:
         top = mixed(around, [&](std::size_t k) { return tooth.top[k]; });
         bottom = mixed(around, [&](std::size_t k) { return tooth.bottom[k]; });
     }
+    if (anatomy.hasDecayZones)
+        sample.zones = terrain::decayZonesOf(layers);
     sample.present = terrain::spansBetween(layers, bottom, top);
     return sample;
 }

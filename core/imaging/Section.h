@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/terrain/DecayZones.h"
 #include "core/terrain/Tooth.h"
 
 /// Seeing inside a tooth: a cut through it, how deep a bur stands, how near to the pulp. Any thread that owns the
@@ -29,10 +30,11 @@ struct SectionPlane
 /// What the plane meets on one vertical line.
 struct SectionSample
 {
-    bool wasTooth = false;           ///< there was tooth before anyone cut; else the rest is empty
-    float originalTopMm = 0.0F;      ///< the surface as it was
-    float idealTopMm = 0.0F;         ///< and as it ought to become; kEmptyTop where nothing is to be left
-    terrain::MaterialSpans present;  ///< what is there now, from below upwards; none where it was cut through
+    bool wasTooth = false;                     ///< there was tooth before anyone cut; else the rest is empty
+    float originalTopMm = 0.0F;                ///< the surface as it was
+    float idealTopMm = 0.0F;                   ///< and as it ought to become; kEmptyTop where nothing is to be left
+    terrain::MaterialSpans present;            ///< what is there now, from below upwards; none where it was cut through
+    std::optional<terrain::DecayZones> zones;  ///< of the decay, if it has any
 };
 
 /// Samples at equal distances: sample k lies at fromMm + k * stepMm along the plane.

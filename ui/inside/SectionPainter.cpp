@@ -16,6 +16,7 @@
 #include <QPainterPath>
 
 #include "core/imaging/Canals.h"
+#include "core/terrain/DecayZones.h"
 #include "ui/inside/PictureKey.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
@@ -44,6 +45,9 @@ constexpr QRgb kToleranceFill = 0x9056C7C9;  ///< between the limits of a tolera
 constexpr QRgb kToleranceHatch = 0xFF0B4F51;
 constexpr QRgb kSteel = 0xE6AEB8BC;
 constexpr QRgb kBorder = 0xFF000000;
+constexpr QRgb kPale = 0xFFE8C9A0;
+constexpr double kLeatheryPaler = 0.25;
+constexpr double kFirmPaler = 0.5;
 constexpr double kInkShare = 0.55;  ///< of a pattern and of a border over what lies under it
 constexpr QRgb kSteelEdge = 0xFF11140F;
 constexpr QRgb kMark = 0xFFFFFFFF;
@@ -169,6 +173,14 @@ QRgb mixed(QRgb below, QRgb above, double share)
                  channel(qBlue(below), qBlue(above)), channel(qAlpha(below), qAlpha(above)));
 }
 
+/// How much paler decay is at a height, mm: leathery decay is paler than soft, and firm paler than leathery.
+double paleShare(const core::terrain::DecayZones& zones, double heightMm)
+{
+    if (heightMm <= static_cast<double>(zones.firmRoof))
+        return kFirmPaler;
+    return heightMm <= static_cast<double>(zones.leatheryRoof) ? kLeatheryPaler : 0.0;
+}
+
 /// The materials, one column of device pixels to a sample: no seams, whatever the painter's scale. Pixel by pixel:
 /// a thousand rectangles take longer.
 QImage tissue(const Section& section, const Frame& frame, double pixelRatio, render::Palette palette)
@@ -188,15 +200,17 @@ QImage tissue(const Section& section, const Frame& frame, double pixelRatio, ren
         const MaterialSpan* below = nullptr;
         for (const MaterialSpan& span : sample.present) {
             const shell::MaterialLook& look = looks.at(static_cast<std::size_t>(span.material));
-            const QRgb fill = look.fill.rgb();
-            const QRgb ink = mixed(fill, look.letter.rgb(), kInkShare);
+            const QRgb plainFill = look.fill.rgb();
+            const QRgb plainInk = mixed(plainFill, look.letter.rgb(), kInkShare);
             const double top = (frame.topMm - static_cast<double>(span.highMm)) * scale;
             const double bottom = (frame.topMm - static_cast<double>(span.lowMm)) * scale;
             const int first = std::max(0, static_cast<int>(std::floor(top)));
             const int last = static_cast<int>(std::min<double>(height, std::ceil(bottom))) - 1;
             for (int y = first; y <= last; ++y) {
                 QRgb& pixel = pixels[y * stride + x];
-                const QRgb colour = hasInk(look.pattern, x, y) ? ink : fill;
+                QRgb colour = hasInk(look.pattern, x, y) ? plainInk : plainFill;
+                if (span.material == Material::Caries && sample.zones)
+                    colour = mixed(colour, kPale, paleShare(*sample.zones, frame.topMm - (y + 0.5) / scale));
                 const double share = std::min(bottom, y + 1.0) - std::max(top, static_cast<double>(y));
                 pixel = share >= 1.0 ? colour : mixed(pixel, colour, share);
             }

@@ -88,6 +88,7 @@ void ToothMaps::setSurface(const ToothSurface& surface)
         make(m_ideal, QOpenGLTexture::RG32F, 8);
     }
     m_lattice = lattice;
+    m_hasDecayZones = surface.anatomy().hasDecayZones;
     m_tilesPerSide = surface.tilesPerSide();
 
     const core::terrain::NodeRect all = wholeOf(lattice);

@@ -61,6 +61,8 @@ public:
     /// Uploads what a refresh() of that surface changed, and nothing else.
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
     [[nodiscard]] bool isEmpty() const { return !m_lattice; }
+    /// Returns whether the decay of the tooth is soft, leathery and firm.
+    [[nodiscard]] bool hasDecayZones() const { return m_hasDecayZones; }
 
     /// Where what is drawn of a rectangle of nodes lies, and, if part of that is gone, where it was.
     [[nodiscard]] Box boxOf(const core::terrain::NodeRect& rect) const;
@@ -124,6 +126,7 @@ private:
     Map m_lowerLayers;
     Map m_ideal;
     std::optional<core::terrain::Grid> m_lattice;
+    bool m_hasDecayZones = false;
     int m_tilesPerSide = 0;
     std::vector<Tile> m_tiles;
     std::vector<float> m_shownTops;  ///< as they were uploaded

@@ -431,6 +431,7 @@ void ToothRenderer::showNearestFronts()
 void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
 {
     useTooth(m_toothProgram, scene);
+    m_toothProgram.setUniformValue("decayZones", m_maps.hasDecayZones());
     m_toothProgram.setUniformValue("distinct", scene.look.palette == Palette::Distinct);
     m_toothProgram.setUniformValue("wet", scene.look.isWet ? 1.0F : 0.0F);
     m_toothProgram.setUniformValue("fadeMm", m_fadeMm.x, m_fadeMm.y);

@@ -16,6 +16,7 @@ uniform sampler2D ideal;        // how far the ideal surface lies below the uncu
 uniform float facing;          // 1 upper surface, -1 lower
 uniform vec3 eyeMm;
 uniform vec3 towardsLight;
+uniform bool decayZones;       // decay in dentin is soft, leathery and firm
 uniform bool distinct;         // colours and patterns that nobody confuses
 uniform float wet;             // 1 under a film of water
 uniform int depthColours;      // 0 none, 1 below the uncut surface, 2 against the ideal one
@@ -30,6 +31,8 @@ const vec3 kEnamel = vec3(0.89, 0.83, 0.71);
 const vec3 kCutEnamel = vec3(0.96, 0.945, 0.90);
 const vec3 kDentin = vec3(0.84, 0.65, 0.36);
 const vec3 kDecay = vec3(0.060, 0.026, 0.011);
+const vec3 kLeatheryDecay = vec3(0.17, 0.075, 0.028);
+const vec3 kFirmDecay = vec3(0.48, 0.29, 0.12);
 const vec3 kDecayEdge = vec3(0.36, 0.19, 0.07);
 const vec3 kPulp = vec3(0.68, 0.13, 0.14);
 
@@ -78,13 +81,19 @@ void main()
     base = mix(base, kPulp, inPulp);
     // Around an open lesion what still holds is stained.
     base = mix(base, kDecayEdge, 0.8 * smoothstep(0.0, 0.35, lower.w) * smoothstep(0.0, 0.12, z - upper.y));
-    base = mix(base, mix(kDecayEdge, kDecay, smoothstep(0.15, 0.8, inDecay)), smoothstep(0.0, 0.5, inDecay));
+    vec3 decay = kDecay;
+    // The firm zone is the lowest 0.5 mm in dentin, the leathery one the next 0.5 mm (core/terrain/DecayZones.h).
+    float inDentin = decayZones ? 1.0 - smoothstep(0.0, 0.1, z - upper.z) : 0.0;
+    float leathery = inDentin * (1.0 - smoothstep(0.95, 1.05, z - upper.y));
+    float firm = inDentin * (1.0 - smoothstep(0.45, 0.55, z - upper.y));
+    decay = mix(mix(decay, kLeatheryDecay, leathery), kFirmDecay, firm);
+    base = mix(base, mix(kDecayEdge, decay, smoothstep(0.15, 0.8, inDecay)), smoothstep(0.0, 0.5, inDecay));
     if (distinct) {
         vec3 at = positionMm;
         base = mix(mix(vec3(0.78, 0.36, 0.0), vec3(0.60, 0.25, 0.0), stripes(at.x + at.y)), vec3(0.86, 0.80, 0.30), isEnamel);
         base = mix(base, mix(vec3(0.58, 0.19, 0.38), vec3(0.93, 0.60, 0.78), dots(at)), inPulp);
-        base = mix(base, mix(vec3(0.0, 0.16, 0.44), vec3(0.10, 0.42, 0.80), stripes(at.x - at.y + 0.5 * at.z)),
-                   smoothstep(0.2, 0.5, inDecay));
+        vec3 striped = mix(vec3(0.0, 0.16, 0.44), vec3(0.10, 0.42, 0.80), stripes(at.x - at.y + 0.5 * at.z));
+        base = mix(base, mix(striped, vec3(1.0), 0.25 * (leathery + firm)), smoothstep(0.2, 0.5, inDecay));
     }
     bool isScale = depthColours > 0;
     if (isScale) {
