@@ -78,7 +78,9 @@ Finding toTheJunction(const Finding& finding, const Measured& measured)
 }
 
 /// Advice that depends on the measure alone; the amount is what was measured.
-constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"perforated_mm2", Rule::Perforated},
+constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"soft_left_percent", Rule::SoftDecayLeft},
+                                                            {"leathery_left_mm2", Rule::LeatheryLeft},
+                                                            {"perforated_mm2", Rule::Perforated},
                                                             {"unsupported_enamel_mm3", Rule::UnsupportedEnamel},
                                                             {"ridge_", Rule::RidgeThin},
                                                             {"wall_angle", Rule::WallsLean},
@@ -113,6 +115,10 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
         return Finding{Rule::NearPulp, value};
     if (isOneOf(id, {"pulp_", "remaining_over_pulp"}))
         return fastOr(Rule::PulpOpenedFast, Rule::PulpOpened, 0.0);
+    // Decay that may stay in part.
+    const bool hasZones = measured.lesion && measured.lesion->zones;
+    if (hasZones && id == "caries_at_junction_mm2")
+        return Finding{Rule::LeftAtJunction, value};
     if (id.starts_with("caries_")) {
         const core::grading::Measures& all = measured.measures;
         return Finding{Rule::DecayLeft, all.lesionMm3 > 0.0 ? 100.0 * all.cariesLeftMm3 / all.lesionMm3 : 0.0};
@@ -122,7 +128,7 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
     if (id == "beyond_lesion_mm")
         return Finding{Rule::FarFromDecay, value};
     if (id == "below_lesion_mm")
-        return Finding{Rule::BelowDecay, value};
+        return Finding{hasZones ? Rule::BelowFirmDecay : Rule::BelowDecay, value};
     if (id == "floor_into_dentin_mm")
         return Finding{Rule::FloorInEnamel};
     if (id == "dentin_removed_mm3")

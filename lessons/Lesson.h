@@ -185,7 +185,10 @@ enum class ShownTarget : std::uint8_t { Decay, Ideal, Nothing };
     // In an exam without aids, the amount of decay that is left would show when to stop.
     if (lesson != nullptr && ((lesson->exam && lesson->aids == Aids::none()) || isExercise(lesson->task)))
         return ShownTarget::Nothing;
-    return lesson == nullptr || lesson->task == Task::RemoveDecay ? ShownTarget::Decay : ShownTarget::Ideal;
+    // Decay in zones stays in part: what is left of all decay would not say when to stop.
+    const bool isOnAllDecay = lesson == nullptr || (lesson->task == Task::RemoveDecay &&
+                                                    lesson->kind.decay != core::settings::DecayKind::Graded);
+    return isOnAllDecay ? ShownTarget::Decay : ShownTarget::Ideal;
 }
 
 /// Returns whether a lesson is on a block whose layers do not matter. Its material is called "block" on the screen. The

@@ -9650,6 +9650,26 @@ ungesichert</translation>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>Am Boden sind noch bis zu %1 mm Schmelz. Arbeiten Sie mit leichten Zügen weiter, bis der Widerstand nachlässt.</translation>
     </message>
+    <message>
+        <source>%1 % of the soft decay is still in the tooth. Remove it from the walls and the floor until the bur meets more resistance.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
+        <translation>%1 % der weichen Karies sind noch im Zahn. Entfernen Sie sie von den Wänden und vom Boden, bis der Bohrer auf mehr Widerstand trifft.</translation>
+    </message>
+    <message>
+        <source>Leathery decay is left on %1 mm² that do not lie over the pulp. Remove it there down to firm dentin.</source>
+        <extracomment>%1 is an area in mm²</extracomment>
+        <translation>Auf %1 mm², die nicht über der Pulpa liegen, ist lederartige Karies verblieben. Entfernen Sie sie dort bis zum festen Dentin.</translation>
+    </message>
+    <message>
+        <source>Decay is left at the enamel-dentin junction on %1 mm². Clean the junction all the way round.</source>
+        <extracomment>%1 is an area in mm²</extracomment>
+        <translation>An der Schmelz-Dentin-Grenze ist auf %1 mm² Karies verblieben. Säubern Sie die Grenze ringsum.</translation>
+    </message>
+    <message>
+        <source>The cavity goes %1 mm deeper than the decay that had to be removed. Stop at firm dentin, and over the pulp at leathery dentin.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>Die Kavität reicht %1 mm tiefer als die Karies, die zu entfernen war. Hören Sie bei festem Dentin auf, über der Pulpa bei lederartigem.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

@@ -9650,6 +9650,26 @@ sin guardar</translation>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>En el piso quedan hasta %1 mm de esmalte. Siga con pasadas ligeras hasta que la resistencia disminuya.</translation>
     </message>
+    <message>
+        <source>%1 % of the soft decay is still in the tooth. Remove it from the walls and the floor until the bur meets more resistance.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
+        <translation>El %1 % de la caries blanda sigue en el diente. Elimínela de las paredes y del piso hasta que la fresa encuentre más resistencia.</translation>
+    </message>
+    <message>
+        <source>Leathery decay is left on %1 mm² that do not lie over the pulp. Remove it there down to firm dentin.</source>
+        <extracomment>%1 is an area in mm²</extracomment>
+        <translation>Queda caries correosa en %1 mm² que no están sobre la pulpa. Elimínela allí hasta la dentina firme.</translation>
+    </message>
+    <message>
+        <source>Decay is left at the enamel-dentin junction on %1 mm². Clean the junction all the way round.</source>
+        <extracomment>%1 is an area in mm²</extracomment>
+        <translation>Queda caries en %1 mm² del límite amelodentinario. Limpie el límite todo alrededor.</translation>
+    </message>
+    <message>
+        <source>The cavity goes %1 mm deeper than the decay that had to be removed. Stop at firm dentin, and over the pulp at leathery dentin.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>La cavidad llega %1 mm más abajo que la caries que había que eliminar. Deténgase en la dentina firme y, sobre la pulpa, en la correosa.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

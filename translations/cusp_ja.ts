@@ -9597,6 +9597,26 @@ unsaved</source>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>窩底にエナメル質が最大%1 mm残っています。抵抗が減るまで軽いストロークで切削を続けてください。</translation>
     </message>
+    <message>
+        <source>%1 % of the soft decay is still in the tooth. Remove it from the walls and the floor until the bur meets more resistance.</source>
+        <extracomment>%1 is a share in per cent</extracomment>
+        <translation>軟らかいう蝕の%1 %が歯に残っています。バーの抵抗が増えるまで、壁と窩底から除去してください。</translation>
+    </message>
+    <message>
+        <source>Leathery decay is left on %1 mm² that do not lie over the pulp. Remove it there down to firm dentin.</source>
+        <extracomment>%1 is an area in mm²</extracomment>
+        <translation>歯髄の上ではない%1 mm²に、革様のう蝕が残っています。そこでは硬い象牙質まで除去してください。</translation>
+    </message>
+    <message>
+        <source>Decay is left at the enamel-dentin junction on %1 mm². Clean the junction all the way round.</source>
+        <extracomment>%1 is an area in mm²</extracomment>
+        <translation>エナメル象牙境の%1 mm²にう蝕が残っています。境界を全周にわたり除去してください。</translation>
+    </message>
+    <message>
+        <source>The cavity goes %1 mm deeper than the decay that had to be removed. Stop at firm dentin, and over the pulp at leathery dentin.</source>
+        <extracomment>%1 is a length in mm</extracomment>
+        <translation>窩洞は、除去すべきう蝕より%1 mm深くなっています。硬い象牙質で、歯髄の上では革様の象牙質で止めてください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ConductNotes</name>

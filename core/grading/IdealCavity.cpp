@@ -3,7 +3,26 @@
 
 #include <algorithm>
 
+#include "core/grading/LesionCut.h"
+#include "core/terrain/DecayZones.h"
+
 namespace core::grading {
+
+bool isOverPulp(const terrain::ToothAnatomy& anatomy, std::size_t k)
+{
+    const terrain::ColumnLayers& column = anatomy.layers[k];
+    return terrain::hasPulp(anatomy, k) && column.cariesFloor - column.pulpRoof <= kOverPulpMm;
+}
+
+float decayGoesDownTo(const terrain::ToothAnatomy& anatomy, std::size_t k)
+{
+    const terrain::ColumnLayers& column = anatomy.layers[k];
+    if (!anatomy.hasDecayZones)
+        return column.cariesFloor;
+    const terrain::DecayZones zones = terrain::decayZonesOf(anatomy, k);
+    const float stop = isOverPulp(anatomy, k) ? zones.leatheryRoof : zones.firmRoof;
+    return std::max(column.cariesFloor, std::min(stop, column.dej - static_cast<float>(kAtJunctionMm)));
+}
 
 IdealTop idealCavity(const terrain::ToothAnatomy& anatomy)
 {
@@ -11,9 +30,10 @@ IdealTop idealCavity(const terrain::ToothAnatomy& anatomy)
     bool isAsked = false;
     for (std::size_t k = 0; k < top.size(); ++k) {
         const terrain::ColumnLayers& column = anatomy.layers[k];
-        const float floor = std::max(column.cariesFloor, anatomy.bottom[k]);
+        const float down = decayGoesDownTo(anatomy, k);
+        const float floor = std::max(down, anatomy.bottom[k]);
         // A lesion that reaches up beyond the surface is open; one that begins there has nothing inside the tooth.
-        if (column.cariesRoof <= column.cariesFloor || floor >= top[k] || column.cariesRoof <= anatomy.bottom[k])
+        if (column.cariesRoof <= down || floor >= top[k] || column.cariesRoof <= anatomy.bottom[k])
             continue;
         top[k] = floor > anatomy.bottom[k] ? floor : terrain::kEmptyTop;
         isAsked = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -12,7 +13,19 @@ namespace core::grading {
 /// [side * side], kEmptyTop where nothing is to be left. Shared and immutable.
 using IdealTop = std::shared_ptr<const std::vector<float>>;
 
-/// What the removal of decay asks for at the least: each column of the lesion down to the lesion's floor, everything
+/// Decay with so much dentin or less between it and the pulp straight below lies over the pulp, mm. There leathery
+/// decay stays where decay has zones.
+inline constexpr float kOverPulpMm = 1.0F;
+
+/// Returns whether the decay of a column lies over the pulp.
+[[nodiscard]] bool isOverPulp(const terrain::ToothAnatomy& anatomy, std::size_t k);
+
+/// Returns the height down to which the decay of a column has to be removed, mm: the floor of the lesion. Where decay
+/// has zones, firm decay stays, and leathery decay over the pulp as well; but within kAtJunctionMm of the enamel-dentin
+/// junction all decay goes. Any value for a column without decay.
+[[nodiscard]] float decayGoesDownTo(const terrain::ToothAnatomy& anatomy, std::size_t k);
+
+/// What the removal of decay asks for at the least: each column of the lesion down to decayGoesDownTo(), everything
 /// else as it was. What lies straight above decay goes with it, as a handpiece held upright cannot spare it. Null for a
 /// tooth without a lesion.
 [[nodiscard]] IdealTop idealCavity(const terrain::ToothAnatomy& anatomy);

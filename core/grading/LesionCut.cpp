@@ -16,6 +16,7 @@
 #include "core/grading/Outline.h"
 #include "core/teeth/ToothBuilder.h"
 #include "core/teeth/ToothTable.h"
+#include "core/terrain/DecayZones.h"
 
 namespace core::grading {
 namespace {
@@ -97,6 +98,58 @@ void addDecayLeft(const Tooth& tooth, std::size_t k, LesionCut& result, double& 
     }
 }
 
+/// Decay of the zones that is left, column by column.
+class ZoneSums
+{
+public:
+    explicit ZoneSums(const Tooth& tooth) : m_tooth(tooth) {}
+    void add(std::size_t k)
+    {
+        const ToothAnatomy& anatomy = *m_tooth.anatomy;
+        const terrain::ColumnLayers& column = anatomy.layers[k];
+        if (!wasSolid(anatomy, k) || !(column.cariesRoof > column.cariesFloor))
+            return;
+        const terrain::DecayZones zones = terrain::decayZonesOf(anatomy, k);
+        const auto area = static_cast<double>(anatomy.areaMm2[k]);
+        const auto above = [](float roof, float from) {
+            return std::max(0.0, static_cast<double>(roof) - static_cast<double>(from));
+        };
+        const float softFloor = std::max(zones.leatheryRoof, anatomy.bottom[k]);
+        m_softMm3 += above(std::min(column.cariesRoof, anatomy.top[k]), softFloor) * area;
+        const Decay left = decayIn(m_tooth, k);
+        if (!left.any())
+            return;
+        const double soft = above(left.roof, softFloor);
+        m_softLeftMm3 += soft * area;
+        note(m_left.softPercent, m_mostSoft, soft, k);
+        const double leathery = isOverPulp(anatomy, k) ? 0.0 : above(left.roof, zones.firmRoof);
+        m_left.leatheryMm2.value += leathery > 0.0 ? area : 0.0;
+        note(m_left.leatheryMm2, m_mostLeathery, leathery, k);
+    }
+    [[nodiscard]] DecayZonesLeft left() const
+    {
+        DecayZonesLeft left = m_left;
+        left.softPercent.value = m_softMm3 > 0.0 ? 100.0 * (m_softLeftMm3 / m_softMm3) : 0.0;
+        return left;
+    }
+
+private:
+    static void note(Placed& place, double& most, double heightMm, std::size_t k)
+    {
+        if (heightMm > most) {
+            most = heightMm;
+            place.node = k;
+        }
+    }
+
+    const Tooth& m_tooth;
+    DecayZonesLeft m_left;
+    double m_softMm3 = 0.0;
+    double m_softLeftMm3 = 0.0;
+    double m_mostSoft = 0.0;
+    double m_mostLeathery = 0.0;
+};
+
 struct Ridges
 {
     std::optional<Placed> mesialMm;
@@ -150,12 +203,15 @@ std::optional<LesionCut> measureLesionCut(const Tooth& tooth)
     LesionCut result;
     AreaExcess beyond;
     AreaExcess below;
+    ZoneSums zones(tooth);
     double mostAtJunction = 0.0;
     double mostOnFloor = 0.0;
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
             addDecayLeft(tooth, k, result, mostAtJunction, mostOnFloor);
+            if (anatomy.hasDecayZones)
+                zones.add(k);
             if (!isCut(tooth, k))
                 continue;
             const auto end = static_cast<double>(endOf(tooth, k));
@@ -168,6 +224,8 @@ std::optional<LesionCut> measureLesionCut(const Tooth& tooth)
     }
     result.beyondMm = beyond.over(kStrayMm2);
     result.belowMm = below.over(kLocalMm2);
+    if (anatomy.hasDecayZones)
+        result.zones = zones.left();
     findRidges(tooth, *top, result);
     return result;
 }

@@ -15,6 +15,16 @@ inline constexpr double kAtJunctionMm = 0.5;
 /// The floor of a lesion is followed by a bur no finer than this: next to a deep place its neighbours may be as deep.
 inline constexpr double kLesionReachMm = 0.8;
 
+/// What is left of decay that has zones (terrain::DecayZones).
+struct DecayZonesLeft
+{
+    /// Per cent of the soft zone; the node is where most of it is left.
+    Placed softPercent;
+    /// mm2, seen from above, in which leathery or soft decay is left that does not lie over the pulp (isOverPulp()).
+    Placed leatheryMm2;
+    bool operator==(const DecayZonesLeft&) const = default;
+};
+
 /// How a cut lies to the lesion it was made for.
 struct LesionCut
 {
@@ -25,14 +35,15 @@ struct LesionCut
     /// Distance of the cut from the smallest cavity, mm, seen from above. At least kStrayMm2 of the cut are as far
     /// away. Only places that were lowered by kStrayDepthMm or more count.
     Placed beyondMm;
-    /// Depth of the cut below the lesion, mm: below the lowest decay within kLesionReachMm. At least kLocalMm2 of the
-    /// cut are as deep. Places farther from the lesion do not count.
+    /// Depth of the cut below the smallest cavity, mm: below the lowest of it within kLesionReachMm. At least kLocalMm2
+    /// of the cut are as deep. Places farther from the lesion do not count.
     Placed belowMm;
     /// As in Form.
     std::optional<Placed> ridgeMesialMm;
     std::optional<Placed> ridgeDistalMm;
     /// mm, how much thinner one of them is than the smallest cavity would leave it, 0 or more; 0 where there are none.
     Placed ridgeLostMm;
+    std::optional<DecayZonesLeft> zones = {};  ///< empty where decay has none
     bool operator==(const LesionCut&) const = default;
 };
 

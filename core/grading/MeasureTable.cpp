@@ -14,6 +14,7 @@ using terrain::Material;
 
 constexpr std::string_view kMetrics = "courseware.md 3.3";
 constexpr std::string_view kSturdevant = "Sturdevant's Art and Science of Operative Dentistry";
+constexpr std::string_view kZones = "International Caries Consensus Collaboration (Schwendicke 2016)";
 constexpr std::string_view kForms = "teeth.md 7, ideal values of a Class I preparation";
 constexpr std::string_view kPad = "teeth.md 7, training shapes; courseware.md 3.1 (Simodont)";
 constexpr std::string_view kFirstMinutes = "ours: the first five minutes at the device";
@@ -110,6 +111,16 @@ Value ofLesionCut(const Measured& m, Placed LesionCut::*part)
 Node nodeOfLesionCut(const Measured& m, Placed LesionCut::*part)
 {
     return m.lesion ? worstOf((*m.lesion).*part) : std::nullopt;
+}
+
+Value ofZones(const Measured& m, Placed DecayZonesLeft::*part)
+{
+    return m.lesion && m.lesion->zones ? Value(((*m.lesion->zones).*part).value) : std::nullopt;
+}
+
+Node nodeOfZones(const Measured& m, Placed DecayZonesLeft::*part)
+{
+    return m.lesion && m.lesion->zones ? worstOf((*m.lesion->zones).*part) : std::nullopt;
 }
 
 /// The wall that leans most (`sign` 1) or least (-1).
@@ -269,6 +280,15 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
     {"caries_on_floor_mm2", "mm2", "Area, seen from above, in which decay is left deeper than that.", kSturdevant,
      [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::floorMm2); },
      [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::floorMm2); }},
+    {"soft_left_percent", "percent",
+     "Share of the soft decay that is still in the tooth, where decay has a soft, a leathery and a firm zone.", kZones,
+     [](const Measured& m) -> Value { return ofZones(m, &DecayZonesLeft::softPercent); },
+     [](const Measured& m) -> Node { return nodeOfZones(m, &DecayZonesLeft::softPercent); }},
+    {"leathery_left_mm2", "mm2",
+     "Area, seen from above, in which leathery or soft decay is left, but for where the pulp is 1.0 mm or less below the "
+     "lesion.",
+     kZones, [](const Measured& m) -> Value { return ofZones(m, &DecayZonesLeft::leatheryMm2); },
+     [](const Measured& m) -> Node { return nodeOfZones(m, &DecayZonesLeft::leatheryMm2); }},
     {"beyond_lesion_mm", "mm",
      "Distance, seen from above, from the smallest cavity that clears the decay to what was cut 0.2 mm deep or deeper; "
      "0.1 mm² are as far away, or farther.",
@@ -279,15 +299,19 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      kSturdevant, [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::ridgeLostMm); },
      [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::ridgeLostMm); }},
     {"below_lesion_mm", "mm",
-     "Depth of the cut below the decay there was, and below what was deeper within 0.8 mm; 0.5 mm² are as deep, or deeper.",
+     "Depth of the cut below the decay that had to go, and below what was deeper within 0.8 mm; 0.5 mm² are as deep, or "
+     "deeper.",
      kSturdevant, [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::belowMm); },
      [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::belowMm); }},
     {"lesion_mm3", "mm3", "Decay before anything was cut.", kMetrics,
      [](const Measured& m) -> Value { return m.measures.lesionMm3; }, nullptr},
     {"access_mm3", "mm3", "Sound tissue straight above the lesion, which has to go with it.", kMetrics,
      [](const Measured& m) -> Value { return ofLesion(m, m.measures.accessMm3); }, nullptr},
-    {"smallest_cavity_mm3", "mm3", "The smallest cavity that clears the decay: the lesion and its access.", kMetrics,
-     [](const Measured& m) -> Value { return ofLesion(m, m.measures.lesionMm3 + m.measures.accessMm3); }, nullptr},
+    {"smallest_cavity_mm3", "mm3", "The smallest cavity that clears the decay: the lesion, but for what of it may stay, and its access.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofLesion(m, m.measures.lesionMm3 - m.measures.decayToKeepMm3 + m.measures.accessMm3);
+     },
+     nullptr},
     {"sound_overcut_mm3", "mm3", "Sound enamel and dentin removed beside the lesion or below it.",
      "courseware.md 3.1 (Osnes 2021), 3.3", [](const Measured& m) -> Value { return m.measures.overcutMm3; },
      [](const Measured& m) -> Node { return m.measures.overcutNode; }},

@@ -32,12 +32,13 @@ double soundOf(const PerMaterial& lengths)
     return of(lengths, Material::Enamel) + of(lengths, Material::Dentin);
 }
 
-/// Down to here a column has to be cut to clear its decay; its top where it has none.
+/// Down to here a column has to be cut for its decay; its top where it has none that has to go.
 float neededDownTo(const ToothAnatomy& anatomy, std::size_t k)
 {
     const ColumnLayers& column = anatomy.layers[k];
-    const bool decayed = of(terrain::lengthsBetween(column, anatomy.bottom[k], anatomy.top[k]), Material::Caries) > 0.0;
-    return decayed ? std::max(anatomy.bottom[k], column.cariesFloor) : anatomy.top[k];
+    const float down = std::max(anatomy.bottom[k], decayGoesDownTo(anatomy, k));
+    const bool decayed = of(terrain::lengthsBetween(column, down, anatomy.top[k]), Material::Caries) > 0.0;
+    return decayed ? down : anatomy.top[k];
 }
 
 double largestIsland(const Tooth& tooth)
@@ -215,7 +216,10 @@ Measures measure(const Tooth& tooth, const IdealTop& ideal)
 
         const double lesion = of(terrain::lengthsBetween(column, bottom, top), Material::Caries);
         result.lesionMm3 += lesion * area;
-        result.accessMm3 += soundOf(terrain::lengthsBetween(column, neededDownTo(anatomy, k), top)) * area;
+        const float needed = neededDownTo(anatomy, k);
+        result.accessMm3 += soundOf(terrain::lengthsBetween(column, needed, top)) * area;
+        if (anatomy.hasDecayZones)
+            result.decayToKeepMm3 += of(terrain::lengthsBetween(column, bottom, needed), Material::Caries) * area;
         if (tooth.isSolid(k)) {
             const double left =
                 of(terrain::lengthsBetween(column, tooth.bottom[k], tooth.top[k]), Material::Caries) * area;

@@ -18,6 +18,8 @@ struct Measures
 
     /// mm3 of the lesion before anything was cut.
     double lesionMm3 = 0.0;
+    /// mm3 of it that need not be removed (decayGoesDownTo()); 0 where decay has no zones.
+    double decayToKeepMm3 = 0.0;
     /// mm3 of the lesion still in the tooth.
     double cariesLeftMm3 = 0.0;
     /// cariesLeftMm3 in per cent of lesionMm3; 0 for a tooth without a lesion.
@@ -26,8 +28,8 @@ struct Measures
     /// in height.
     double largestIslandMm3 = 0.0;
 
-    /// mm3 of sound enamel and dentin that lie straight above the lesion: a handpiece held upright cannot reach the
-    /// decay without taking them.
+    /// mm3 of sound enamel and dentin that lie straight above decay that has to go: a handpiece held upright cannot
+    /// reach the decay without taking them.
     double accessMm3 = 0.0;
     /// mm3 of sound enamel and dentin removed elsewhere: beside the lesion or below it.
     double overcutMm3 = 0.0;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/drilling/Reach.h"
+#include "core/grading/IdealCavity.h"
 #include "haptics/simulated/BurFootprint.h"
 
 namespace haptics {
@@ -27,22 +28,22 @@ std::vector<float> limits(const core::terrain::ToothAnatomy& anatomy)
         limit[k] = anatomy.bottom[k] + kThroughMm;
         if (core::terrain::hasPulp(anatomy, k))
             limit[k] = std::max(limit[k], layers.pulpRoof + kPulpMarginMm);
-        if (layers.cariesRoof > layers.cariesFloor)
-            limit[k] = std::min(limit[k], layers.cariesFloor - kDecayMarginMm);
+        if (const float down = core::grading::decayGoesDownTo(anatomy, k); layers.cariesRoof > down)
+            limit[k] = std::min(limit[k], down - kDecayMarginMm);
     }
     return limit;
 }
 
-/// The columns with decay.
+/// The columns with decay that has to go.
 std::vector<std::size_t> deepestFirst(const core::terrain::ToothAnatomy& anatomy)
 {
     std::vector<std::size_t> decayed;
     for (std::size_t k = 0; k < anatomy.grid.count(); ++k)
-        if (const ColumnLayers& layers = anatomy.layers[k];
-            layers.cariesRoof > layers.cariesFloor && anatomy.top[k] > layers.cariesFloor)
+        if (const float down = core::grading::decayGoesDownTo(anatomy, k);
+            anatomy.layers[k].cariesRoof > down && anatomy.top[k] > down)
             decayed.push_back(k);
     std::stable_sort(decayed.begin(), decayed.end(), [&](std::size_t a, std::size_t b) {
-        return anatomy.layers[a].cariesFloor < anatomy.layers[b].cariesFloor;
+        return core::grading::decayGoesDownTo(anatomy, a) < core::grading::decayGoesDownTo(anatomy, b);
     });
     return decayed;
 }
@@ -73,7 +74,7 @@ std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy, const
         return cost;
     };
     for (const std::size_t decayed : deepestFirst(anatomy)) {
-        const float floorMm = anatomy.layers[decayed].cariesFloor - kDecayMarginMm;
+        const float floorMm = core::grading::decayGoesDownTo(anatomy, decayed) - kDecayMarginMm;
         if (top[decayed] <= floorMm)
             continue;
         const int i = static_cast<int>(decayed) % grid.side;

@@ -106,7 +106,9 @@ private slots:
             ids,
             std::string(
                 "caries_removed_mm3 caries_removed_percent caries_left_mm3 caries_left_percent "
-                "caries_largest_island_mm3 caries_at_junction_mm2 caries_on_floor_mm2 beyond_lesion_mm "
+                "caries_largest_island_mm3 caries_at_junction_mm2 caries_on_floor_mm2 soft_left_percent "
+                "leathery_left_mm2 "
+                "beyond_lesion_mm "
                 "ridge_lost_mm below_lesion_mm lesion_mm3 access_mm3 smallest_cavity_mm3 sound_overcut_mm3 "
                 "enamel_removed_mm3 "
                 "dentin_removed_mm3 pulp_removed_mm3 deepest_cut_mm pulp_exposed_mm2 perforated_mm2 "

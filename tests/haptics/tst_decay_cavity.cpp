@@ -86,6 +86,20 @@ private slots:
                 QVERIFY(top[k] > anatomy->layers[k].pulpRoof);
     }
 
+    /// Firm decay is left, and leathery decay over the pulp, as far as the head of a bur can follow.
+    void firmDecayMayStay()
+    {
+        const auto anatomy = support::slab(-1.0F);
+        decay(*anatomy, 0.0, 0.0, 1.4, -0.5F, -3.0F);
+        anatomy->hasDecayZones = true;
+        const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
+        support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+            QVERIFY2(top[k] > -2.6F, "no deeper than to the firm decay");
+            if (std::hypot(at.x, at.y) <= 1.4)
+                QVERIFY2(top[k] < -2.5F, "down to it");
+        });
+    }
+
     /// Decay that comes to the flank: what it has no tooth behind is not cut through to clear it.
     void theToothIsNotPiercedAtItsRim()
     {

@@ -60,6 +60,25 @@ QString AdviceWords::of(const ::lessons::Advice& advice, const ::lessons::Criter
     case Rule::BelowDecay:
         //: %1 is a length in mm
         return tr("The cavity goes %1 mm below the decay. Stop as soon as no brown is left at the bottom.").arg(number);
+    case Rule::SoftDecayLeft:
+        //: %1 is a share in per cent
+        return tr("%1 % of the soft decay is still in the tooth. Remove it from the walls and the floor until the bur "
+                  "meets more resistance.")
+            .arg(whole);
+    case Rule::LeatheryLeft:
+        //: %1 is an area in mm²
+        return tr("Leathery decay is left on %1 mm² that do not lie over the pulp. Remove it there down to firm "
+                  "dentin.")
+            .arg(number);
+    case Rule::LeftAtJunction:
+        //: %1 is an area in mm²
+        return tr("Decay is left at the enamel-dentin junction on %1 mm². Clean the junction all the way round.")
+            .arg(number);
+    case Rule::BelowFirmDecay:
+        //: %1 is a length in mm
+        return tr("The cavity goes %1 mm deeper than the decay that had to be removed. Stop at firm dentin, and over "
+                  "the pulp at leathery dentin.")
+            .arg(number);
     case Rule::FloorInEnamel:
         return tr("The floor is still in enamel. Lower it until it lies just inside dentin.");
     case Rule::FloorTilted:
