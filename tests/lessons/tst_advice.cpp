@@ -273,6 +273,27 @@ private slots:
             QVERIFY(rules.insert(one.rule).second);
         QVERIFY(assignment.rubric.criteria[told->criterion].weightTenths > 0);
     }
+
+    /// Decay with a soft, a leathery and a firm zone: advice does not ask for what may stay.
+    void selectiveRemoval()
+    {
+        const Assignment assignment = shippedAssignment("first-14-selective-36");
+        const auto ideal = assignment.shownIdeal();
+        const auto adviceAt = [&](float besideIdealMm) {
+            std::vector<float> top = *ideal;
+            for (std::size_t k = 0; k < top.size(); ++k)
+                if (top[k] < assignment.anatomy->top[k])
+                    top[k] = std::min(assignment.anatomy->top[k], top[k] + besideIdealMm);
+            return adviceFor(assignment, core::terrain::restored(assignment.anatomy, top));
+        };
+        QVERIFY(adviceAt(0.0F).empty());
+        const auto tooDeep = adviceAt(-0.8F);
+        QVERIFY(find(tooDeep, Rule::BelowFirmDecay) != nullptr && find(tooDeep, Rule::BelowDecay) == nullptr);
+        const auto tooShallow = adviceAt(0.3F);
+        QVERIFY(find(tooShallow, Rule::SoftDecayLeft) != nullptr && find(tooShallow, Rule::DecayLeft) == nullptr);
+        QVERIFY(find(tooShallow, Rule::LeatheryLeft) != nullptr);
+        QVERIFY(find(tooShallow, Rule::LeftAtJunction) != nullptr);
+    }
 };
 
 CUSP_TEST(TestAdvice)
