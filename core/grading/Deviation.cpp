@@ -304,12 +304,17 @@ std::optional<PieceError> worstPieceOf(const Ends& ends, const std::vector<Part>
     return worst;
 }
 
-std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor)
+/// @param box  whose gingival floor is left out, where there is another: at its rim that lies in enamel, as it ought to
+std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor,
+                                   const std::optional<Preparation::Box>& box)
 {
+    constexpr double kStepToBoxMm = 0.3;
+    const auto isPulpal = [&](std::size_t k) { return !box || ends.idealAt(k) > box->floorMm + kStepToBoxMm; };
+    const bool hasPulpal = std::any_of(floor.begin(), floor.end(), isPulpal);
     double depth = 0.0;
     double area = 0.0;
     for (const std::size_t k : floor) {
-        if (!hasJunction(ends.anatomy, k))
+        if (!hasJunction(ends.anatomy, k) || (hasPulpal && !isPulpal(k)))
             continue;
         depth += (static_cast<double>(ends.anatomy.layers[k].dej) - ends.nowAt(k)) * ends.area(k);
         area += ends.area(k);
@@ -389,7 +394,8 @@ double slopeOfMost(const Ends& ends, const std::vector<std::size_t>& floor, glm:
     return *middle;
 }
 
-std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::size_t>& floor)
+std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::size_t>& floor,
+                                     const std::optional<Preparation::Box>& box)
 {
     const Grid& grid = ends.anatomy.grid;
     // In an untouched place there is no floor yet.
@@ -417,7 +423,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
         sum2 += rest[k] * rest[k] * ends.area(k);
     }
     form.flatnessMm = std::sqrt(sum2 / area);
-    form.intoDentinMm = intoDentinOf(ends, cut);
+    form.intoDentinMm = intoDentinOf(ends, cut, box);
     const int run = std::max(1, static_cast<int>(std::lround(kStepRunMm / grid.cellMm)));
     for (const std::size_t k : cut) {
         const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
@@ -799,7 +805,7 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
         result.depth->gougeMm = gougeOf(ends, ideal.parts);
         result.depth->worstPiece = worstPieceOf(ends, ideal.parts, floor);
     }
-    result.floor = floorFormOf(ends, floor);
+    result.floor = floorFormOf(ends, floor, ideal.box);
     if (ideal.box)
         result.gingivalFloorErrorMm = gingivalErrorOf(ends, ideal.parts, *ideal.box);
 

@@ -103,7 +103,8 @@ struct FloorForm
     double slopeDeg = 0.0;    ///< of most of the floor: a gouge or a step does not tilt it
     Placed stepMm;            ///< largest change of the rest within kStepRunMm along x or y
     /// Mean depth of the floor below the enamel-dentin junction, mm (teeth.md section 7: into dentine); negative in
-    /// enamel. Nothing where the floor lies over no junction.
+    /// enamel. Where there is a pulpal floor, the gingival floor of a box does not count. Nothing where the floor lies
+    /// over no junction.
     std::optional<double> intoDentinMm;
     bool operator==(const FloorForm&) const = default;
 };

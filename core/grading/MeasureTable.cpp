@@ -584,7 +584,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
          return floor ? Value(floor->stepMm.value) : std::nullopt;
      },
      worstStep},
-    {"floor_into_dentin_mm", "mm", "Mean depth of the floor below the enamel-dentin junction; negative in enamel.", kForms,
+    {"floor_into_dentin_mm", "mm", "Mean depth of the pulpal floor below the enamel-dentin junction; negative in enamel.", kForms,
      [](const Measured& m) -> Value {
          return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.intoDentinMm; });
      },
