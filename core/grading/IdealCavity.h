@@ -14,8 +14,8 @@ namespace core::grading {
 using IdealTop = std::shared_ptr<const std::vector<float>>;
 
 /// Decay with so much dentin or less between it and the pulp straight below lies over the pulp, mm. There leathery
-/// decay stays where decay has zones.
-inline constexpr float kOverPulpMm = 1.0F;
+/// decay stays where decay has zones: down to the firm zone less than 2.0 mm would be left, the ideal (docs/teeth.md).
+inline constexpr float kOverPulpMm = 1.5F;
 
 /// Returns whether the decay of a column lies over the pulp.
 [[nodiscard]] bool isOverPulp(const terrain::ToothAnatomy& anatomy, std::size_t k);

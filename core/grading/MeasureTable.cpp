@@ -285,7 +285,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return ofZones(m, &DecayZonesLeft::softPercent); },
      [](const Measured& m) -> Node { return nodeOfZones(m, &DecayZonesLeft::softPercent); }},
     {"leathery_left_mm2", "mm2",
-     "Area, seen from above, in which leathery or soft decay is left, but for where the pulp is 1.0 mm or less below the "
+     "Area, seen from above, in which leathery or soft decay is left, but for where the pulp is 1.5 mm or less below the "
      "lesion.",
      kZones, [](const Measured& m) -> Value { return ofZones(m, &DecayZonesLeft::leatheryMm2); },
      [](const Measured& m) -> Node { return nodeOfZones(m, &DecayZonesLeft::leatheryMm2); }},

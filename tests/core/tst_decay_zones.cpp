@@ -164,7 +164,7 @@ private slots:
         const auto at = [&](int i, int j) { return anatomy->grid.index(i, j); };
         anatomy->layers[at(25, 25)].cariesFloor = -1.4F;
         anatomy->layers[at(26, 25)].cariesFloor = -1.8F;
-        anatomy->layers[at(27, 25)].pulpRoof = -4.6F;
+        anatomy->layers[at(27, 25)].pulpRoof = -5.2F;
         anatomy->layers[at(27, 25)].pulpFloor = -6.0F;
         anatomy->layers[at(28, 25)].cariesRoof = -3.2F;  // all of it is firm
         const grading::IdealTop ideal = grading::idealCavity(*anatomy);

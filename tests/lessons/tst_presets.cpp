@@ -439,7 +439,8 @@ private slots:
         const auto read = [&] { return folder.read("hard.lesson.json", object); };
         const lessons::ReadLesson found = read();
         QVERIFY(support::isSound(found));
-        const core::settings::HardnessPreset hardness = core::settings::hardnessFor(preset, {false, core::settings::DecayKind::Firm});
+        const core::settings::HardnessPreset hardness =
+            core::settings::hardnessFor(preset, {false, core::settings::DecayKind::Firm});
         QVERIFY(found.lesson->hardness == hardness);
         QVERIFY(found.uses.contains(folder.at("hard.cusppreset")));
         const lessons::ReadLesson again =
