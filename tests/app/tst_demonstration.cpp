@@ -20,6 +20,10 @@ private slots:
         QTest::newRow("Class II on a lower molar, mesial") << "class2-36-mesial";
         QTest::newRow("Class II on a lower premolar") << "class2-35-distal";
         QTest::newRow("Class II on an upper molar") << "class2-26-mesial";
+        QTest::newRow("Class I with the oblique ridge") << "first-07-class1-26";
+        QTest::newRow("Class I with a buccal extension") << "first-08-buccal-36";
+        QTest::newRow("MO on a lower molar") << "first-09-mo-36";
+        QTest::newRow("DO on an upper premolar") << "first-10-do-25";
         QTest::newRow("a block") << "block-line";
         QTest::newRow("pits of four depths") << "first-01-plunges";
         QTest::newRow("enamel down to the junction") << "first-02-enamel-only";

@@ -3,7 +3,11 @@
 
 #include <cmath>
 #include <set>
+#include <string>
 
+#include <glm/geometric.hpp>
+
+#include "core/grading/Preparation.h"
 #include "lessons/Advice.h"
 #include "lessons/LessonCatalog.h"
 #include "tests/support/Rig.h"
@@ -186,6 +190,40 @@ private slots:
         QVERIFY(dentin != nullptr && dentin->amount > 5.0);
         QVERIFY(find(deep, Rule::TooDeep) == nullptr);
         QVERIFY(find(off(0.4F), Rule::EnamelLeft) != nullptr);
+    }
+
+    /// A box that is too deep or too shallow, and an oblique ridge that is cut, have advice of their own.
+    void aBoxOrAnObliqueRidgeThatIsOff()
+    {
+        using Preparation = core::grading::Preparation;
+        const Assignment slot = shippedAssignment("first-11-slot-35");
+        const Preparation::Box box = *slot.ideal->box;
+        const auto inside = [&](glm::dvec2 at, double fromMm) {
+            return glm::dot(at - box.atMm, -box.outwards) >= fromMm;
+        };
+        const auto shallow =
+            adviceFor(slot, changed(slot, [&](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+                          return inside(at, 1.0) ? a.anatomy->top[k] : z;
+                      }));
+        QVERIFY(find(shallow, Rule::AxialWallShallow) != nullptr);
+        QVERIFY(std::abs(find(shallow, Rule::AxialWallShallow)->amount - 0.45) < 0.1);
+        const auto deep = adviceFor(slot, changed(slot, [&](auto&, std::size_t, glm::dvec2 at, float z) {
+                                        return inside(at, 0.0) && !inside(at, 2.2) && std::abs(at.y - box.atMm.y) < 1.2
+                                                   ? std::min(z, static_cast<float>(box.floorMm))
+                                                   : z;
+                                    }));
+        QVERIFY(find(deep, Rule::AxialWallDeep) != nullptr);
+        const auto low = adviceFor(slot, changed(slot, [&](const Assignment& a, std::size_t k, auto, float z) {
+                                       return isCut(a, k) ? z - 0.6F : z;
+                                   }));
+        QVERIFY(find(low, Rule::GingivalFloorOff) != nullptr);
+        const Assignment upper = shippedAssignment("first-07-class1-26");
+        const glm::dvec2 middle = upper.ideal->obliqueCrest[upper.ideal->obliqueCrest.size() / 2];
+        const auto through =
+            adviceFor(upper, changed(upper, [&](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+                          return glm::distance(at, middle) < 0.4 ? std::min(z, a.anatomy->top[k] - 0.5F) : z;
+                      }));
+        QVERIFY(find(through, Rule::ObliqueRidgeThin) != nullptr);
     }
 
     void whereMostIsLeftThatComesFirst()

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <set>
 
+#include <glm/geometric.hpp>
+
 #include "core/drilling/Reach.h"
 #include "core/grading/MeasureTable.h"
 #include "core/grading/Referee.h"
@@ -303,7 +305,8 @@ private slots:
             QTest::addRow("%s, %s", id, what) << QString::fromLatin1(id) << static_cast<int>(slip);
         };
         for (const char* id : {"class1-36", "class1-24", "class1-26", "class2-36-distal", "class2-36-mesial",
-                               "class2-35-distal", "class2-26-mesial", "access-36", "access-21"}) {
+                               "class2-35-distal", "class2-26-mesial", "access-36", "access-21", "first-07-class1-26",
+                               "first-08-buccal-36", "first-09-mo-36", "first-10-do-25", "first-11-slot-35"}) {
             row(id, "floor too deep", Slip::FloorTooDeep);
             row(id, "gouge beside", Slip::GougeBeside);
             row(id, "quarter ground off", Slip::QuarterGroundOff);
@@ -356,7 +359,7 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         for (const Lesson& lesson : withIdeal())
-            if (lesson.ideal && lesson.ideal->kind.starts_with("class2"))
+            if (lesson.ideal && (lesson.ideal->kind.starts_with("class2") || lesson.ideal->kind.starts_with("slot")))
                 QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
     }
 
@@ -366,7 +369,7 @@ private slots:
         QFETCH(QString, id);
         const Assignment assignment = assigned(id.toStdString());
         QVERIFY(assignment.neighbours != nullptr);
-        const double outwards = assignment.lesson->ideal->kind == "class2-mesial" ? -1.0 : 1.0;
+        const double outwards = assignment.lesson->ideal->kind.ends_with("mesial") ? -1.0 : 1.0;
         const core::terrain::Grid& grid = assignment.anatomy->grid;
         glm::dvec2 edge(-outwards * 100.0, 0.0);
         for (int j = 0; j < grid.side; ++j)
@@ -389,6 +392,52 @@ private slots:
         };
         QVERIFY(!hitsAt(-0.6));
         QVERIFY(hitsAt(0.9));
+    }
+
+    void aBoxHasTheFiguresOfItsLesson_data()
+    {
+        support::columns<QString, double, double>("id", "least", "most");
+        QTest::newRow("MO of 36") << "first-09-mo-36" << 1.2 << 1.5;
+        QTest::newRow("DO of 25") << "first-10-do-25" << 1.2 << 1.3;
+        QTest::newRow("slot of 35") << "first-11-slot-35" << 1.2 << 1.5;
+        QTest::newRow("step of 36") << "first-08-buccal-36" << 1.0 << 1.5;
+    }
+
+    void aBoxHasTheFiguresOfItsLesson()
+    {
+        QFETCH(const QString, id);
+        QFETCH(const double, least);
+        QFETCH(const double, most);
+        const Assignment assignment = assigned(id.toStdString());
+        const Mark marked = mark(assignment, cutTo(assignment, *assignment.ideal->top), Conduct{}).value();
+        const double axialMm = marked.measured.deviation->form.axialDepthMm->value;
+        QVERIFY2(axialMm >= least && axialMm <= most, qPrintable(QString::number(axialMm)));
+    }
+
+    /// One touch is enough, however well the box is cut.
+    void aTouchOfTheNeighbourFailsTheFirstBoxes()
+    {
+        for (const char* id : {"first-09-mo-36", "first-10-do-25", "first-11-slot-35"}) {
+            const Assignment assignment = assigned(id);
+            const core::terrain::Tooth whole = cutAsFarAsCanBe(assignment, *assignment.ideal->top);
+            QVERIFY2(mark(assignment, whole, Conduct{})->sheet.passed(), id);
+            Conduct touching;
+            touching.infractions.emplace_back().breach = core::grading::Breach::NeighbourHit;
+            QVERIFY2(mark(assignment, whole, touching)->sheet.failedCritically(), id);
+        }
+    }
+
+    void anObliqueRidgeCutThroughLimitsTheScore()
+    {
+        const Assignment assignment = assigned("first-07-class1-26");
+        std::vector<float> top = *assignment.ideal->top;
+        const auto& crest = assignment.ideal->obliqueCrest;
+        QVERIFY(!crest.empty());
+        for (std::size_t k = 0; k < top.size(); ++k)
+            if (glm::distance(assignment.anatomy->grid.nodeMm(k), crest[crest.size() / 2]) < 0.3)
+                top[k] = std::min(top[k], assignment.anatomy->top[k] - 0.5F);
+        const Mark marked = mark(assignment, cutTo(assignment, top), Conduct{}).value();
+        QVERIFY(marked.sheet.totalTenths <= 500 && marked.sheet.totalTenths > 0);
     }
 
     void tooDeepCostsDepthAlone()
