@@ -108,8 +108,7 @@ core::Result<QImage> sheetOf(const lessons::Lesson& lesson, QSize size)
     std::optional<core::preparation::ToleranceBand> band;
     if (assignment.ideal) {
         band = core::preparation::toleranceBand(anatomy, *assignment.ideal, tolerances.outlineMm, tolerances.depthMm);
-        if (assignment.ideal->isthmus)
-            plane.throughMm = assignment.ideal->isthmus->atMm;
+        plane = ui::study::planeThroughIdeal(anatomy, *assignment.ideal);
     }
     const ui::inside::FromAbove above = ui::inside::fromAbove(anatomy, ideal ? *ideal : anatomy.top);
     ui::inside::paintOutline(painter, place(1), {&anatomy, &above, band ? tolerances.outlineMm : 0.0, 0.0, plane});

@@ -7,6 +7,11 @@
 #include "core/terrain/DecayZones.h"
 
 namespace core::grading {
+namespace {
+
+constexpr float kRoundingMm = 1.0e-4F;  ///< heights are floats: nothing is left at the junction by a hair
+
+}  // namespace
 
 bool isOverPulp(const terrain::ToothAnatomy& anatomy, std::size_t k)
 {
@@ -21,7 +26,8 @@ float decayGoesDownTo(const terrain::ToothAnatomy& anatomy, std::size_t k)
         return column.cariesFloor;
     const terrain::DecayZones zones = terrain::decayZonesOf(anatomy, k);
     const float stop = isOverPulp(anatomy, k) ? zones.leatheryRoof : zones.firmRoof;
-    return std::max(column.cariesFloor, std::min(stop, column.dej - static_cast<float>(kAtJunctionMm)));
+    const float belowJunction = column.dej - static_cast<float>(kAtJunctionMm) - kRoundingMm;
+    return std::max(column.cariesFloor, std::min(stop, belowJunction));
 }
 
 IdealTop idealCavity(const terrain::ToothAnatomy& anatomy)

@@ -171,7 +171,7 @@ private slots:
         QCOMPARE((*ideal)[at(24, 24)], -3.0F);
         QCOMPARE((*ideal)[at(40, 24)], -2.5F);
         QCOMPARE((*ideal)[at(25, 25)], -1.4F);
-        QCOMPARE((*ideal)[at(26, 25)], -1.5F);
+        QVERIFY(support::near(static_cast<double>((*ideal)[at(26, 25)]), -1.5, 2e-4));
         QCOMPARE((*ideal)[at(27, 25)], -3.0F);
         QCOMPARE((*ideal)[at(28, 25)], 0.0F);
         QVERIFY(grading::isOverPulp(*anatomy, at(40, 24)) && !grading::isOverPulp(*anatomy, at(27, 25)));

@@ -88,6 +88,7 @@ inline lessons::Lesson said(lessons::Lesson lesson)
 {
     lesson.title = said(lesson.title);
     lesson.goal = said(lesson.goal);
+    lesson.course = said(lesson.course);
     lesson.notModelled = said(lesson.notModelled);
     for (lessons::Step& step : lesson.steps) {
         step.text = said(step.text);

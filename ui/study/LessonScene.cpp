@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/LessonScene.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <variant>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "core/grading/Columns.h"
 #include "lessons/Capture.h"
@@ -48,6 +55,48 @@ std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain
                                        alongX > kMuchMore * alongY ? 0.0 : 0.5 * std::numbers::pi};
 }
 
+core::imaging::SectionPlane planeThroughIdeal(const core::terrain::ToothAnatomy& anatomy,
+                                              const core::grading::Preparation& ideal)
+{
+    constexpr double kAcross = 0.5 * std::numbers::pi;
+    constexpr double kFromBoxWallMm = 0.5;
+    if (ideal.box) {
+        const glm::dvec2 out = ideal.box->outwards;
+        const glm::dvec2 aside(-out.y, out.x);
+        glm::dvec2 through = ideal.box->atMm;
+        if (ideal.isthmus) {  // within the box, and as near to the isthmus as that allows
+            const double most = std::max(0.0, 0.5 * ideal.box->widthMm - kFromBoxWallMm);
+            through += aside * std::clamp(glm::dot(ideal.isthmus->atMm - through, aside), -most, most);
+        }
+        // The left of the picture stays the left of the tooth, whichever way the box opens.
+        const bool isBack = std::abs(out.x) > std::abs(out.y) ? out.x < 0.0 : out.y < 0.0;
+        return {through, isBack ? std::atan2(-out.y, -out.x) : std::atan2(out.y, out.x)};
+    }
+    if (ideal.isthmus)
+        return {ideal.isthmus->atMm, kAcross};
+    const core::terrain::Grid& grid = anatomy.grid;
+    const auto isCut = [&](std::size_t k) { return ideal.parts[k] != core::grading::Part::Keep; };
+    glm::dvec2 sum(0.0);
+    int count = 0;
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        if (!isCut(k))
+            continue;
+        sum += grid.nodeMm(k);
+        ++count;
+    }
+    if (count == 0)
+        return {grid.middleMm(), kAcross};
+    const glm::dvec2 middle = sum / static_cast<double>(count);
+    const glm::ivec2 node = glm::clamp(glm::ivec2(glm::round(grid.latticeOf(middle))), 0, grid.side - 1);
+    int alongX = 0;
+    int alongY = 0;
+    for (int k = 0; k < grid.side; ++k) {
+        alongX += isCut(grid.index(k, node.y)) ? 1 : 0;
+        alongY += isCut(grid.index(node.x, k)) ? 1 : 0;
+    }
+    return {middle, static_cast<float>(alongX) > kMuchMore * static_cast<float>(alongY) ? 0.0 : kAcross};
+}
+
 bool isPictured(const Lesson& lesson)
 {
     return lesson.task != Task::TellLayers;
@@ -83,9 +132,7 @@ std::shared_ptr<const LessonScene> makeLessonScene(const Lesson& lesson)
     scene->band =
         core::preparation::toleranceBand(anatomy, *assignment.ideal, tolerances.outlineMm, tolerances.depthMm);
     if (lesson.aids.section)
-        scene->plane = core::imaging::SectionPlane{assignment.ideal->isthmus ? assignment.ideal->isthmus->atMm
-                                                                             : anatomy.grid.middleMm(),
-                                                   0.5 * std::numbers::pi};
+        scene->plane = planeThroughIdeal(anatomy, *assignment.ideal);
     return scene;
 }
 

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QRectF>
 
+#include "core/grading/Preparation.h"
 #include "core/imaging/Section.h"
 #include "core/preparation/ToleranceBand.h"
 #include "core/terrain/Tooth.h"
@@ -40,6 +41,11 @@ struct LessonScene
 
 /// A section through the deepest decay, from cheek to tongue unless that misses most of it. Nothing without decay.
 [[nodiscard]] std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain::Tooth& tooth);
+
+/// A section through what is to be cut: out of its box, else across its isthmus, else through its middle, from cheek to
+/// tongue unless that misses most of it.
+[[nodiscard]] core::imaging::SectionPlane planeThroughIdeal(const core::terrain::ToothAnatomy& anatomy,
+                                                            const core::grading::Preparation& ideal);
 
 /// Makes the tooth, which takes its time. Null: it cannot be made; starting the lesson says why. Any thread.
 [[nodiscard]] std::shared_ptr<const LessonScene> makeLessonScene(const ::lessons::Lesson& lesson);

@@ -10,6 +10,7 @@
 
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/LessonScene.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::study {
@@ -42,10 +43,9 @@ void ToleranceView::show(std::shared_ptr<const Weighed> weighed)
     if (!isSameTooth && anatomyOf(m_weighed) != nullptr) {
         const auto& assignment = *m_weighed->assignment;
         m_whole.emplace(assignment.anatomy);
-        m_plane.throughMm = assignment.anatomy->grid.middleMm();
-        m_plane.angleRad = 0.5 * std::numbers::pi;
-        if (assignment.ideal && assignment.ideal->isthmus)
-            m_plane.throughMm = assignment.ideal->isthmus->atMm;
+        m_plane = assignment.ideal
+                      ? planeThroughIdeal(*assignment.anatomy, *assignment.ideal)
+                      : core::imaging::SectionPlane{assignment.anatomy->grid.middleMm(), 0.5 * std::numbers::pi};
     }
     update();
 }
