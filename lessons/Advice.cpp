@@ -82,6 +82,7 @@ constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"soft_left_percent"
                                                             {"leathery_left_mm2", Rule::LeatheryLeft},
                                                             {"perforated_mm2", Rule::Perforated},
                                                             {"unsupported_enamel_mm3", Rule::UnsupportedEnamel},
+                                                            {"ridge_lost_mm", Rule::RidgeThinned},
                                                             {"ridge_", Rule::RidgeThin},
                                                             {"wall_angle", Rule::WallsLean},
                                                             {"wall_roughness_mm", Rule::WallsRough},

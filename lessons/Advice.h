@@ -38,6 +38,7 @@ struct Advice
         OutlineBeyond,     ///< amount: mm, 0 where no outline was measured
         OutlineShort,      ///< amount: mm
         RidgeThin,         ///< amount: mm
+        RidgeThinned,      ///< amount: mm that are missing
         IsthmusWide,       ///< amount: mm
         IsthmusNarrow,     ///< amount: mm
         WallsLean,         ///< amount: degrees from the ideal

@@ -2699,6 +2699,18 @@
         <extracomment>In the key of a picture: farther out, all points of this criterion are lost</extracomment>
         <translation>kostet Punkte</translation>
     </message>
+    <message>
+        <source>soft decay</source>
+        <translation>weiche Karies</translation>
+    </message>
+    <message>
+        <source>leathery decay</source>
+        <translation>lederartige Karies</translation>
+    </message>
+    <message>
+        <source>firm decay</source>
+        <translation>feste Karies</translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -9669,6 +9681,10 @@ ungesichert</translation>
         <source>The cavity goes %1 mm deeper than the decay that had to be removed. Stop at firm dentin, and over the pulp at leathery dentin.</source>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>Die Kavität reicht %1 mm tiefer als die Karies, die zu entfernen war. Hören Sie bei festem Dentin auf, über der Pulpa bei lederartigem.</translation>
+    </message>
+    <message>
+        <source>A marginal ridge that should stay is %1 mm thinner than it should be. Stop earlier on the way to the ridge.</source>
+        <translation>Eine Randleiste, die stehen bleiben soll, ist um %1 mm zu dünn. Halten Sie auf dem Weg zur Leiste früher an.</translation>
     </message>
 </context>
 <context>

@@ -2699,6 +2699,18 @@
         <extracomment>In the key of a picture: farther out, all points of this criterion are lost</extracomment>
         <translation>cuesta puntos</translation>
     </message>
+    <message>
+        <source>soft decay</source>
+        <translation>caries blanda</translation>
+    </message>
+    <message>
+        <source>leathery decay</source>
+        <translation>caries correosa</translation>
+    </message>
+    <message>
+        <source>firm decay</source>
+        <translation>caries firme</translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -9669,6 +9681,10 @@ sin guardar</translation>
         <source>The cavity goes %1 mm deeper than the decay that had to be removed. Stop at firm dentin, and over the pulp at leathery dentin.</source>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>La cavidad llega %1 mm más abajo que la caries que había que eliminar. Deténgase en la dentina firme y, sobre la pulpa, en la correosa.</translation>
+    </message>
+    <message>
+        <source>A marginal ridge that should stay is %1 mm thinner than it should be. Stop earlier on the way to the ridge.</source>
+        <translation>Una cresta marginal que debe conservarse es %1 mm más fina de lo debido. Deténgase antes al acercarse a la cresta.</translation>
     </message>
 </context>
 <context>

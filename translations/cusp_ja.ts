@@ -2690,6 +2690,18 @@
         <extracomment>In the key of a picture, beside a line</extracomment>
         <translation>元の表面</translation>
     </message>
+    <message>
+        <source>soft decay</source>
+        <translation>軟らかいう蝕</translation>
+    </message>
+    <message>
+        <source>leathery decay</source>
+        <translation>革様のう蝕</translation>
+    </message>
+    <message>
+        <source>firm decay</source>
+        <translation>硬いう蝕</translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -9616,6 +9628,10 @@ unsaved</source>
         <source>The cavity goes %1 mm deeper than the decay that had to be removed. Stop at firm dentin, and over the pulp at leathery dentin.</source>
         <extracomment>%1 is a length in mm</extracomment>
         <translation>窩洞は、除去すべきう蝕より%1 mm深くなっています。硬い象牙質で、歯髄の上では革様の象牙質で止めてください。</translation>
+    </message>
+    <message>
+        <source>A marginal ridge that should stay is %1 mm thinner than it should be. Stop earlier on the way to the ridge.</source>
+        <translation>残すべき辺縁隆線が%1 mm薄くなっています。隆線に近づいたら、より手前で止めてください。</translation>
     </message>
 </context>
 <context>

@@ -113,6 +113,26 @@ Node nodeOfLesionCut(const Measured& m, Placed LesionCut::*part)
     return m.lesion ? worstOf((*m.lesion).*part) : std::nullopt;
 }
 
+/// Of the ridges that are to be left: a box goes through the others.
+std::optional<Placed> ridgeLost(const Measured& m)
+{
+    constexpr double kLeftByIdealMm = 0.3;
+    if (m.lesion)
+        return m.lesion->ridgeLostMm;
+    if (!m.deviation)
+        return {};
+    std::optional<Placed> most;
+    for (const auto ridge : {&Form::ridgeMesialMm, &Form::ridgeDistalMm}) {
+        const auto& asked = m.deviation->idealForm.*ridge;
+        const auto& left = m.deviation->form.*ridge;
+        if (!asked || !left || asked->value < kLeftByIdealMm)
+            continue;
+        if (const double lost = std::max(0.0, asked->value - left->value); !most || lost > most->value)
+            most = Placed{lost, left->node};
+    }
+    return most;
+}
+
 Value ofZones(const Measured& m, Placed DecayZonesLeft::*part)
 {
     return m.lesion && m.lesion->zones ? Value(((*m.lesion->zones).*part).value) : std::nullopt;
@@ -295,9 +315,9 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      kSturdevant, [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::beyondMm); },
      [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::beyondMm); }},
     {"ridge_lost_mm", "mm",
-     "How much thinner a marginal ridge is than the smallest cavity that clears the decay would leave it; 0 where there is none.",
-     kSturdevant, [](const Measured& m) -> Value { return ofLesionCut(m, &LesionCut::ridgeLostMm); },
-     [](const Measured& m) -> Node { return nodeOfLesionCut(m, &LesionCut::ridgeLostMm); }},
+     "How much thinner a marginal ridge is than the ideal, or the smallest cavity that clears the decay, would leave it; 0 where there is none.",
+     kSturdevant, [](const Measured& m) -> Value { return valueOf(ridgeLost(m)); },
+     [](const Measured& m) -> Node { return nodeOf(ridgeLost(m)); }},
     {"below_lesion_mm", "mm",
      "Depth of the cut below the decay that had to go, and below what was deeper within 0.8 mm; 0.5 mm² are as deep, or "
      "deeper.",

@@ -6,6 +6,26 @@
 #include "core/grading/Columns.h"
 
 namespace core::grading {
+namespace {
+
+constexpr double kRimMm = 0.5;
+
+/// Whether a column lies so near to the outside of the uncut tooth.
+bool isAtTheRim(const terrain::ToothAnatomy& anatomy, std::size_t k)
+{
+    const terrain::Grid& grid = anatomy.grid;
+    const auto side = static_cast<std::size_t>(grid.side);
+    const auto i = static_cast<int>(k % side);
+    const auto j = static_cast<int>(k / side);
+    const int reach = static_cast<int>(kRimMm / grid.cellMm);
+    for (int dj = -reach; dj <= reach; ++dj)
+        for (int di = -reach; di <= reach; ++di)
+            if (!grid.contains(i + di, j + dj) || !wasSolid(anatomy, grid.index(i + di, j + dj)))
+                return true;
+    return false;
+}
+
+}  // namespace
 
 std::vector<std::uint8_t> perforationsBeside(const terrain::Tooth& tooth, const IdealTop& ideal)
 {
@@ -21,7 +41,8 @@ std::vector<std::uint8_t> perforationsBeside(const terrain::Tooth& tooth, const 
         holes[k] = 0;
     };
     for (std::size_t k = 0; k < holes.size(); ++k)
-        if (wasSolid(anatomy, k) && !((*ideal)[k] > anatomy.bottom[k]))
+        if (wasSolid(anatomy, k) && (!((*ideal)[k] > anatomy.bottom[k]) ||
+                                     (holes[k] != 0 && (*ideal)[k] < anatomy.top[k] && isAtTheRim(anatomy, k))))
             clear(k);
     const auto side = static_cast<std::size_t>(grid.side);
     while (!open.empty()) {

@@ -361,9 +361,8 @@ void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
 PictureKey keyOf(const SectionScene& scene)
 {
     PictureKey key;
-    for (const Material material : {Material::Enamel, Material::Dentin, Material::Caries, Material::Pulp}) {
-        const shell::MaterialLook look = shell::materialLook(material, scene.palette);
-        key.add(text::materialName(material), PictureKey::kSignPx, [look](QPainter& painter, const QRectF& box) {
+    const auto area = [&key](const shell::MaterialLook& look, const QString& words) {
+        key.add(words, PictureKey::kSignPx, [look](QPainter& painter, const QRectF& box) {
             painter.fillRect(box, look.fill);
             if (look.pattern == Qt::NoBrush)
                 return;
@@ -371,6 +370,21 @@ PictureKey keyOf(const SectionScene& scene)
             ink.setAlphaF(static_cast<float>(kInkShare));
             painter.fillRect(box, QBrush(ink, look.pattern));
         });
+    };
+    for (const Material material : {Material::Enamel, Material::Dentin, Material::Caries, Material::Pulp}) {
+        const shell::MaterialLook look = shell::materialLook(material, scene.palette);
+        if (material != Material::Caries || !scene.tooth->anatomy->hasDecayZones) {
+            area(look, text::materialName(material));
+            continue;
+        }
+        const auto paler = [&look](double share) {
+            shell::MaterialLook zone = look;
+            zone.fill = QColor(mixed(look.fill.rgb(), kPale, share));
+            return zone;
+        };
+        area(look, QCoreApplication::translate("Section", "soft decay"));
+        area(paler(kLeatheryPaler), QCoreApplication::translate("Section", "leathery decay"));
+        area(paler(kFirmPaler), QCoreApplication::translate("Section", "firm decay"));
     }
     key.endRow();
     const auto line = [&key](const QPen& pen, double width, const QString& words) {

@@ -114,6 +114,10 @@ QString AdviceWords::of(const ::lessons::Advice& advice, const ::lessons::Criter
                        : tr("You cut outside the outline. Keep the edge of the bur, not its middle, on the line.");
     case Rule::OutlineShort:
         return tr("The outline stays up to %1 mm inside the ideal one. Widen the cavity to the line.").arg(number);
+    case Rule::RidgeThinned:
+        return tr("A marginal ridge that should stay is %1 mm thinner than it should be. Stop earlier on the way to "
+                  "the ridge.")
+            .arg(number);
     case Rule::RidgeThin:
         //: %1 and %2 are lengths in mm
         return tr("The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.")
