@@ -245,6 +245,7 @@ std::vector<Pit> pitsOf(const BlockDesign& design)
 {
     std::vector<Pit> pits;
     const auto count = static_cast<int>(design.steps);
+    pits.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
         pits.push_back({(static_cast<double>(k) / (count - 1) - 0.5) * (design.lengthMm - design.widthMm),
                         design.depthMm * (k + 1) / count});
