@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/drilling/Reach.h"
+#include "core/grading/IdealCavity.h"
 #include "core/grading/MeasureTable.h"
 #include "core/grading/Referee.h"
 #include "core/guidance/Landmarks.h"
@@ -238,17 +239,14 @@ private slots:
                 QTest::newRow(entry.read.lesson->id.c_str()) << QString::fromStdString(entry.read.lesson->id);
     }
 
-    /// All decay of the deep lesions can be taken out, and whatever lies over it, without opening the pulp or going
-    /// through the tooth.
+    /// All decay of the deep lesions that is to go can be taken out, and whatever lies over it, without opening the
+    /// pulp or going through the tooth.
     void everyLesionCanBeCleared()
     {
         QFETCH(QString, id);
         const Assignment assignment = assigned(id.toStdString());
-        std::vector<float> top = assignment.anatomy->top;
-        for (std::size_t k = 0; k < top.size(); ++k)
-            if (const auto& layers = assignment.anatomy->layers[k]; layers.cariesRoof > layers.cariesFloor)
-                top[k] = std::min(top[k], layers.cariesFloor);
-        QCOMPARE(losses(mark(assignment, cutAsFarAsCanBe(assignment, top)).value()), QString());
+        const auto cleared = core::grading::idealCavity(*assignment.anatomy);
+        QCOMPARE(losses(mark(assignment, cutAsFarAsCanBe(assignment, *cleared)).value()), QString());
     }
 
     /// Decay of front teeth is on a side, and a bur that comes from there takes it out.
@@ -425,6 +423,51 @@ private slots:
             touching.infractions.emplace_back().breach = core::grading::Breach::NeighbourHit;
             const Mark marked = mark(assignment, whole, touching).value();
             QVERIFY2(!marked.sheet.passed() && marked.sheet.totalTenths > 0, id);
+        }
+    }
+
+    /// The ridge that a box leaves counts, and the one that it goes through does not.
+    void aRidgeThatABoxLeavesCounts()
+    {
+        const Assignment assignment = assigned("first-09-mo-36");
+        const core::terrain::Grid& grid = assignment.anatomy->grid;
+        double distalMm = -100.0;  // of the ideal
+        for (std::size_t k = 0; k < grid.count(); ++k)
+            if (assignment.ideal->parts[k] != core::grading::Part::Keep)
+                distalMm = std::max(distalMm, grid.nodeMm(k).x);
+        const auto cutOnBy = [&](double mm) {
+            std::vector<float> top = *assignment.ideal->top;
+            for (std::size_t k = 0; k < top.size(); ++k) {
+                const glm::dvec2 at = grid.nodeMm(k);
+                if (at.x > distalMm - 1.0 && at.x < distalMm + mm && std::abs(at.y) < 0.6)
+                    top[k] = std::min(top[k], assignment.anatomy->top[k] - 1.5F);
+            }
+            return mark(assignment, cutAsFarAsCanBe(assignment, top), Conduct{}).value();
+        };
+        const auto lost = [](const Mark& marked) {
+            return core::grading::findMeasure("ridge_lost_mm")->value(marked.measured).value();
+        };
+        const Mark whole = mark(assignment, cutAsFarAsCanBe(assignment, *assignment.ideal->top), Conduct{}).value();
+        QVERIFY(lost(whole) < 0.05);
+        const Mark thinner = cutOnBy(0.9);
+        QVERIFY2(std::abs(lost(thinner) - 0.9) < 0.2, qPrintable(QString::number(lost(thinner))));
+        QVERIFY(thinner.sheet.totalTenths <= 650 && thinner.sheet.totalTenths > 0);
+        QVERIFY(cutOnBy(3.0).sheet.totalTenths <= 300);
+    }
+
+    /// At its rim a tooth is so narrow that a box goes through it: this is no hole.
+    void aBoxThatIsTooDeepIsNoPerforation()
+    {
+        const Assignment assignment = assigned("first-10-do-25");
+        const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+        for (const float deeper : {0.2F, 0.46F, 0.57F, 0.8F}) {
+            std::vector<float> top = *assignment.ideal->top;
+            for (std::size_t k = 0; k < top.size(); ++k)
+                if (assignment.ideal->parts[k] != core::grading::Part::Keep)
+                    top[k] = top[k] - deeper > anatomy.bottom[k] ? top[k] - deeper : core::terrain::kEmptyTop;
+            const Mark marked = mark(assignment, cutTo(assignment, top), Conduct{}).value();
+            QVERIFY2(core::grading::findMeasure("perforated_mm2")->value(marked.measured).value() <= 0.0,
+                     qPrintable(QString::number(deeper)));
         }
     }
 
