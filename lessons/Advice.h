@@ -28,7 +28,7 @@ struct Advice
         BelowDecay,       ///< amount: mm
         SoftDecayLeft,    ///< amount: per cent of the soft decay
         LeatheryLeft,     ///< amount: mm2, of decay that has zones
-        LeftAtJunction,   ///< the same
+        LeftAtJunction,   ///< amount: mm2
         BelowFirmDecay,   ///< amount: mm, below the decay that had to go
         TooDeepFast,      ///< amount: feed, mm/s
         TooDeep,          ///< amount: mm, or the unit of the criterion where no depth was measured

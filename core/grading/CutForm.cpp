@@ -22,34 +22,23 @@ using terrain::ToothAnatomy;
 
 constexpr double kAsideMm = 1.5;  ///< the cut of an isthmus is looked for so far beside the isthmus
 
-/// How far the cut goes on from a place inside it.
-double reachOf(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, double stepMm, double mostMm)
-{
-    double inside = outline.insideMm(fromMm);
-    for (double at = stepMm; at < mostMm; at += stepMm) {
-        const double here = outline.insideMm(fromMm + towards * at);
-        if (!(here > 0.0))
-            return at - stepMm + stepMm * inside / (inside - here);
-        inside = here;
-    }
-    return mostMm;
-}
-
-/// How far the nearest cut is from a place outside it.
-std::optional<double> gapBefore(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, double stepMm,
+/// Returns the distance along a direction at which the cut begins, from a place outside it, or ends, from a place
+/// inside it. Nothing if that is not within mostMm.
+std::optional<double> edgeAlong(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, double stepMm,
                                 double mostMm)
 {
     double inside = outline.insideMm(fromMm);
+    const bool beginsInside = inside > 0.0;
     for (double at = stepMm; at < mostMm; at += stepMm) {
         const double here = outline.insideMm(fromMm + towards * at);
-        if (here > 0.0)
+        if ((here > 0.0) != beginsInside)
             return at - stepMm + stepMm * inside / (inside - here);
         inside = here;
     }
     return {};
 }
 
-/// From the uncut surface inwards to the axial wall along one line through a box.
+/// Measures the axial depth of a box along one line: from the surface of the uncut tooth inwards to the axial wall.
 class AxialLine
 {
 public:
@@ -58,7 +47,7 @@ public:
         : m_cut(cut), m_startMm(startMm), m_inwards(inwards)
     {}
 
-    /// Nothing where the tooth does not reach down to the floor.
+    /// Returns the depth, mm. Nothing if the line meets no tooth at the height of the floor.
     [[nodiscard]] std::optional<double> depthMm(double floorMm) const
     {
         constexpr double kReachMm = 6.0;
@@ -398,8 +387,8 @@ std::optional<Placed> isthmusOf(const CutSurface& cut, const Preparation::Isthmu
         glm::dvec2 place = middle;
         if (start) {
             place = middle + isthmus.across * *start;
-            const double right = reachOf(cut.outline, place, isthmus.across, stepMm, mostMm);
-            const double left = reachOf(cut.outline, place, -isthmus.across, stepMm, mostMm);
+            const double right = edgeAlong(cut.outline, place, isthmus.across, stepMm, mostMm).value_or(mostMm);
+            const double left = edgeAlong(cut.outline, place, -isthmus.across, stepMm, mostMm).value_or(mostMm);
             width = left + right;
             place += isthmus.across * (0.5 * (right - left));
         }
@@ -439,8 +428,8 @@ std::optional<Placed> obliqueRidgeOf(const CutSurface& cut, std::span<const glm:
         const glm::dvec2 across = glm::dvec2(-way.y, way.x) / std::sqrt(glm::dot(way, way));
         double width = 0.0;
         if (!(cut.outline.insideMm(crest[n]) > 0.0)) {
-            const auto left = gapBefore(cut.outline, crest[n], across, stepMm, kReachMm);
-            const auto right = gapBefore(cut.outline, crest[n], -across, stepMm, kReachMm);
+            const auto left = edgeAlong(cut.outline, crest[n], across, stepMm, kReachMm);
+            const auto right = edgeAlong(cut.outline, crest[n], -across, stepMm, kReachMm);
             if (!left || !right)
                 continue;
             width = *left + *right;

@@ -266,7 +266,7 @@ std::vector<std::vector<std::size_t>> piecesOf(const Ends& ends, const std::vect
     return pieces;
 }
 
-/// @param speaks  for each column, whether it speaks for the floor; in a piece without such a column all do
+/// @param speaks  for each column, whether it is far enough from a wall; if no column of the piece is, all are used
 PieceError pieceErrorOf(const Ends& ends, const std::vector<std::size_t>& piece, const std::vector<bool>& speaks)
 {
     const bool anySpeaks = std::any_of(piece.begin(), piece.end(), [&](std::size_t k) { return speaks[k]; });
@@ -304,7 +304,7 @@ std::optional<PieceError> worstPieceOf(const Ends& ends, const std::vector<Part>
     return worst;
 }
 
-/// @param box  whose gingival floor is left out, where there is another: at its rim that lies in enamel, as it ought to
+/// @param box  its gingival floor is left out if there is a pulpal floor: towards the outside it has to end in enamel
 std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor,
                                    const std::optional<Preparation::Box>& box)
 {

@@ -33,7 +33,8 @@ inline constexpr double kOutlineDepthMm = 0.1;
 /// stands a cell aside is the outline's fault and not the depth's. Where nothing else is left, they do.
 inline constexpr double kFloorMarginMm = 0.2;
 
-/// The axial wall of a box is looked for so far above the ideal floor, mm: above the round between floor and wall.
+/// Height above the ideal floor at which the axial wall of a box is measured, mm: above the round between floor and
+/// wall.
 inline constexpr double kAxialWallMm = 0.3;
 
 /// Two places of the floor so far apart along x or y make a step.
@@ -76,7 +77,7 @@ struct DepthError
     bool operator==(const DepthError&) const = default;
 };
 
-/// A wall is rough against a stretch of itself of this length.
+/// The roughness of a wall is measured against the mean of a stretch of the same wall of this length, mm.
 inline constexpr double kRoughStretchMm = 2.0;
 
 /// Distance between the outline cut and the ideal one, seen from above (courseware.md 3.3: outline deviation; teeth.md
@@ -125,12 +126,12 @@ struct Form
     std::optional<Placed> ridgeMesialMm;
     std::optional<Placed> ridgeDistalMm;
     /// mm, mean distance along Preparation::Box::outwards, in the middle half of the box, from the surface of the uncut
-    /// tooth at the level of the ideal's gingival floor to the axial wall kAxialWallMm above that floor (teeth.md
-    /// section 7: axial depth). A shell that is left before the box does not count as the wall. 0 where nothing is cut.
-    /// Nothing for a preparation without a box.
+    /// tooth at the level of the ideal's gingival floor to the axial wall kAxialWallMm above that floor
+    /// (docs/teeth.md). A shell that is left before the box does not count as the wall. 0 where nothing is cut. Nothing
+    /// for a preparation without a box.
     std::optional<Placed> axialDepthMm;
     /// mm, narrowest width of the oblique ridge between the cuts on both sides of its crest, across the crest; 0 where
-    /// the crest itself is cut (teeth.md section 2: oblique ridge). Nothing where no cut is near on one of the sides.
+    /// the crest itself is cut. Nothing where no cut is near on one of the sides.
     std::optional<Placed> obliqueRidgeMm;
     /// Degrees from upright, positive where the wall opens towards the occlusal, of the walls that stand on each side
     /// of the cut, by Side (teeth.md section 7: wall angles); the node is one on it.
@@ -189,8 +190,8 @@ struct Deviation
     std::optional<std::size_t> undercutNode;
 
     std::optional<DepthError> depth;  ///< nothing for an ideal without Floor
-    /// mm, size of the error in height of the box's gingival floor: 95 % of its area are off by no more than this
-    /// (teeth.md section 7: Class II box). The node is where it is largest. Nothing for an ideal without a box.
+    /// mm, size of the error in height of the box's gingival floor: 95 % of its area are off by no more than this. The
+    /// node is where it is largest. Nothing for an ideal without a box.
     std::optional<Placed> gingivalFloorErrorMm;
     std::optional<OutlineDeviation> outline;  ///< nothing unless both ideal and cut have an outline
     /// Distance of the cut outside the ideal outline from that outline, mm. At least kStrayMm2 of the cut are as far

@@ -9,7 +9,7 @@
 namespace core::grading {
 namespace {
 
-constexpr float kRoundingMm = 1.0e-4F;  ///< heights are floats: nothing is left at the junction by a hair
+constexpr float kRoundingMm = 1.0e-4F;  ///< no decay is counted at the junction because heights are rounded to floats
 
 }  // namespace
 

@@ -13,8 +13,8 @@ namespace core::grading {
 /// [side * side], kEmptyTop where nothing is to be left. Shared and immutable.
 using IdealTop = std::shared_ptr<const std::vector<float>>;
 
-/// Decay with so much dentin or less between it and the pulp straight below lies over the pulp, mm. There leathery
-/// decay stays where decay has zones: down to the firm zone less than 2.0 mm would be left, the ideal (docs/teeth.md).
+/// Decay lies over the pulp if there is this much dentin or less between it and the pulp straight below it, mm. In
+/// decay with zones, leathery decay stays there: without it, less than the ideal 2.0 mm would be left (docs/teeth.md).
 inline constexpr float kOverPulpMm = 1.5F;
 
 /// Returns whether the decay of a column lies over the pulp.

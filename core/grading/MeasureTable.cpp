@@ -113,7 +113,7 @@ Node nodeOfLesionCut(const Measured& m, Placed LesionCut::*part)
     return m.lesion ? worstOf((*m.lesion).*part) : std::nullopt;
 }
 
-/// Of the ridges that are to be left: a box goes through the others.
+/// Returns how much of a marginal ridge is missing. Ridges that a box goes through do not count.
 std::optional<Placed> ridgeLost(const Measured& m)
 {
     constexpr double kLeftByIdealMm = 0.3;

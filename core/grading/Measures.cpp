@@ -32,7 +32,7 @@ double soundOf(const PerMaterial& lengths)
     return of(lengths, Material::Enamel) + of(lengths, Material::Dentin);
 }
 
-/// Down to here a column has to be cut for its decay; its top where it has none that has to go.
+/// Returns the height down to which a column has to be cut for its decay, mm, or its top if no decay has to go.
 float neededDownTo(const ToothAnatomy& anatomy, std::size_t k)
 {
     const ColumnLayers& column = anatomy.layers[k];

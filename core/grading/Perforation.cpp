@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRimMm = 0.5;
 
-/// Whether a column lies so near to the outside of the uncut tooth.
+/// Returns whether a column lies within kRimMm of the outside of the uncut tooth.
 bool isAtTheRim(const terrain::ToothAnatomy& anatomy, std::size_t k)
 {
     const terrain::Grid& grid = anatomy.grid;

@@ -21,8 +21,8 @@ struct Block
 
 /// The shape over the grid of a block made to this design (teeth::buildTooth). A column belongs to it when its node
 /// does; a wall is upright, and where a rounded edge joins it to the floor the part is Wall. The floor
-/// of a junction is the block's own junction of enamel and dentin. Of a block of layers all is to be kept. Leeway
-/// around the shape is a lesson's business.
+/// of a junction block is the junction of its enamel and dentin. A block of layers is to be kept whole. The leeway
+/// around the shape is set by the lesson.
 [[nodiscard]] Result<grading::Preparation> blockPreparation(const teeth::BlockDesign& design,
                                                             const terrain::ToothAnatomy& anatomy);
 

@@ -241,7 +241,7 @@ private:
         return box;
     }
 
-    /// At a point of the silhouette, and square to it; which of the two ways is out of the tooth is not said.
+    /// Returns a box at a point of the silhouette, at right angles to it. Its direction may still point into the tooth.
     [[nodiscard]] OcclusalCavity::Box boxAt(std::size_t nearest) const
     {
         constexpr std::size_t kAside = kOutlinePoints / 30;
@@ -250,7 +250,7 @@ private:
         return {m_silhouette[nearest], {along.y, -along.x}};
     }
 
-    /// Where the tooth is widest on its mesial or distal side.
+    /// Returns the place where the tooth is widest on its mesial or distal side.
     [[nodiscard]] glm::dvec2 contact(bool mesial) const
     {
         const Line& side = mesial ? m_mesial : m_distal;
@@ -268,7 +268,7 @@ private:
         return box;
     }
 
-    /// From a place of the axis straight out through a proximal box.
+    /// Adds a stroke from a place of the axis straight out through a proximal box.
     void openInto(OcclusalCavity& cavity, glm::dvec2 from, bool mesial) const
     {
         // Between the groove and the contact, which lies further towards the cheek.
@@ -385,7 +385,7 @@ private:
         return spots;
     }
 
-    /// Where the groove between two cusps leaves the main one.
+    /// Returns the place where the groove between two cusps leaves the main groove.
     [[nodiscard]] std::optional<glm::dvec2> branchAt(const Line& main, const Lobes& mesial, const Lobes& distal,
                                                      double fromU, double toU) const
     {
@@ -421,7 +421,7 @@ private:
             cavity.strokes.push_back(std::move(spots));
     }
 
-    /// Out of the main stroke along a buccal groove to a box in the buccal surface.
+    /// Adds a stroke from the main one along a buccal groove to a box in the buccal surface.
     void openToCheek(OcclusalCavity& cavity, const Line& main, const Lobes& mesial, const Lobes& distal, double fromU,
                      double toU) const
     {
@@ -497,7 +497,7 @@ private:
         return {};
     }
 
-    /// A box at the contact. Its floor is measured from the marginal ridge there.
+    /// Plans a box at the contact. The depth of its floor is measured from the marginal ridge.
     void planSlot(bool mesial)
     {
         constexpr double kRidgeEndsMm = 2.5;  // from the proximal surface

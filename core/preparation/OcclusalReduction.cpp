@@ -25,7 +25,7 @@ using teeth::Cusp;
 
 constexpr double kValleyRadiusMm =
     0.8;                           ///< no valley is tighter, so that a bur of 1.0 to 1.2 mm nearly reaches its bottom
-constexpr double kClosedMm = 1.6;  ///< a valley is closed across so far to each side
+constexpr double kClosedMm = 1.6;  ///< half of the width of the widest valley that is closed
 constexpr float kThinnestCutMm = 0.02F;  ///< a floor that is not so far below the surface is no cut
 
 /// Heights over a grid, row by row.

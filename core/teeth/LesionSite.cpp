@@ -38,7 +38,7 @@ constexpr double kPitAside = 0.4;
 constexpr double kPitHalfMouthMm = 0.7;
 constexpr float kLeastPitMm = 0.04F;
 constexpr float kGrooveEnd = 0.5F;   ///< share of its greatest depth with which a groove ends
-constexpr double kGroovePit = 0.55;  ///< height in the crown, at most, of the pit in which a molar's groove ends
+constexpr double kGroovePit = 0.55;  ///< greatest height of the pit of a posterior tooth, share of the crown
 constexpr float kLeastEnamelMm = 0.25F;
 constexpr float kLeastDentinMm = 1.5F;
 
@@ -76,7 +76,8 @@ public:
     [[nodiscard]] glm::dvec3 ownMm(std::size_t k) const { return m_laid.ownMm({m_grid.nodeMm(k), m_top[k]}); }
 
     /// The deepest pit in the middle of the crown that has enamel and dentin below it, by how far it is below what a
-    /// disc would close. Of a posterior tooth: where the deepest groove goes on to, halfway down the crown.
+    /// disc would close. In a posterior tooth, the place about halfway down the crown in line with the
+    /// deepest groove.
     [[nodiscard]] std::optional<std::size_t> deepestPit(const std::vector<terrain::ColumnLayers>& layers) const
     {
         const Lattice lattice(m_grid);

@@ -8,9 +8,9 @@
 
 namespace haptics {
 
-/// About the smallest cavity that a bur can cut to clear the decay (core::grading::decayGoesDownTo()): each column of
-/// it from as near above as neither comes near the pulp nor goes through the tooth. Decay that cannot be reached so is
-/// left, and what no bur reaches. Any thread; some ten milliseconds at 150 x 150.
+/// Returns about the smallest cavity that a bur can cut to clear the decay down to core::grading::decayGoesDownTo().
+/// Decay is left where the bur would come near the pulp, go through the tooth, or not fit. Takes some ten milliseconds
+/// at 150 x 150. Any thread may call it.
 /// @return the top of each column afterwards, mm, [side * side], as core::grading::IdealTop
 [[nodiscard]] std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy,
                                              const core::drilling::Bur& bur);

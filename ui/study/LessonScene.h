@@ -39,11 +39,12 @@ struct LessonScene
 /// Whether the ideal may be seen beforehand.
 [[nodiscard]] bool isIdealTold(const ::lessons::Lesson& lesson);
 
-/// A section through the deepest decay, from cheek to tongue unless that misses most of it. Nothing without decay.
+/// Returns a section through the deepest decay: in the bucco-lingual direction, or in the mesio-distal direction if the
+/// decay is much longer that way. Nothing without decay.
 [[nodiscard]] std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain::Tooth& tooth);
 
-/// A section through what is to be cut: out of its box, else across its isthmus, else through its middle, from cheek to
-/// tongue unless that misses most of it.
+/// Returns a section through the ideal: along the direction in which its box opens, if it has one; otherwise across its
+/// isthmus; otherwise through its middle, with the direction chosen as in planeThroughDecay().
 [[nodiscard]] core::imaging::SectionPlane planeThroughIdeal(const core::terrain::ToothAnatomy& anatomy,
                                                             const core::grading::Preparation& ideal);
 
