@@ -851,6 +851,9 @@ void ScorePage::fillCriteria()
     auto* column = new QVBoxLayout(m_criteria);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    const auto advice =
+        ::lessons::adviceOn(m_sheet, m_scored ? m_scored->measured : core::grading::Measured{}, m_moments);
+    const std::string& advised = advice.empty() ? m_chosen : m_sheet.criteria[advice.front().criterion].id;
     CriterionRow* chosen = nullptr;
     for (const ::lessons::Criterion& criterion : m_sheet.criteria) {
         auto* row = new CriterionRow(criterion, m_sheet.verdict, m_criteria);
@@ -863,9 +866,9 @@ void ScorePage::fillCriteria()
             row->bePlain();
         column->addWidget(row);
         m_rows << row;
-        // The one that was looked at; otherwise the costliest.
+        // The one that was looked at, or else the one that the advice is about.
         if (chosen == nullptr || criterion.id == m_chosen ||
-            (chosen->criterion().id != m_chosen && criterion.lostTenths > chosen->criterion().lostTenths))
+            (chosen->criterion().id != m_chosen && criterion.id == advised))
             chosen = row;
     }
     m_criteriaSlot->addWidget(m_criteria);
