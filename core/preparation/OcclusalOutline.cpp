@@ -21,7 +21,9 @@ constexpr double kSmoothMm = 0.45;  ///< over which a line forgets the small ben
 constexpr double kSearchMm = 4.5;   ///< from the middle of the tooth: grooves are looked for so far
 constexpr double kJoinMm = 0.4;     ///< a stroke out of another one begins so far beside it
 constexpr std::size_t kOutlinePoints = 360;
-constexpr double kShortestMm = 0.8;  ///< of a main stroke
+constexpr double kShortestMm = 0.8;     ///< of a main stroke
+constexpr double kRoundReachMm = 0.6;   ///< two strokes flow together within this of each other
+constexpr double kRoundErrorMm = 0.01;  ///< so much of the ridge a round may take
 
 /// Weighted means along a line; beyond its ends it is taken to go straight on.
 Line smoothed(const Line& line, double sigmaMm)
@@ -210,6 +212,15 @@ private:
     }
     /// A groove falls off the occlusal table towards the sides: pits are looked for within.
     [[nodiscard]] bool isOnTable(glm::dvec2 p) const { return distanceToLine(m_silhouette, p) > 1.4 && p.y > -0.9; }
+    /// Returns the deepest place of a groove on the occlusal table, or nothing where the groove is not on it.
+    [[nodiscard]] std::optional<std::size_t> pitOf(const Line& groove) const
+    {
+        std::optional<std::size_t> pit;
+        for (std::size_t k = 0; k < groove.size(); ++k)
+            if (isOnTable(groove[k]) && (!pit || mouth(groove[k]) < mouth(groove[*pit])))
+                pit = k;
+        return pit;
+    }
     [[nodiscard]] bool sparesCrest(glm::dvec2 axis, double half) const
     {
         return m_crest.empty() || distanceToLine(m_crest, axis) >= m_design.obliqueMm + m_radius + half;
@@ -450,6 +461,19 @@ private:
     }
 
     /// Ends of the main stroke, dovetails at them, isthmus in the middle.
+    /// Whether the round in which a bar and the main stroke join spares the ridge.
+    /// @param end  where the main stroke ends
+    [[nodiscard]] bool roundFits(const std::vector<Spot>& bar, glm::dvec2 end, double floorMm) const
+    {
+        const glm::dvec2 middle = bar[bar.size() / 2].atMm;
+        const glm::dvec2 out = proximalAt(middle.y, middle.x < 0.0).outwards;
+        return std::all_of(bar.begin(), bar.end(), [&](const Spot& spot) {
+            const double toMain = glm::distance(spot.atMm + out * m_radius, end) - m_half;
+            const double roundMm = std::min(m_radius, toMain) - roundJoin(m_radius, toMain);
+            return ridgeLeft(spot.atMm, roundMm, leanMm(spot.atMm, floorMm)) >= m_design.ridgeMm - kRoundErrorMm;
+        });
+    }
+
     Status finishMain(OcclusalCavity& cavity, const Line& line, double mesialU, double distalU, bool mesialBar,
                       bool distalBar)
     {
@@ -482,11 +506,20 @@ private:
             cavity.strokes.push_back(std::move(spots));
         };
         // The main stroke stops short of a bar, or their round join would bulge towards the ridge.
-        const double shortOf = m_half + 0.25;
         const bool mesialStop = mesialBar && !boxIs(true);
         const bool distalStop = distalBar && !boxIs(false);
-        cavity.strokes.insert(cavity.strokes.begin(), stroke(line, mesialEnd + (mesialStop ? shortOf : 0.0),
-                                                             distalEnd - (distalStop ? shortOf : 0.0)));
+        const auto stopAt = [&](bool mesial, double end) {
+            const std::vector<Spot> spots = fittingBar(line[nearestTo(line, end)], cavity.floorMm);
+            double stop = end;
+            for (double shortOf = m_half + 0.25; shortOf < m_half + kRoundReachMm; shortOf += kStepMm) {
+                stop = mesial ? end + shortOf : end - shortOf;
+                if (roundFits(spots, line[nearestTo(line, stop)], cavity.floorMm))
+                    break;
+            }
+            return stop;
+        };
+        cavity.strokes.insert(cavity.strokes.begin(), stroke(line, mesialStop ? stopAt(true, mesialEnd) : mesialEnd,
+                                                             distalStop ? stopAt(false, distalEnd) : distalEnd));
         for (const bool mesial : {true, false})
             if (boxIs(mesial))
                 openInto(cavity, line[nearestTo(line, mesial ? mesialEnd : distalEnd)], mesial);
@@ -608,14 +641,17 @@ private:
         const Line groove = grooveAlongV(ridge, behind, -3.0, 2.0, 2.0);
         if (groove.size() < 10)
             return noRoom("distal pit", "none: the tooth has no such groove");
-        std::size_t pit = 0;
+        // Where the grooves on either side of the distolingual cusp meet. A small cusp has no such place.
+        std::optional<std::size_t> pit;
         for (std::size_t k = 0; k < groove.size(); ++k)
-            if (distolingual.empty()
-                    ? isOnTable(groove[k]) && (!isOnTable(groove[pit]) || mouth(groove[k]) < mouth(groove[pit]))
-                    : height(distalRidge, groove[k]) < height(distolingual, groove[k]))
+            if (!distolingual.empty() && height(distalRidge, groove[k]) < height(distolingual, groove[k]))
                 pit = k;
+        if (!pit)
+            pit = pitOf(groove);
+        if (!pit)
+            return noRoom("distal pit", "none: the groove lies beside the occlusal table");
         const double lingually = 0.5 * m_design.isthmusMm + m_design.grooveMm;
-        return planShort(groove, pit, lingually, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius,
+        return planShort(groove, *pit, lingually, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius,
                          "distal pit", false, {1.4, 0.0});
     }
 
@@ -624,22 +660,29 @@ private:
     {
         constexpr double kLingualV = -2.2;
         constexpr double kBuccalV = 1.5;
+        constexpr double kInwardsMm = 0.04;
+        constexpr int kMostSteps = 40;
         for (const bool mesial : {true, false}) {
             if (m_kind != Kind::ClassOne && !boxIs(mesial))
                 continue;
             const Lobes cusps = lobes({1});
             const Lobes ridge = lobes({mesial ? 3 : 4});
-            const Line groove = mesial ? grooveAlongV(ridge, cusps, kLingualV, kBuccalV, -2.0)
-                                       : grooveAlongV(cusps, ridge, kLingualV, kBuccalV, 2.0);
+            Line groove = mesial ? grooveAlongV(ridge, cusps, kLingualV, kBuccalV, -2.0)
+                                 : grooveAlongV(cusps, ridge, kLingualV, kBuccalV, 2.0);
             if (groove.size() < 10)
                 return noRoom("pits", "none: the tooth has no such groove");
-            std::size_t pit = 0;
-            for (std::size_t k = 0; k < groove.size(); ++k)
-                if (isOnTable(groove[k]) && (!isOnTable(groove[pit]) || mouth(groove[k]) < mouth(groove[pit])))
-                    pit = k;
+            // Where the groove lies beside the table, its line is taken as far inside as the table begins.
+            std::optional<std::size_t> pit = pitOf(groove);
+            for (int step = 0; !pit && step < kMostSteps; ++step) {
+                for (glm::dvec2& p : groove)
+                    p.x += mesial ? kInwardsMm : -kInwardsMm;
+                pit = pitOf(groove);
+            }
+            if (!pit)
+                return noRoom("pits", "none: the groove lies beside the occlusal table");
             // More of it towards the cheek: the lingual cusp is small.
             const double half = 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius;
-            if (Status done = planShort(groove, pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit",
+            if (Status done = planShort(groove, *pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit",
                                         mesial, {1.6, 1.35});
                 !done)
                 return done;
@@ -781,6 +824,12 @@ Result<std::vector<OcclusalCavity>> occlusalCavities(Kind kind, int fdi, const t
                                                      const ToothDesign& design)
 {
     return Planner(kind, fdi, form, design).plan();
+}
+
+double roundJoin(double a, double b)
+{
+    const double gap = std::max(kRoundReachMm - std::abs(a - b), 0.0);
+    return std::min(a, b) - gap * gap / (4.0 * kRoundReachMm);
 }
 
 std::vector<glm::dvec2> obliqueCrest(int fdi, const teeth::PosteriorForm& form)

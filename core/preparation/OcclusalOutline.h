@@ -50,6 +50,10 @@ struct OcclusalCavity
 [[nodiscard]] Result<std::vector<OcclusalCavity>> occlusalCavities(Kind kind, int fdi, const teeth::PosteriorForm& form,
                                                                    const ToothDesign& design);
 
+/// Returns the distance to two strokes that flow into each other with a round, from the distances to each, mm: the
+/// quadratic smooth minimum.
+[[nodiscard]] double roundJoin(double a, double b);
+
 /// The crest of an upper first or second molar's oblique ridge, from the mesiolingual to the distobuccal cusp; empty
 /// for other teeth.
 [[nodiscard]] std::vector<glm::dvec2> obliqueCrest(int fdi, const teeth::PosteriorForm& form);

@@ -24,16 +24,8 @@ namespace {
 using grading::Part;
 
 constexpr float kFarMm = 1.0e3F;
-constexpr double kBlendMm = 0.6;      ///< strokes within this of each other flow together
 constexpr double kBesideMm = 1.6;     ///< distances are kept so far beyond the bur's axis
 constexpr double kLeastCutMm = 0.02;  ///< a floor that is not so far below the surface is no cut
-
-/// Minimum of two fields of distance, rounded where they are nearly equal (the quadratic smooth minimum).
-double join(double a, double b)
-{
-    const double gap = std::max(kBlendMm - std::abs(a - b), 0.0);
-    return std::min(a, b) - gap * gap / (4.0 * kBlendMm);
-}
 
 /// Distances over the grid: to the places where the axis goes along one stroke, negative where it goes beside them too.
 void sweep(const terrain::Grid& grid, const std::vector<OcclusalCavity::Spot>& spots, std::vector<float>& distance)
@@ -84,7 +76,7 @@ public:
             sweep(grid, spots, one);
             for (std::size_t k = 0; k < all.size(); ++k)
                 if (one[k] < kFarMm)
-                    all[k] = static_cast<float>(join(static_cast<double>(all[k]), static_cast<double>(one[k])));
+                    all[k] = static_cast<float>(roundJoin(static_cast<double>(all[k]), static_cast<double>(one[k])));
         }
         const double radius = m_design.burRadiusMm;
         const double tangent = std::tan(m_design.divergeDeg * std::numbers::pi / 180.0);
@@ -99,7 +91,7 @@ public:
                     const double toBox = box->distance(at);
                     if (toBox <= radius)
                         lower(k, boxFloorMm, riseBeside(toBox, radius, m_design.lineAngleMm));
-                    away = away < static_cast<double>(kFarMm) ? join(away, toBox) : away;
+                    away = away < static_cast<double>(kFarMm) ? roundJoin(away, toBox) : away;
                 }
                 const double floor = floorAt(cavity, k);
                 if (away <= radius) {
