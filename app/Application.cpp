@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Application.h"
+#include "core/history/MomentId.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 
 #include <algorithm>
 #include <array>
@@ -139,9 +142,9 @@ constexpr double kServoPeriodS = std::chrono::duration<double>(kServoPeriod).cou
 
 /// @param hasForce  the hand that moves the bur feels a force
 /// @param scale     how far it moves for one millimetre of the bur
-core::session::ServoSettings settingsFor(bool hasForce, double scale = 1.0)
+core::servo::ServoSettings settingsFor(bool hasForce, double scale = 1.0)
 {
-    core::session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     if (hasForce)
         haptics::falcon::addFalconFeel(settings.force, scale);
     return settings;
@@ -151,13 +154,13 @@ core::session::ServoSettings settingsFor(bool hasForce, double scale = 1.0)
 
 core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions& options)
 {
-    auto tick = core::session::makeServoTick(settingsFor(options.simulatedDevice));
+    auto tick = core::servo::makeServoTick(settingsFor(options.simulatedDevice));
     if (!tick)
         return tl::unexpected(tick.error());
     return std::unique_ptr<Application>(new Application(options, std::move(*tick)));
 }
 
-Application::Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick)
+Application::Application(const WindowOptions& options, std::unique_ptr<core::servo::ServoTick> tick)
     : m_options(options), m_pointer(m_links.pointer, kStiffnessNPerMm, kServoPeriodS),
       m_simulatedHand(m_demoWish, kStiffnessNPerMm, kServoPeriodS),
       m_bur(options.simulatedDevice ? static_cast<haptics::HapticDevice&>(m_simulatedHand) : m_pointer, kServoPeriod),
@@ -197,7 +200,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
     m_window->setHistorySource({[this] { return m_session.historySoFar(); },
-                                [this](core::session::MomentId id) { return m_session.momentHeights(id); }});
+                                [this](core::history::MomentId id) { return m_session.momentHeights(id); }});
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
     connect(m_window.get(), &MainWindow::attemptAgainWanted, this, [this] {
         ++m_loading;
@@ -252,8 +255,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connectPen(*m_window);
     m_pedals = std::make_unique<PedalController>(*m_window, m_bur, [this] { return m_devices->isSimulated(); });
     m_sound = std::make_unique<SoundController>(*m_window, m_links.sound, options.audioPort);
-    static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
-    static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
+    static_cast<void>(m_links.commands.tryPush(core::servo::SetBur{1}));
+    static_cast<void>(m_links.commands.tryPush(core::servo::SetDrill{true}));
     m_servo.publishSound(m_links.sound);
     startLoops();
 }
@@ -862,7 +865,7 @@ void Application::feel(const core::settings::FeelPreset& preset)
     const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
-    m_numbers = core::session::numbersOf(
+    m_numbers = core::servo::numbersOf(
         lessons::servoSettings(lesson, settingsFor(m_devices->isForceChosen(), m_devices->scale()), preset,
                                m_tried ? m_triedKind : core::settings::ToothKind{}));
     tellNumbers();
@@ -902,7 +905,7 @@ void Application::tellNumbers()
 {
     for (std::size_t k = 0; k < m_numbers.size(); ++k)
         if (m_numbers.at(k) != m_numbersTold.at(k)) {
-            const core::session::SetNumber number{static_cast<std::uint8_t>(k), static_cast<float>(m_numbers.at(k))};
+            const core::servo::SetNumber number{static_cast<std::uint8_t>(k), static_cast<float>(m_numbers.at(k))};
             if (!m_links.commands.tryPush(number))
                 return;
             m_numbersTold.at(k) = m_numbers.at(k);
@@ -1167,10 +1170,10 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
     const bool isExam = assignment.lesson && assignment.lesson->exam;
     const core::settings::FeelPreset usual = m_tried.value_or(m_presets.inUse());
     const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_presets.inUse());
-    const core::session::ServoSettings settings =
+    const core::servo::ServoSettings settings =
         lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr,
                                settingsFor(m_devices->isForceChosen(), m_devices->scale()), preset);
-    auto servo = core::session::makeServoTick(settings);
+    auto servo = core::servo::makeServoTick(settings);
     if (!servo) {
         refuse(servo.error(), Failed::OpeningLesson,
                assignment.lesson ? QString::fromStdString(assignment.lesson->id) : QString());
@@ -1201,7 +1204,7 @@ std::function<void(const AnatomyPointer&)> Application::surfaceWorker() const
 }
 
 /// Lays another tooth on the table. The session is still to be told.
-void Application::lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
+void Application::lay(const lessons::Assignment& assignment, const core::servo::ServoSettings& settings,
                       const std::function<QStringList()>& notes, bool unitInDoubt)
 {
     if (m_replay) {
@@ -1214,7 +1217,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_notes = notes;
     m_isUnitInDoubt = unitInDoubt;
     m_settings = settings;
-    m_numbers = core::session::numbersOf(m_settings);
+    m_numbers = core::servo::numbersOf(m_settings);
     m_numbersTold = m_numbers;
     m_window->setAssignment(m_assignment);
     m_window->setHandpieces(m_settings.handpieces);
@@ -1241,7 +1244,7 @@ void Application::letHandDecide()
     const auto tooth = m_session.toothSoFar();
     if (m_replay || m_assignment.exercise || !tooth || tooth->anatomy != m_assignment.anatomy)
         return;
-    const core::session::ServoState& state = m_links.servo.latest();
+    const core::servo::ServoState& state = m_links.servo.latest();
     if (!m_demoHand || std::exchange(m_demoBur, state.burIndex) != state.burIndex)
         m_demoHand = handFor(m_assignment, state.burIndex);
     m_demoWish.publish(m_demoHand->decide(state, *tooth));
@@ -1291,7 +1294,7 @@ void Application::watchAttempt()
         tellNumbers();
         // An exercise is done by touching.
         const bool isExercise = m_assignment.lesson && lessons::isExercise(m_assignment.lesson->task);
-        if (const core::session::ServoState& servo = m_links.servo.latest();
+        if (const core::servo::ServoState& servo = m_links.servo.latest();
             servo.cutting || (isExercise && servo.touching)) {
             ++m_cutIn[m_window->view().settings().presentation.stereo];
             ++m_cutWith[m_devices->cutsWith()];
@@ -1397,7 +1400,7 @@ void Application::holdHand(bool wanted)
     std::unique_ptr<const core::guidance::Fixture> fixture;
     if (ideal)
         fixture = std::make_unique<const core::guidance::Fixture>(*m_assignment.anatomy, *ideal);
-    if (m_links.commands.tryPush(core::session::SetFixture{fixture.get()}))
+    if (m_links.commands.tryPush(core::servo::SetFixture{fixture.get()}))
         static_cast<void>(fixture.release());  // the session owns it now
 }
 
@@ -1412,7 +1415,7 @@ void Application::takeBack(std::uint64_t tick)
 /// tooth first. Whose hand holds it there is not waited for.
 void Application::settle(int looks, int settled)
 {
-    const core::session::ServoState& servo = m_links.servo.latest();
+    const core::servo::ServoState& servo = m_links.servo.latest();
     const bool isOut = !(servo.touching && servo.drillOn);
     settled = isOut ? settled + 1 : 0;
     if (settled >= kSettledLooks || looks >= kMostSettleLooks) {
@@ -1614,7 +1617,7 @@ void Application::showExamsScore(const std::string& uid)
 void Application::noteGraded()
 {
     if (m_graded->generation == m_ownGeneration)
-        static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
+        static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::servo::kGradedNote}));
 }
 
 void Application::takeKept(const Letter& letter, bool isAgain)
@@ -2346,7 +2349,7 @@ void Application::stopReplay()
     m_window->setHandpieces(m_settings.handpieces);
     m_links.servo.back() = m_handAtRest;
     m_links.servo.publish();
-    for (core::session::TilePatch late; m_links.patches.tryPop(late);) {
+    for (core::servo::TilePatch late; m_links.patches.tryPop(late);) {
     }
     m_window->showTooth(m_assignment.anatomy, m_ownGeneration, {});
     m_window->view().restoreCamera();

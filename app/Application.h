@@ -29,9 +29,11 @@
 #include "app/SoundController.h"
 #include "app/TourDesk.h"
 #include "app/UnfinishedAttempts.h"
+#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
-#include "core/session/ServoNumbers.h"
+#include "core/session/Links.h"
 #include "core/teeth/ToothBuilder.h"
 #include "database/people.h"
 #include "database/records.h"
@@ -92,7 +94,7 @@ public:
     void showMoment(double seconds);
 
 private:
-    Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
+    Application(const WindowOptions& options, std::unique_ptr<core::servo::ServoTick> tick);
 
     void openDatabase();
     void makeStationFolder() const;
@@ -136,7 +138,7 @@ private:
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes, bool unitInDoubt);
     [[nodiscard]] std::function<void(const AnatomyPointer&)> surfaceWorker() const;
-    void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
+    void lay(const lessons::Assignment& assignment, const core::servo::ServoSettings& settings,
              const std::function<QStringList()>& notes, bool unitInDoubt);
     void watchAttempt();
     void noteExam(const core::session::Findings& findings);
@@ -215,8 +217,8 @@ private:
     core::teeth::ToothSource m_source;                               ///< of the tooth taken last
     std::shared_ptr<const core::terrain::ToothAnatomy> m_practised;  ///< that was practised on last without a lesson
     core::session::UiLinks m_links;
-    core::session::ServoLinks m_servoLinks;
-    core::rt::TripleBuffer<core::session::PointerInput> m_demoWish;  ///< of m_demoHand
+    core::servo::ServoLinks m_servoLinks;
+    core::rt::TripleBuffer<core::servo::PointerInput> m_demoWish;  ///< of m_demoHand
     std::optional<haptics::IdealHand> m_demoHand;
     std::uint8_t m_demoBur = 0;  ///< that it holds
     haptics::PointerDevice m_pointer;
@@ -258,9 +260,9 @@ private:
     std::optional<core::settings::FeelPreset> m_tried;   ///< in place of it, on the block that lies on the table
     core::settings::ToothKind m_triedKind;               ///< what that block is made of
     std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_presets.inUse(), but in exams
-    core::session::ServoNumbers m_numbers{};             ///< that the servo is to have
-    core::session::ServoNumbers m_numbersTold{};         ///< that it has, or has been sent
-    core::session::ServoSettings m_settings;             ///< of the student's own attempt
+    core::servo::ServoNumbers m_numbers{};               ///< that the servo is to have
+    core::servo::ServoNumbers m_numbersTold{};           ///< that it has, or has been sent
+    core::servo::ServoSettings m_settings;               ///< of the student's own attempt
     lessons::Assignment m_assignment;      ///< the student's own; its anatomy is null until a tooth is taken
     std::function<QStringList()> m_notes;  ///< on its scan
     bool m_isUnitInDoubt = false;          ///< of that
@@ -325,7 +327,7 @@ private:
     QTimer m_demoBeat;
     std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
-    core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
+    core::servo::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
 
     // Threads last: they are joined before what they run on goes away.
     std::unique_ptr<LoopThread> m_servoThread;

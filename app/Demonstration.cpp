@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Demonstration.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/DecayCavity.h"
@@ -22,21 +24,21 @@ haptics::SimulationOptions optionsFor(const lessons::Assignment& assignment)
     haptics::SimulationOptions options;
     options.settings = lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr, {});
     if (assignment.lesson && !assignment.lesson->burs.empty())
-        options.burIndex = core::drilling::findBur(assignment.lesson->burs.front()).value_or(options.burIndex);
+        options.burIndex = core::bur::findBur(assignment.lesson->burs.front()).value_or(options.burIndex);
     return options;
 }
 
 core::Result<haptics::SimulationOutcome> letWork(haptics::IdealHand hand, const lessons::Assignment& assignment,
                                                  const haptics::SimulationOptions& options, bool simulatedFalcon)
 {
-    core::rt::TripleBuffer<core::session::PointerInput> pointer;
+    core::rt::TripleBuffer<core::servo::PointerInput> pointer;
     const double stiffness = options.settings.force.stiffnessNPerMm;
     haptics::PointerDevice plain(pointer, stiffness, 1.0 / options.rateHz);
     haptics::GuidedFalcon guided(pointer, stiffness, 1.0 / options.rateHz);
     haptics::HapticDevice& device = simulatedFalcon ? static_cast<haptics::HapticDevice&>(guided) : plain;
     std::uint64_t doneAt = kMostTicks;
     return haptics::simulate(assignment.anatomy, device, kMostTicks, options,
-                             [&](std::uint64_t tick, const core::session::ServoState& state,
+                             [&](std::uint64_t tick, const core::servo::ServoState& state,
                                  const core::terrain::Tooth& now) -> std::optional<bool> {
                                  if (tick % kTicksPerDecision == 0)
                                      pointer.publish(hand.decide(state, now));
@@ -53,7 +55,7 @@ core::Result<haptics::SimulationOutcome> letWork(haptics::IdealHand hand, const 
 
 haptics::IdealHand handFor(const lessons::Assignment& assignment, std::size_t burIndex)
 {
-    const core::drilling::Bur& bur = core::drilling::burs()[burIndex];
+    const core::bur::Bur& bur = core::bur::burs()[burIndex];
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
     const std::vector<float> wanted = assignment.ideal ? *assignment.ideal->top : haptics::decayCavity(anatomy, bur);
     return haptics::IdealHand(anatomy, wanted, bur, assignment.neighbours.get());
@@ -63,7 +65,7 @@ core::Result<haptics::SimulationOutcome> cutInstead(const lessons::Assignment& a
                                                     const std::vector<float>& wanted)
 {
     const haptics::SimulationOptions options = optionsFor(assignment);
-    const core::drilling::Bur& bur = core::drilling::burs()[options.burIndex];
+    const core::bur::Bur& bur = core::bur::burs()[options.burIndex];
     return letWork(haptics::IdealHand(*assignment.anatomy, wanted, bur, assignment.neighbours.get()), assignment,
                    options, false);
 }

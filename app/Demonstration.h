@@ -10,7 +10,7 @@
 namespace app {
 
 /// A hand that cuts what an assignment asks for: its ideal, or about the smallest cavity that clears the decay.
-/// @param burIndex  of core::drilling::burs(), that it holds
+/// @param burIndex  of core::bur::burs(), that it holds
 [[nodiscard]] haptics::IdealHand handFor(const lessons::Assignment& assignment, std::size_t burIndex);
 
 /// An attempt at an assignment by such a hand with the first bur that is allowed. The same assignment gives the same

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/ReplayDesk.h"
+#include "core/session/Links.h"
 
 #include <algorithm>
 #include <utility>

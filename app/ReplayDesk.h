@@ -8,6 +8,7 @@
 
 #include "app/LoopThread.h"
 #include "app/ReplayLoop.h"
+#include "core/session/Links.h"
 #include "ui/shell/MainWindow.h"
 
 namespace app {

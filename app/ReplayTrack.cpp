@@ -11,6 +11,7 @@ namespace app {
 namespace {
 
 using namespace core::session;
+using namespace core::servo;
 using core::history::TiledHeights;
 using core::recording::MarkedEvent;
 using core::recording::Player;
@@ -29,7 +30,7 @@ std::uint64_t patchAfter(std::uint64_t tick)
 /// Returns whether a note is only for the program, and not shown on the time line.
 bool isSilent(std::uint64_t note)
 {
-    return note == core::session::kRestNote || note == core::session::kWorkNote || core::session::sightOf(note);
+    return note == core::servo::kRestNote || note == core::servo::kWorkNote || core::session::sightOf(note);
 }
 
 /// The events in words of a time line. A bur that is taken again and aids that stay the same are no news.
@@ -192,13 +193,13 @@ glm::dvec3 ReplayTrack::burAtMm(double seconds) const
     return m_player->stateAt(m_player->tickAt(seconds)).anchorMm;
 }
 
-/// As core::session::Rests leaves it out; one that nothing ends lasts to the end.
+/// As core::recording::Rests leaves it out; one that nothing ends lasts to the end.
 void ReplayTrack::takeRest(const MarkedEvent& marked, Course& course) const
 {
     const auto& [tick, event] = marked;
     const bool isOpen = !course.rests.empty() && course.rests.back().toS >= m_lengthS;
-    const bool begins = event.kind == ServoEvent::Kind::Note && event.value == core::session::kRestNote;
-    const bool ends = (event.kind == ServoEvent::Kind::Note && event.value == core::session::kWorkNote) ||
+    const bool begins = event.kind == ServoEvent::Kind::Note && event.value == core::servo::kRestNote;
+    const bool ends = (event.kind == ServoEvent::Kind::Note && event.value == core::servo::kWorkNote) ||
                       event.kind == ServoEvent::Kind::Resume;
     if (begins && !isOpen)
         course.rests.push_back({m_player->secondsAt(tick), m_lengthS});

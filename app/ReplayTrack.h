@@ -11,6 +11,7 @@
 #include "core/audio/ServoSound.h"
 #include "core/history/RemovedTally.h"
 #include "core/recording/Player.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Examiner.h"
 #include "core/session/Links.h"
 #include "core/session/Sight.h"
@@ -64,7 +65,7 @@ private:
     [[nodiscard]] std::uint64_t shownTick(double seconds, std::uint64_t ready) const;
     void sendPatches(std::uint64_t tick, bool isSettled);
     void publish(std::uint64_t tick);
-    void publishSound(const core::session::ServoState& state, std::uint64_t tick);
+    void publishSound(const core::servo::ServoState& state, std::uint64_t tick);
 
     std::unique_ptr<core::recording::Player> m_player;
     double m_lengthS;
@@ -87,7 +88,7 @@ private:
     glm::dvec3 m_tipMm{0.0};
     bool m_isSettled = false;  ///< nothing that happened at m_shownTick can be missing
     core::history::RemovedTally m_removed;
-    std::deque<core::session::TilePatch> m_toSend;
+    std::deque<core::servo::TilePatch> m_toSend;
     core::session::SessionState m_session;
     core::audio::ServoSound m_sound;
     std::uint64_t m_heardTick = 0;

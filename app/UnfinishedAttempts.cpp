@@ -8,7 +8,7 @@
 #include <QThread>
 
 #include "core/recording/Replay.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Classes.h"
 #include "lessons/LessonReader.h"
@@ -21,9 +21,9 @@ constexpr int kLooksForJournal = 6;
 constexpr unsigned long kJournalRestMs = 500;
 constexpr int kNewestKept = 200;  ///< attempts, among which is what was graded here last
 
-bool isGradedNote(const core::session::ServoEvent& event)
+bool isGradedNote(const core::servo::ServoEvent& event)
 {
-    return event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote;
+    return event.kind == core::servo::ServoEvent::Kind::Note && event.value == core::servo::kGradedNote;
 }
 
 /// Whether anything was cut after the last grade, or after these events. It takes as long as a replay.
@@ -33,7 +33,7 @@ bool isCutOn(const core::recording::Recording& recording, std::uint64_t events =
     bool isCut = !servo;  // nobody knows
     std::uint64_t played = 0;
     if (servo)
-        recording.forEach([&](const core::session::ServoEvent& event) {
+        recording.forEach([&](const core::servo::ServoEvent& event) {
             const bool cuts = servo->play(event) && !servo->changed().isEmpty();
             isCut = ++played > events && !isGradedNote(event) && (isCut || cuts);
         });
@@ -44,11 +44,11 @@ bool isCutOn(const core::recording::Recording& recording, std::uint64_t events =
 /// while the work was looked at is not to go on. An exam ends with its score, however the program ended.
 bool isDone(const core::recording::Recording& recording)
 {
-    using Kind = core::session::ServoEvent::Kind;
+    using Kind = core::servo::ServoEvent::Kind;
     bool isGraded = false;
     bool drillOn = false;
     bool mayBeCut = false;
-    recording.forEach([&](const core::session::ServoEvent& event) {
+    recording.forEach([&](const core::servo::ServoEvent& event) {
         isGraded = isGraded || isGradedNote(event);
         if (event.kind == Kind::Drill || event.kind == Kind::Resume)
             drillOn = event.kind == Kind::Drill && event.value != 0;

@@ -9,7 +9,7 @@
 namespace haptics {
 namespace {
 
-/// For so long a missing or impossible reading is taken for a hand at rest, as in the servo (core::session::ServoTick).
+/// For so long a missing or impossible reading is taken for a hand at rest, as in the servo (core::servo::ServoTick).
 constexpr double kPassedOverS = 0.01;
 constexpr float kFarthestMm = 1000.0F;
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/ServoLoop.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,12 +9,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/session/ServoNumbers.h"
+#include "core/servo/ServoNumbers.h"
 
 namespace haptics {
 namespace {
 
-using namespace core::session;
+using namespace core::servo;
 
 /// Ticks between two groups of patches: the view has a new surface 125 times a second.
 constexpr int kTicksPerGroup = 8;
@@ -108,7 +110,7 @@ void ServoLoop::apply(const SwapTooth& swap) noexcept
 
 void ServoLoop::apply(const SetBur& bur) noexcept
 {
-    if (bur.index >= core::drilling::burs().size())
+    if (bur.index >= core::bur::burs().size())
         return;
     m_tick->setBur(bur.index);
     record({ServoEvent::Kind::Bur, 0, glm::vec3(0.0F), bur.index});
@@ -154,10 +156,10 @@ void ServoLoop::apply(const SetHandpiece& handpiece) noexcept
 
 void ServoLoop::apply(const SetNumber& number) noexcept
 {
-    if (!core::session::isServoNumber(number))
+    if (!core::servo::isServoNumber(number))
         return;
     m_tick->setNumber(number);
-    record({ServoEvent::Kind::Number, 0, glm::vec3(0.0F), core::session::packNumber(number)});
+    record({ServoEvent::Kind::Number, 0, glm::vec3(0.0F), core::servo::packNumber(number)});
 }
 
 void ServoLoop::apply(const SetFixture& fixture) noexcept
@@ -269,15 +271,15 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     out.drillSwitchedOn = m_drillIsOn || state.drillOn;
     out.toothGeneration = m_generation;
     out.missedPeriods = m_missedPeriods;
-    out.health |= m_health | (m_springPercent < 100 ? core::session::kLoopIsSlow : 0U) |
-                  (glm::dot(m_guideN, m_guideN) > kFeltN * kFeltN ? core::session::kHeldInside : 0U);
+    out.health |= m_health | (m_springPercent < 100 ? core::servo::kLoopIsSlow : 0U) |
+                  (glm::dot(m_guideN, m_guideN) > kFeltN * kFeltN ? core::servo::kHeldInside : 0U);
     m_stateOut.publish();
     if (m_soundOut != nullptr)
         m_soundOut->publish(m_sound.update(state, m_tick->settings().handpieces[state.handpieceIndex],
                                            static_cast<double>(step.count()) * 1.0e-6));
 }
 
-void ServoLoop::markDirty(const core::drilling::CutRect& rect) noexcept
+void ServoLoop::markDirty(const core::cutting::CutRect& rect) noexcept
 {
     for (int y = rect.j0 / kTileSide; y <= rect.j1 / kTileSide; ++y) {
         for (int x = rect.i0 / kTileSide; x <= rect.i1 / kTileSide; ++x) {

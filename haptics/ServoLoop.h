@@ -7,9 +7,11 @@
 #include "core/audio/ServoSound.h"
 #include "core/guidance/Fixture.h"
 #include "core/rt/Loop.h"
-#include "core/session/ServoLinks.h"
-#include "core/session/ServoTick.h"
-#include "core/session/StrokeWatch.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoLinks.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
+#include "core/servo/StrokeWatch.h"
 #include "haptics/HapticDevice.h"
 
 namespace haptics {
@@ -25,8 +27,8 @@ public:
 
     /// @param device, links, state  must outlive the loop
     /// @param period  beat of the loop, at most 50 ms; a tick of more counts as missed periods
-    ServoLoop(HapticDevice& device, std::unique_ptr<core::session::ServoTick> tick, core::session::ServoLinks& links,
-              core::rt::TripleBuffer<core::session::ServoState>& state, std::chrono::microseconds period);
+    ServoLoop(HapticDevice& device, std::unique_ptr<core::servo::ServoTick> tick, core::servo::ServoLinks& links,
+              core::rt::TripleBuffer<core::servo::ServoState>& state, std::chrono::microseconds period);
     ~ServoLoop() override;
 
     /// Publishes every tick what is heard of the bur. Before the first tick.
@@ -37,17 +39,17 @@ public:
     bool waitForBeat(std::chrono::steady_clock::time_point due) override { return m_device.waitForReading(due); }
 
     /// As of the last tick; for single-threaded use.
-    [[nodiscard]] const core::session::ServoState& state() const noexcept { return m_tick->state(); }
+    [[nodiscard]] const core::servo::ServoState& state() const noexcept { return m_tick->state(); }
     [[nodiscard]] const core::contact::LiveTooth* tooth() const noexcept { return m_tick->tooth(); }
 
 private:
-    void apply(const core::session::SwapTooth& swap) noexcept;
-    void apply(const core::session::SetBur& bur) noexcept;
-    void apply(const core::session::SetDrill& drill) noexcept;
-    void apply(const core::session::SetHandpiece& handpiece) noexcept;
-    void apply(const core::session::SetFixture& fixture) noexcept;
-    void apply(const core::session::BringHome& home) noexcept;
-    void apply(const core::session::SetNumber& number) noexcept;
+    void apply(const core::servo::SwapTooth& swap) noexcept;
+    void apply(const core::servo::SetBur& bur) noexcept;
+    void apply(const core::servo::SetDrill& drill) noexcept;
+    void apply(const core::servo::SetHandpiece& handpiece) noexcept;
+    void apply(const core::servo::SetFixture& fixture) noexcept;
+    void apply(const core::servo::BringHome& home) noexcept;
+    void apply(const core::servo::SetNumber& number) noexcept;
     void followPedal(const std::optional<bool>& pedal) noexcept;
     void turnBur(bool on) noexcept;
     void guide(double seconds) noexcept;
@@ -55,14 +57,14 @@ private:
     void forgetDelay() noexcept;
     void setSpring(std::uint64_t percent) noexcept;
     void setSpeed(std::uint64_t percent) noexcept;
-    void record(const core::session::ServoEvent& event) noexcept;
-    void markDirty(const core::drilling::CutRect& rect) noexcept;
+    void record(const core::servo::ServoEvent& event) noexcept;
+    void markDirty(const core::cutting::CutRect& rect) noexcept;
     void sendPatches() noexcept;
 
     HapticDevice& m_device;
-    std::unique_ptr<core::session::ServoTick> m_tick;
-    core::session::ServoLinks& m_links;
-    core::rt::TripleBuffer<core::session::ServoState>& m_stateOut;
+    std::unique_ptr<core::servo::ServoTick> m_tick;
+    core::servo::ServoLinks& m_links;
+    core::rt::TripleBuffer<core::servo::ServoState>& m_stateOut;
     std::chrono::microseconds m_period;
     core::rt::TripleBuffer<core::audio::SoundState>* m_soundOut = nullptr;  ///< null: nobody listens
     core::audio::ServoSound m_sound;
@@ -70,7 +72,7 @@ private:
     std::uint64_t m_generation = 0;
     std::uint64_t m_serial = 0;
     std::uint64_t m_missedPeriods = 0;
-    std::array<core::session::Pose, 16> m_trail{};
+    std::array<core::servo::Pose, 16> m_trail{};
     std::size_t m_nextPose = 0;
     std::uint32_t m_health = 0;
     std::array<float, 4> m_lateS{};  ///< what the device told last
@@ -88,9 +90,9 @@ private:
     std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile
     int m_tilesPerSide = 0;
     int m_ticksSinceSent = 0;
-    core::session::StrokeWatch m_stroke;
+    core::servo::StrokeWatch m_stroke;
     bool m_strokeEnded = false;
-    core::session::TilePatch m_patch;
+    core::servo::TilePatch m_patch;
 };
 
 }  // namespace haptics

@@ -50,7 +50,7 @@ void Ceds2011::step(const glm::vec3* device, std::chrono::microseconds dt) noexc
     m_state.touching = glm::dot(stretch, stretch) > 0.0;
     if (m_state.drillOn && m_state.touching) {
         const double pull = std::min(m_figures.stiffnessNPerMm * glm::length(stretch), m_figures.clampN);
-        const core::drilling::Cut cut =
+        const core::cutting::Cut cut =
             m_drill.cut(*m_tooth, m_state.anchorMm, m_lattice.cutTowards(m_state.deviceMm), pull, seconds);
         m_state.cutting = !cut.changed.isEmpty();
         for (std::size_t m = 0; m < cut.removedMm3.size(); ++m)

@@ -5,8 +5,8 @@
 
 #include "core/contact/LatticeContact.h"
 #include "core/contact/LiveTooth.h"
-#include "core/drilling/Drill.h"
-#include "core/session/Links.h"
+#include "core/cutting/Drill.h"
+#include "core/servo/ServoState.h"
 
 namespace lab {
 
@@ -35,7 +35,7 @@ struct CedsFigures
 /// Force of 2011 on the anchor of 2011: spring to the lattice anchor, backward-difference friction while the bur
 /// touches, force filter. Without what came after: no passivity control, no softening on delay, no ramp after a loss;
 /// a device that is lost gets no force. Removal is ours, so that scenes with the drill on compare contact and force.
-/// For the lab's comparisons only. Steps as core::session::ServoTick does.
+/// For the lab's comparisons only. Steps as core::servo::ServoTick does.
 class Ceds2011
 {
 public:
@@ -50,15 +50,15 @@ public:
     void step(const glm::vec3* device, std::chrono::microseconds dt) noexcept;
 
     /// Device, anchor, force, touching and cutting; the rest is as it began.
-    [[nodiscard]] const core::session::ServoState& state() const noexcept { return m_state; }
+    [[nodiscard]] const core::servo::ServoState& state() const noexcept { return m_state; }
     [[nodiscard]] const core::contact::LiveTooth* tooth() const noexcept { return m_tooth; }
 
 private:
     CedsFigures m_figures;
     core::contact::LatticeContact m_lattice;
-    core::drilling::Drill m_drill;
+    core::cutting::Drill m_drill;
     core::contact::LiveTooth* m_tooth = nullptr;
-    core::session::ServoState m_state;
+    core::servo::ServoState m_state;
     bool m_restart = true;
 };
 

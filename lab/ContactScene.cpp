@@ -12,7 +12,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "haptics/simulated/Simulation.h"
 #include "haptics/simulated/TickTimes.h"
 #include "lab/Block.h"
@@ -20,7 +20,7 @@
 namespace lab {
 namespace {
 
-using core::drilling::Bur;
+using core::bur::Bur;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kPushS = 0.15;
@@ -194,7 +194,7 @@ ContactScene slide(const Surface& surface, const Profile& ground, const ContactC
 ContactFamily planes(double degrees, const ContactConditions& conditions)
 {
     const double slope = std::tan(degrees * kDegree);
-    const double stand = standOff(core::drilling::burs()[conditions.bur], slope);
+    const double stand = standOff(core::bur::burs()[conditions.bur], slope);
     ContactFamily family;
     const auto row = [&](double rms, double most, double jump) {
         family.reachRmsUm = rms;
@@ -236,7 +236,7 @@ ContactFamily bowls(bool isFossa, const ContactConditions& conditions)
     Surface surface;
     surface.kind = Surface::Kind::Round;
     surface.height = isFossa ? cap : Profile([cap](double u) { return -cap(u); });
-    surface.clearance = offsetOf(surface.height, core::drilling::burs()[conditions.bur]);
+    surface.clearance = offsetOf(surface.height, core::bur::burs()[conditions.bur]);
     ContactFamily family{{}, {}, 3.0, 10.0, 0.02};
     for (const Lie& lie : kLies) {
         for (const double speed : {20.0, 100.0}) {
@@ -254,7 +254,7 @@ ContactFamily bowls(bool isFossa, const ContactConditions& conditions)
 ContactFamily grooves(double degrees, bool creaseOnNodes, const ContactConditions& conditions)
 {
     const double slope = std::tan(degrees * kDegree);
-    const double stand = standOff(core::drilling::burs()[conditions.bur], slope);
+    const double stand = standOff(core::bur::burs()[conditions.bur], slope);
     ContactFamily family;
     const double cell = kBlockExtentMm / conditions.side;
     family.reachRmsUm = creaseOnNodes ? 5.0 : 500.0 * slope * cell;
@@ -293,7 +293,7 @@ Profile overStep(double heightMm, const Bur& bur)
 
 ContactFamily walls(const ContactConditions& conditions)
 {
-    const Bur& shape = core::drilling::burs()[conditions.bur];
+    const Bur& shape = core::bur::burs()[conditions.bur];
     const double cell = kBlockExtentMm / conditions.side;
     ContactFamily family{{}, {}, 500.0 * cell, 1000.0 * cell, 0.1};
     for (const Lie& lie : kLies) {
@@ -316,7 +316,7 @@ ContactFamily walls(const ContactConditions& conditions)
 
 ContactFamily corners(const ContactConditions& conditions)
 {
-    const Bur& shape = core::drilling::burs()[conditions.bur];
+    const Bur& shape = core::bur::burs()[conditions.bur];
     const double cell = kBlockExtentMm / conditions.side;
     const double radius = shape.headRadiusMm;
     ContactFamily family{{}, {}, 500.0 * cell, 1000.0 * cell, 0.1};
@@ -347,7 +347,7 @@ ContactFamily corners(const ContactConditions& conditions)
 
 ContactFamily steps(double heightMm, const ContactConditions& conditions)
 {
-    const Bur& shape = core::drilling::burs()[conditions.bur];
+    const Bur& shape = core::bur::burs()[conditions.bur];
     const double cell = kBlockExtentMm / conditions.side;
     ContactFamily family{{}, {}, 500.0 * cell, 1000.0 * cell, 0.1};
     for (const Lie& lie : kLies) {
@@ -449,7 +449,7 @@ double ridgeHoldsN(const std::string& method, int cells, std::size_t bur, double
     constexpr double kMostN = 6.0;
     const double cell = kBlockExtentMm / kSide;
     const double half = 0.5 * cell * cells;
-    const double radius = core::drilling::burs()[bur].headRadiusMm;
+    const double radius = core::bur::burs()[bur].headRadiusMm;
     double least = kMostN;
     for (const Lie& lie : kLies) {
         const glm::dvec2 across = turned(lie.turnDeg);

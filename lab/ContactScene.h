@@ -60,7 +60,7 @@ struct ContactFamily
 struct ContactConditions
 {
     int side = core::terrain::kDefaultGridSide;  ///< columns a side, over kBlockExtentMm
-    std::size_t bur = 0;                         ///< index into drilling::burs()
+    std::size_t bur = 0;                         ///< index into bur::burs()
     double rateHz = 1000.0;                      ///< ticks a second; the hand moves as fast at any rate
 };
 

@@ -8,7 +8,7 @@
 namespace lab {
 namespace {
 
-using namespace core::session;
+using namespace core::servo;
 
 /// ServoLoop with nobody at the other end of its queues.
 class OurLoop final : public Contestant
@@ -91,7 +91,7 @@ std::span<const std::string_view> contestants()
     return kNames;
 }
 
-core::Status checkContestant(const core::session::ServoSettings& settings)
+core::Status checkContestant(const core::servo::ServoSettings& settings)
 {
     ServoSettings known = settings;
     if (known.method == kCeds2011)
@@ -101,7 +101,7 @@ core::Status checkContestant(const core::session::ServoSettings& settings)
     return {};
 }
 
-core::Result<std::unique_ptr<Contestant>> makeContestant(const core::session::ServoSettings& settings,
+core::Result<std::unique_ptr<Contestant>> makeContestant(const core::servo::ServoSettings& settings,
                                                          const CedsFigures& ceds, haptics::HapticDevice& device,
                                                          std::unique_ptr<core::contact::LiveTooth> tooth, bool drill,
                                                          std::chrono::microseconds period)

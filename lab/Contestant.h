@@ -6,7 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/HapticDevice.h"
 #include "lab/Ceds2011.h"
 
@@ -27,7 +28,7 @@ public:
     virtual void swapTooth(std::unique_ptr<core::contact::LiveTooth> tooth) = 0;
     /// The hand is to be led home, as far as it knows how; from the next tick on.
     virtual void bringHome() {}
-    [[nodiscard]] virtual const core::session::ServoState& state() const = 0;
+    [[nodiscard]] virtual const core::servo::ServoState& state() const = 0;
     [[nodiscard]] virtual const core::contact::LiveTooth& tooth() const = 0;
 };
 
@@ -39,10 +40,10 @@ inline constexpr std::string_view kCeds2011 = "ceds 2011";
 /// @param settings  of kCeds2011 only stiffness, clamp and hardness count
 /// @param device    must outlive it
 [[nodiscard]] core::Result<std::unique_ptr<Contestant>>
-makeContestant(const core::session::ServoSettings& settings, const CedsFigures& ceds, haptics::HapticDevice& device,
+makeContestant(const core::servo::ServoSettings& settings, const CedsFigures& ceds, haptics::HapticDevice& device,
                std::unique_ptr<core::contact::LiveTooth> tooth, bool drill, std::chrono::microseconds period);
 
 /// OutOfRange or UnknownName for settings that makeContestant() would refuse.
-[[nodiscard]] core::Status checkContestant(const core::session::ServoSettings& settings);
+[[nodiscard]] core::Status checkContestant(const core::servo::ServoSettings& settings);
 
 }  // namespace lab

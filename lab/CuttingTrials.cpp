@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/CuttingTrials.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,26 +30,26 @@ constexpr double kHandNPerMm = 0.7;
 class Servo
 {
 public:
-    Servo(std::shared_ptr<const terrain::ToothAnatomy> anatomy, const session::ServoSettings& settings, std::size_t bur,
+    Servo(std::shared_ptr<const terrain::ToothAnatomy> anatomy, const servo::ServoSettings& settings, std::size_t bur,
           double rateHz)
-        : m_tooth(terrain::Tooth(std::move(anatomy))), m_tick(session::makeServoTick(settings).value()),
+        : m_tooth(terrain::Tooth(std::move(anatomy))), m_tick(servo::makeServoTick(settings).value()),
           m_dt(std::llround(1.0e6 / rateHz))
     {
         m_tick->setBur(bur);
         m_tick->swapTooth(&m_tooth, true);
         m_tick->setDrill(true);
     }
-    const session::ServoState& step(const glm::dvec3& device)
+    const servo::ServoState& step(const glm::dvec3& device)
     {
         const glm::vec3 sample(device);
         m_tick->step(&sample, m_dt);
         return m_tick->state();
     }
-    [[nodiscard]] const session::ServoState& state() const { return m_tick->state(); }
+    [[nodiscard]] const servo::ServoState& state() const { return m_tick->state(); }
 
 private:
     contact::LiveTooth m_tooth;
-    std::unique_ptr<session::ServoTick> m_tick;
+    std::unique_ptr<servo::ServoTick> m_tick;
     std::chrono::microseconds m_dt;
 };
 
@@ -63,7 +64,7 @@ Scene sceneOf(const PaceTrial& trial)
 {
     const glm::dvec2 along(trial.towards);
     const double flat = glm::length(along);
-    const double radius = drilling::burs()[trial.bur].headRadiusMm;
+    const double radius = bur::burs()[trial.bur].headRadiusMm;
     const auto height = [&](glm::dvec2 p) { return flat > 0.0 && glm::dot(p, along) < 0.0 ? -4.0 : 0.0; };
     const auto layers = [&](glm::dvec2) { return allOf(trial.material); };
     const glm::dvec3 start = flat > 0.0 ? glm::dvec3(-along * ((radius + kOffWallMm) / flat), -kWallDepthMm)
@@ -74,7 +75,7 @@ Scene sceneOf(const PaceTrial& trial)
 /// Speed, mm/s, at which the law lets the bur of a trial advance.
 double lawfulSpeed(const PaceTrial& trial)
 {
-    const double radius = drilling::burs()[trial.bur].headRadiusMm;
+    const double radius = bur::burs()[trial.bur].headRadiusMm;
     const bool isDown = !(glm::length(glm::dvec2(trial.towards)) > 0.0);
     return lawfulMm3PerS(trial) /
            (isDown ? std::numbers::pi * radius * radius : sweptSectionMm2(trial.bur, kWallDepthMm));
@@ -153,7 +154,7 @@ Ripple measureRipple(const PaceTrial& trial, Feeder feeder)
     std::vector<glm::dvec3> force;
     const auto ticks = std::llround(trial.seconds * trial.rateHz);
     for (long long tick = 0; tick < ticks; ++tick) {
-        const session::ServoState& state = servo.step(device);
+        const servo::ServoState& state = servo.step(device);
         if (tick >= std::llround((trial.seconds - 2.0) * trial.rateHz))
             force.push_back(state.forceN);
         if (feeder == Feeder::Speed) {
@@ -185,13 +186,13 @@ double lawfulMm3PerS(const PaceTrial& trial)
 {
     const settings::HardnessPreset& preset = trial.settings.hardness;
     const settings::MaterialHardness& hardness = preset.material[static_cast<std::size_t>(trial.material)];
-    const drilling::Bur& bur = drilling::burs()[trial.bur];
+    const bur::Bur& bur = bur::burs()[trial.bur];
     const double share = preset.shareOfEnd(bur.hasFlatEnd());
     const double direction = share + (1.0 - share) * glm::length(glm::dvec2(trial.towards));
     const auto under = [&](double newtons) {
-        const double torque = drilling::kCuttingFriction * newtons * bur.headRadiusMm;
+        const double torque = cutting::kCuttingFriction * newtons * bur.headRadiusMm;
         const double speed =
-            trial.settings.handpieces.front().rpmUnder(torque) * bur.headRadiusMm / drilling::kReferenceRpmMm;
+            trial.settings.handpieces.front().rpmUnder(torque) * bur.headRadiusMm / cutting::kReferenceRpmMm;
         return hardness.rateMm3PerNs * std::max(0.0, newtons - hardness.thresholdN) * direction * speed;
     };
     return trial.newtons > preset.fullLoadN ? std::min(under(trial.newtons), under(preset.fullLoadN))

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoTick.h"
 
 namespace lab {
 
@@ -15,12 +15,12 @@ struct PaceTrial
 {
     int side = core::terrain::kDefaultGridSide;  ///< columns a side, over 10.5 mm
     double rateHz = 1000.0;                      ///< whole microseconds a tick
-    std::size_t bur = 1;                         ///< index into drilling::burs(): 330
+    std::size_t bur = 1;                         ///< index into bur::burs(): 330
     glm::dvec3 towards{0.0, 0.0, -1.0};          ///< unit vector of the feed, z not above 0
     double newtons = 1.0;
     double seconds = 2.0;
     core::terrain::Material material = core::terrain::Material::Enamel;
-    core::session::ServoSettings settings;
+    core::servo::ServoSettings settings;
 };
 
 /// Volume, mm3, that is removed in the trial. Straight down begins on the flat top of the block, any other feed beside

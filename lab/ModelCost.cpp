@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/contact/ContactMethod.h"
-#include "core/drilling/Drill.h"
+#include "core/cutting/Drill.h"
 #include "haptics/simulated/Simulation.h"
 #include "lab/VoxelTooth.h"
 
@@ -59,11 +59,11 @@ ModelCost millHeightStack(const std::shared_ptr<const terrain::ToothAnatomy>& an
         tooth.selectBur(bur);
         const auto contact = contact::makeContactMethod("continuous").value();
         contact->restart(places.front());
-        drilling::Drill drill(yielding, {});
+        cutting::Drill drill(yielding, {});
         for (const glm::dvec3& device : places) {
             const double started = haptics::threadCpuUs();
             const glm::dvec3 anchor = contact->update(tooth, device);
-            const drilling::Cut cut = drill.cut(tooth, anchor, device, 1.0, 1.0);
+            const cutting::Cut cut = drill.cut(tooth, anchor, device, 1.0, 1.0);
             contact->moveTo(cut.tipMm);
             cost.times.add(haptics::threadCpuUs() - started);
         }
@@ -75,7 +75,7 @@ ModelCost millHeightStack(const std::shared_ptr<const terrain::ToothAnatomy>& an
 ModelCost millVoxels(const terrain::ToothAnatomy& anatomy, std::size_t bur)
 {
     const VoxelTooth whole(anatomy);
-    const VoxelBur outline(drilling::burs()[bur]);
+    const VoxelBur outline(bur::burs()[bur]);
     ModelCost cost;
     cost.bytes = whole.bytes();
     for (std::size_t which = 0; which < kSlots; ++which) {

@@ -18,12 +18,12 @@ constexpr int kRestTicks = 200;  ///< before the hand sets off
 }  // namespace
 
 core::Result<std::vector<ForceChange>> forceChanges(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
-                                                    double yMm, const core::session::ServoSettings& settings)
+                                                    double yMm, const core::servo::ServoSettings& settings)
 {
-    auto made = core::session::makeServoTick(settings);
+    auto made = core::servo::makeServoTick(settings);
     if (!made)
         return tl::unexpected(made.error());
-    core::session::ServoTick& servo = **made;
+    core::servo::ServoTick& servo = **made;
     core::contact::LiveTooth uncut{core::terrain::Tooth(anatomy)};
     uncut.selectBur(kSmoothnessBur);
     core::contact::LiveTooth tooth{core::terrain::Tooth(anatomy)};

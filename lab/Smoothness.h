@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoTick.h"
 #include "core/terrain/Tooth.h"
 
 namespace lab {
@@ -32,7 +32,7 @@ inline constexpr std::size_t kSmoothnessBur = 1;  ///< the pear No. 330
 /// Errors: as of makeServoTick().
 [[nodiscard]] core::Result<std::vector<ForceChange>>
 forceChanges(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double yMm,
-             const core::session::ServoSettings& settings);
+             const core::servo::ServoSettings& settings);
 
 /// The value that 99 of 100 stay under; 0 of none.
 [[nodiscard]] double percentile99(std::vector<double> values);

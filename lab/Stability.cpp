@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/Stability.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +84,7 @@ private:
 std::unique_ptr<Contestant> contestantFor(const StabilityScene& scene, const StabilityTrial& trial,
                                           haptics::HapticDevice& device)
 {
-    core::session::ServoSettings settings = trial.settings;
+    core::servo::ServoSettings settings = trial.settings;
     haptics::falcon::addFalconFeel(settings.force);
     settings.force.vibrationN = 0.0;  // a tremble that is meant is none of the loop's
     return *makeContestant(settings, trial.ceds, device,
@@ -158,7 +159,7 @@ class Watch
 public:
     Watch(const StabilityScene& scene, std::size_t ticks) : m_scene(scene), m_band(kTickS) { m_grip.reserve(ticks); }
 
-    void add(double t, const core::session::ServoState& state, const glm::dvec3& grip)
+    void add(double t, const core::servo::ServoState& state, const glm::dvec3& grip)
     {
         const bool resting = t >= m_scene.seconds - kWatchedS;
         const bool steady =

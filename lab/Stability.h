@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "lab/Contestant.h"
 
@@ -59,7 +59,7 @@ struct StabilitySceneName
 
 struct StabilityTrial
 {
-    core::session::ServoSettings settings;  ///< contact method by name: one of contestants()
+    core::servo::ServoSettings settings;  ///< contact method by name: one of contestants()
     haptics::FalconFigures falcon;
     haptics::HandFigures hand = haptics::kHands[1];
     CedsFigures ceds;  ///< of method kCeds2011

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "lab/Contestant.h"
 
@@ -10,7 +10,7 @@ namespace lab {
 /// A servo, a device and a hand that act on each other.
 struct ClosedLoop
 {
-    core::session::ServoSettings settings;  ///< contact method by name: one of contestants()
+    core::servo::ServoSettings settings;  ///< contact method by name: one of contestants()
     haptics::FalconFigures falcon;
     haptics::HandFigures hand = haptics::kHands[1];
     double rateHz = 1000.0;

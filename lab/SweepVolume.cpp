@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Drill.h"
+#include "core/cutting/Drill.h"
 #include "lab/Block.h"
 
 namespace lab {
@@ -29,7 +29,7 @@ struct HalfSection
     double momentMm3;
 };
 
-HalfSection halfSection(const drilling::Bur& bur, double depthMm)
+HalfSection halfSection(const bur::Bur& bur, double depthMm)
 {
     const double flat = bur.flatRadiusMm();
     const double corner = bur.cornerMm;
@@ -117,11 +117,11 @@ Trial sweepOnce(const Way& way, int side, std::size_t bur, double depthMm, glm::
     tooth.selectBur(bur);
     settings::HardnessPreset yielding;
     yielding.material.fill({settings::kMaxRateMm3PerNs, 0.0});
-    drilling::Drill drill(yielding, {});
+    cutting::Drill drill(yielding, {});
     Trial trial;
     glm::dvec3 tip(way.at(0.0), 0.0);
     const auto cutTo = [&](const glm::dvec3& next) {
-        const drilling::Cut cut = drill.cut(tooth, tip, next, 1.0, 1.0);
+        const cutting::Cut cut = drill.cut(tooth, tip, next, 1.0, 1.0);
         for (const double volume : cut.removedMm3)
             trial.removedMm3 += volume;
         tip = next;
@@ -134,7 +134,7 @@ Trial sweepOnce(const Way& way, int side, std::size_t bur, double depthMm, glm::
         cutTo({way.at(way.lengthMm() * k / along), -depthMm});
 
     const terrain::Grid& grid = tooth.grid();
-    const drilling::Bur& shape = drilling::burs()[bur];
+    const bur::Bur& shape = bur::burs()[bur];
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
             const double away = way.distanceTo(grid.nodeMm(i, j));
@@ -166,13 +166,13 @@ std::string_view nameOf(Sweep sweep)
 
 double sweptMm3(Sweep sweep, std::size_t bur, double depthMm)
 {
-    const HalfSection half = halfSection(drilling::burs()[bur], depthMm);
+    const HalfSection half = halfSection(bur::burs()[bur], depthMm);
     return 2.0 * half.areaMm2 * Way(sweep, 0.0).lengthMm() + 2.0 * std::numbers::pi * half.momentMm3;
 }
 
 double sweptSectionMm2(std::size_t bur, double depthMm)
 {
-    return 2.0 * halfSection(drilling::burs()[bur], depthMm).areaMm2;
+    return 2.0 * halfSection(bur::burs()[bur], depthMm).areaMm2;
 }
 
 SweepErrors measureSweep(Sweep sweep, int side, std::size_t bur, double depthMm)

@@ -34,7 +34,7 @@ inline constexpr double kSweepDepthMm = 0.4;
 /// Sweeps a bur through a block of one material with removal that nothing limits and compares with closed form, over
 /// kSweepLies lies of the lattice: shifts that fill the cell evenly, and headings; a quarter of them along the lattice.
 /// @param side  columns a side, over 10.5 mm
-/// @param bur   index into drilling::burs()
+/// @param bur   index into bur::burs()
 [[nodiscard]] SweepErrors measureSweep(Sweep sweep, int side, std::size_t bur, double depthMm = kSweepDepthMm);
 
 inline constexpr int kSweepLies = 32;

@@ -13,7 +13,7 @@ constexpr std::size_t kTableSteps = 2048;
 
 }  // namespace
 
-VoxelBur::VoxelBur(const core::drilling::Bur& bur)
+VoxelBur::VoxelBur(const core::bur::Bur& bur)
     : m_radiusMm(bur.headRadiusMm), m_r2ToStep(kTableSteps / (bur.headRadiusMm * bur.headRadiusMm))
 {
     for (std::size_t step = 0; step <= kTableSteps; ++step) {

@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/terrain/Tooth.h"
 
 namespace lab {
@@ -16,7 +16,7 @@ namespace lab {
 class VoxelBur
 {
 public:
-    explicit VoxelBur(const core::drilling::Bur& bur);
+    explicit VoxelBur(const core::bur::Bur& bur);
 
     [[nodiscard]] double radiusMm() const noexcept { return m_radiusMm; }
     /// Heights above the tip between which the bur is, at the root of `r2` (up to radiusMm()).

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/grading/Columns.h"
 #include "core/preparation/BlockPreparation.h"
 #include "core/preparation/CapturedIdeal.h"
@@ -310,9 +310,9 @@ core::Result<core::recording::Recording> readExpert(const Assignment& assignment
     return recording;
 }
 
-core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
-                                           const core::settings::FeelPreset& preset,
-                                           const core::settings::ToothKind& kind)
+core::servo::ServoSettings servoSettings(const Lesson* lesson, core::servo::ServoSettings usual,
+                                         const core::settings::FeelPreset& preset,
+                                         const core::settings::ToothKind& kind)
 {
     core::settings::putForces(preset, usual.force);
     usual.hardness = core::settings::hardnessFor(preset, lesson != nullptr ? lesson->kind : kind);
@@ -350,21 +350,21 @@ core::session::Examination examinationOf(const Assignment& assignment)
     if (!assignment.lesson->burs.empty())
         watched.allowedBurs = 0;
     for (const std::string& bur : assignment.lesson->burs)
-        if (const auto index = core::drilling::findBur(bur))
+        if (const auto index = core::bur::findBur(bur))
             watched.allowedBurs |= std::uint64_t{1} << *index;
     return examination;
 }
 
 core::Result<Remarked>
 markAgain(const core::recording::Recording& recording,
-          const std::function<void(const core::session::ServoEvent&, const core::recording::Replayer&)>& afterEvent)
+          const std::function<void(const core::servo::ServoEvent&, const core::recording::Replayer&)>& afterEvent)
 {
     const auto assignment = assignmentOf(recording.anatomy(), recording.lesson());
     if (!assignment)
         return tl::unexpected(assignment.error());
     core::session::Examiner examiner(examinationOf(*assignment), recording.anatomy());
     auto outcome = core::recording::replay(
-        recording, [&](const core::session::ServoEvent& event, const core::recording::Replayer& servo) {
+        recording, [&](const core::servo::ServoEvent& event, const core::recording::Replayer& servo) {
             examiner.take(event, servo);
             if (afterEvent)
                 afterEvent(event, servo);

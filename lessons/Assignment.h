@@ -47,8 +47,8 @@ struct Assigned
 /// @param usual   what the device adds to the force law
 /// @param preset  in use in the school
 /// @param kind    of what lies there without a lesson
-[[nodiscard]] core::session::ServoSettings
-servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
+[[nodiscard]] core::servo::ServoSettings
+servoSettings(const Lesson* lesson, core::servo::ServoSettings usual,
               const core::settings::FeelPreset& preset = shippedPresets().front(),
               const core::settings::ToothKind& kind = {});
 
@@ -98,7 +98,7 @@ struct Conduct
 {
     core::grading::Process process;
     std::vector<core::grading::Infraction> infractions;
-    std::uint8_t aids = 0;                              ///< bits of core::session::Aid that were in use
+    std::uint8_t aids = 0;                              ///< bits of core::servo::Aid that were in use
     std::optional<core::grading::Practised> practised;  ///< of an exercise
 
     /// Sets what is measured of the way of an attempt.
@@ -125,8 +125,8 @@ struct Remarked
 /// Replays a recording, marks it for the lesson it was made for, and says what went wrong when: what was said while it
 /// was made, to the bit.
 /// @param afterEvent  as in core::recording::replay
-[[nodiscard]] core::Result<Remarked> markAgain(
-    const core::recording::Recording& recording,
-    const std::function<void(const core::session::ServoEvent&, const core::recording::Replayer&)>& afterEvent = {});
+[[nodiscard]] core::Result<Remarked>
+markAgain(const core::recording::Recording& recording,
+          const std::function<void(const core::servo::ServoEvent&, const core::recording::Replayer&)>& afterEvent = {});
 
 }  // namespace lessons

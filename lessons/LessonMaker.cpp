@@ -13,7 +13,7 @@
 #include <QJsonDocument>
 
 #include "core/base/NumberField.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/mesh/Placement.h"
 #include "core/preparation/AccessOpening.h"
 #include "core/preparation/CapturedIdeal.h"
@@ -489,7 +489,7 @@ private:
                 lesson.handpieces.push_back(*known);
         }
         for (const QString& bur : m_keys.names("burs")) {
-            if (const auto known = core::drilling::findBur(bur.toStdString()); !known)
+            if (const auto known = core::bur::findBur(bur.toStdString()); !known)
                 m_keys.fault("burs", core::wordsOf(known.error()));
             lesson.burs.push_back(bur.toStdString());
         }

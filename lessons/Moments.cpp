@@ -6,12 +6,12 @@
 #include <map>
 
 #include "core/recording/Replay.h"
-#include "core/session/StrokeWatch.h"
+#include "core/servo/StrokeWatch.h"
 
 namespace lessons {
 namespace {
 
-using core::session::ServoEvent;
+using core::servo::ServoEvent;
 
 constexpr std::uint64_t kTicksAMark = 1000;  ///< in a stroke that goes on
 constexpr std::uint64_t kTicksALook = 10;    ///< at time, force and the like
@@ -255,7 +255,7 @@ private:
     const Assignment& m_assignment;
     core::recording::Replayer& m_servo;
     core::session::Examiner m_examiner;
-    core::session::StrokeWatch m_watch;
+    core::servo::StrokeWatch m_watch;
     Rubric m_wayRubric;                    ///< the criteria that a tick without a cut can change
     std::vector<std::size_t> m_wayPlaces;  ///< where they stand in the whole rubric
     std::vector<Losses> m_losses;          ///< by criterion

@@ -34,7 +34,7 @@ QString nameOf(lessons::Moment::Kind kind)
 
 }  // namespace
 
-core::Status takePreset(const QString& nameOrFile, core::session::ServoSettings& settings)
+core::Status takePreset(const QString& nameOrFile, core::servo::ServoSettings& settings)
 {
     if (const auto shipped = core::settings::findHardnessPreset(nameOrFile.toStdString())) {
         settings.hardness = *shipped;

@@ -8,7 +8,7 @@
 #include "core/base/Result.h"
 #include "core/grading/MeasureTable.h"
 #include "core/grading/Referee.h"
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/simulated/TickTimes.h"
 #include "lessons/Moments.h"
 #include "lessons/ScoreSheet.h"
@@ -18,7 +18,7 @@ namespace app::cli {
 
 /// How a tooth feels: "natural" or "typodont", a preset's file (lessons/PresetFile.h), or one that the user has kept,
 /// by name. Of a file everything must be known.
-[[nodiscard]] core::Status takePreset(const QString& nameOrFile, core::session::ServoSettings& settings);
+[[nodiscard]] core::Status takePreset(const QString& nameOrFile, core::servo::ServoSettings& settings);
 
 /// The preset that an attempt was made with: "natural v1 #1a2b3c4d", and whether it was changed meanwhile.
 [[nodiscard]] QString presetText(const core::recording::Recording& recording);

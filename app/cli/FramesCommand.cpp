@@ -17,6 +17,8 @@
 #include "app/LoopThread.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/ServoLoop.h"
@@ -75,22 +77,23 @@ protected:
 /// Servo and session as in the program, with a hand that goes round in a circle over the tooth, working or hovering.
 struct Work
 {
-    core::session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     core::session::UiLinks links;
-    core::session::ServoLinks servoLinks;
-    core::rt::TripleBuffer<core::session::PointerInput> wish;
+    core::servo::ServoLinks servoLinks;
+    core::rt::TripleBuffer<core::servo::PointerInput> wish;
     haptics::PointerDevice device{wish, settings.force.stiffnessNPerMm, 1.0e-3};
     core::session::SessionLoop session{servoLinks, links, settings};
     haptics::ServoLoop servo;
     double angle = 0.0;
 
-    explicit Work(std::unique_ptr<core::session::ServoTick> tick)
+    explicit Work(std::unique_ptr<core::servo::ServoTick> tick)
         : servo(device, std::move(tick), servoLinks, links.servo, 1ms)
     {}
 
     void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy)
     {
         using namespace core::session;
+        using namespace core::servo;
         static_cast<void>(links.commands.tryPush(SetBur{1}));
         static_cast<void>(links.commands.tryPush(SetDrill{true}));
         static_cast<void>(links.commands.tryPush(ReplaceTooth{new core::terrain::Tooth(anatomy), 1}));
@@ -213,7 +216,7 @@ std::vector<double> latencies(Work& work, ui::tooth::ToothView& view)
 
 core::Result<QJsonObject> measure(QSize size)
 {
-    auto tick = core::session::makeServoTick({});
+    auto tick = core::servo::makeServoTick({});
     if (!tick)
         return tl::unexpected(tick.error());
     const auto tooth = core::teeth::buildTooth({kTooth}, {});

@@ -9,7 +9,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/LessonParts.h"
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 #include "core/recording/Recording.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
@@ -117,7 +117,7 @@ int listLessons(const QStringList& arguments)
 core::terrain::Tooth cutTo(const std::vector<float>& ideal, const lessons::Assignment& assignment)
 {
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
-    const auto lowest = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    const auto lowest = static_cast<float>(core::bur::lowestTipMm(anatomy));
     std::vector<float> top = ideal;
     for (std::size_t k = 0; k < top.size(); ++k) {
         if (!(top[k] < anatomy.top[k]))

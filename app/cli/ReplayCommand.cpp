@@ -77,7 +77,7 @@ int replayCommand(const QStringList& arguments)
     const auto tickTimes = std::make_unique<haptics::TickTimes>();
     double before = haptics::threadCpuUs();
     const auto remarked =
-        lessons::markAgain(*recording, [&](const core::session::ServoEvent& event, const core::recording::Replayer&) {
+        lessons::markAgain(*recording, [&](const core::servo::ServoEvent& event, const core::recording::Replayer&) {
             if (!core::recording::isStep(event))
                 return;
             const double now = haptics::threadCpuUs();

@@ -13,8 +13,9 @@
 #include "app/cli/Attempt.h"
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
-#include "core/drilling/Bur.h"
-#include "core/drilling/BurFile.h"
+#include "core/bur/Bur.h"
+#include "core/bur/BurFile.h"
+#include "core/servo/ServoState.h"
 #include "haptics/simulated/PathDevice.h"
 #include "haptics/simulated/Simulation.h"
 
@@ -65,7 +66,7 @@ public:
         return {};
     }
 
-    void row(double timeS, const core::session::ServoState& state)
+    void row(double timeS, const core::servo::ServoState& state)
     {
         number(timeS);
         for (const glm::dvec3& v : {state.deviceMm, state.anchorMm, state.forceN})
@@ -159,14 +160,14 @@ void addOptions(QCommandLineParser& parser)
 /// A bur by its name, else the user's own from a file of that name.
 core::Result<std::size_t> burOf(const std::string& name)
 {
-    auto known = core::drilling::findBur(name);
+    auto known = core::bur::findBur(name);
     std::error_code failure;
     if (known || !std::filesystem::exists(name, failure))
         return known;
-    auto own = core::drilling::readBur(name);
+    auto own = core::bur::readBur(name);
     if (!own)
         return tl::unexpected(std::move(own).error());
-    return core::drilling::addOwnBur(std::move(*own));
+    return core::bur::addOwnBur(std::move(*own));
 }
 
 core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLineParser& parser)
@@ -176,7 +177,7 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
         const auto bur = burOf(parser.value(QStringLiteral("bur")).toStdString());
         if (!bur)
             return tl::unexpected(bur.error());
-        if (core::drilling::isOwnBur(*bur) && !parser.value(QStringLiteral("record")).isEmpty())
+        if (core::bur::isOwnBur(*bur) && !parser.value(QStringLiteral("record")).isEmpty())
             return core::unexpected(core::ErrorCode::NotAllowed,
                                     "a bur of your own goes into no recording, for nobody else could replay it; leave "
                                     "out --record or --bur FILE");
@@ -207,12 +208,12 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
 std::optional<std::string> tooDeep(const core::recording::DevicePath& path, double highestMm)
 {
     const double firstMm = path.points.front().tipMm.z;
-    if (firstMm >= highestMm - core::drilling::kChuckMm)
+    if (firstMm >= highestMm - core::bur::kChuckMm)
         return std::nullopt;
     return QStringLiteral("the path begins at z %1 mm, but a handpiece stops on the crown before its bur is more than "
                           "%2 mm below the highest cusp; begin the path above the tooth")
         .arg(firstMm, 0, 'f', 2)
-        .arg(core::drilling::kChuckMm)
+        .arg(core::bur::kChuckMm)
         .toStdString();
 }
 
@@ -230,7 +231,7 @@ QString clashingFiles(const QCommandLineParser& parser)
                                          {"record", "path"},
                                          {"record", "tooth"},
                                          {"record", "preset"}}) {
-        const bool isName = other == std::string_view("bur") && core::drilling::findBur(file(other).string());
+        const bool isName = other == std::string_view("bur") && core::bur::findBur(file(other).string());
         if (!isName && !file(written).empty() && !file(other).empty() && core::isSameFile(file(written), file(other)))
             return QStringLiteral("--%1 would overwrite the file given with --%2; name another")
                 .arg(QLatin1String(written), QLatin1String(other));
@@ -305,10 +306,10 @@ int simulateCommand(const QStringList& arguments)
     std::uint64_t passedOver = 0;
     const auto outcome = haptics::simulate(
         tooth->anatomy, device, ticks, *options,
-        [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) {
+        [&](std::uint64_t tick, const core::servo::ServoState&, const core::terrain::Tooth&) {
             return drillCursor.at(static_cast<double>(tick) / options->rateHz).drill || drillAlways;
         },
-        [&](std::uint64_t tick, const core::session::ServoState& state) {
+        [&](std::uint64_t tick, const core::servo::ServoState& state) {
             const double timeS = static_cast<double>(tick) / options->rateHz;
             if (glm::vec3(handCursor.at(timeS).tipMm) != glm::vec3(state.deviceMm))
                 ++passedOver;

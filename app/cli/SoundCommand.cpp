@@ -10,8 +10,9 @@
 #include "core/audio/Synthesizer.h"
 #include "core/audio/WaveFile.h"
 #include "core/base/WholeFile.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/recording/DevicePath.h"
+#include "core/servo/ServoState.h"
 #include "haptics/simulated/PathDevice.h"
 #include "haptics/simulated/Simulation.h"
 
@@ -73,7 +74,7 @@ core::Result<SoundWish> soundWish(const QCommandLineParser& parser)
         return tl::unexpected(build.error());
     wish.build = *build;
     if (parser.isSet(QStringLiteral("bur"))) {
-        const auto bur = core::drilling::findBur(parser.value(QStringLiteral("bur")).toStdString());
+        const auto bur = core::bur::findBur(parser.value(QStringLiteral("bur")).toStdString());
         if (!bur)
             return tl::unexpected(bur.error());
         wish.simulation.burIndex = *bur;
@@ -123,10 +124,10 @@ core::Result<RenderedSound> render(const SoundWish& wish)
     core::recording::PathCursor cursor(*path);
     const auto outcome = haptics::simulate(
         tooth->anatomy, device, ticks, wish.simulation,
-        [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) {
+        [&](std::uint64_t tick, const core::servo::ServoState&, const core::terrain::Tooth&) {
             return wish.drillAlways || cursor.at(static_cast<double>(tick) * kTickS).drill;
         },
-        [&](std::uint64_t, const core::session::ServoState& state) {
+        [&](std::uint64_t, const core::servo::ServoState& state) {
             append(heard.update(state, wish.simulation.settings.handpieces.front(), kTickS));
         });
     if (!outcome)

@@ -25,13 +25,13 @@ double shareOfMean(double seconds, double timeS) noexcept
 
 }  // namespace
 
-SoundState ServoSound::update(const session::ServoState& state, const settings::Handpiece& handpiece,
+SoundState ServoSound::update(const servo::ServoState& state, const settings::Handpiece& handpiece,
                               double seconds) noexcept
 {
     if (!(seconds > 0.0))
         return m_sound;
     m_sound.drive = driveOf(handpiece.freeRpm);
-    m_sound.turns = state.drillOn && (state.health & session::kDeviceLost) == 0;
+    m_sound.turns = state.drillOn && (state.health & servo::kDeviceLost) == 0;
     m_sound.freeRpm = static_cast<float>(handpiece.freeRpm);
     m_sound.burRpm = static_cast<float>(state.burRpm);
     m_sound.material = state.materialUnderBur;

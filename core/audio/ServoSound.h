@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/audio/SoundState.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/settings/Handpiece.h"
 
 namespace core::audio {
@@ -15,7 +15,7 @@ class ServoSound
 {
 public:
     /// @param seconds  since the state before
-    [[nodiscard]] SoundState update(const session::ServoState& state, const settings::Handpiece& handpiece,
+    [[nodiscard]] SoundState update(const servo::ServoState& state, const settings::Handpiece& handpiece,
                                     double seconds) noexcept;
 
 private:

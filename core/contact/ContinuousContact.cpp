@@ -56,14 +56,14 @@ HalfSpace tangentAt(glm::dvec2 at, const Touch& touch)
 }
 
 /// True if a bur on its way meets a side with its own upright one, not with its end.
-bool isBeside(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& side)
+bool isBeside(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& side)
 {
     return side.onMm.z - std::max(from.z, to.z) >= mask.sideMm;
 }
 
 /// The plane that keeps a tip at `from`, which is free, out of what it would enter on its straight way to `to`: the
 /// tangent at `to` where the ground is smooth, else where the bur meets the point that carries it.
-HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
+HalfSpace planeBetween(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
     const auto radiusMm = static_cast<double>(mask.radiusMm);
     if (touch.isSide() && isBeside(mask, from, to, touch))
@@ -103,7 +103,7 @@ HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, co
 
 /// True if a tip at `to` is stopped by a side that the tip at `from` already stands behind: the side goes round a
 /// corner between them, and it is the corner that stops the tip first.
-bool isRoundCorner(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
+bool isRoundCorner(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
     if (!touch.isSide() || !(touch.heightMm > to.z + kRounding))
         return false;

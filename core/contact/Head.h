@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/drilling/BurMask.h"
+#include "core/bur/BurMask.h"
 
 /// A bur's head over the columns around it. One formula for every kernel, for contact and for cutting: what stops the
 /// bur must be, to the bit, what it cuts.
@@ -16,7 +16,7 @@ namespace core::contact {
 /// A head with its axis at (u, v), in lattice units.
 struct Head
 {
-    const drilling::BurMask& mask;
+    const bur::BurMask& mask;
     float u;
     float v;
     float cell;  ///< mm
@@ -28,9 +28,9 @@ struct Head
     float cone;
 };
 
-inline constexpr auto kLastStep = static_cast<float>(drilling::BurMask::kTableSteps);
+inline constexpr auto kLastStep = static_cast<float>(bur::BurMask::kTableSteps);
 
-[[maybe_unused]] static inline Head headAt(const drilling::BurMask& mask, double cellMm, double u, double v) noexcept
+[[maybe_unused]] static inline Head headAt(const bur::BurMask& mask, double cellMm, double u, double v) noexcept
 {
     const auto corner = static_cast<float>(mask.cornerMm);
     return {mask,
@@ -63,7 +63,7 @@ inline constexpr auto kLastStep = static_cast<float>(drilling::BurMask::kTableSt
 [[maybe_unused]] static inline float underAt(float r2, const Head& head) noexcept
 {
     if (!(r2 <= head.radius2))
-        return drilling::BurMask::kAbsent;
+        return bur::BurMask::kAbsent;
     const float past = std::sqrt(r2) - head.flat;
     const float out = past > 0.0F ? past : 0.0F;
     const float round = out < head.bend ? out : head.bend;
@@ -74,7 +74,7 @@ inline constexpr auto kLastStep = static_cast<float>(drilling::BurMask::kTableSt
 [[maybe_unused]] static inline float upperAt(float r2, const Head& head) noexcept
 {
     if (!(r2 <= head.radius2))
-        return -drilling::BurMask::kAbsent;
+        return -bur::BurMask::kAbsent;
     const float step = r2 * head.mask.r2ToStep;
     return head.mask.upperOfR2[static_cast<std::size_t>(step < kLastStep ? step : kLastStep)];
 }

@@ -50,15 +50,15 @@ struct Room
 /// What is known beforehand of a maximum, and what need not be found out. Neither changes an answer that matters.
 struct Search
 {
-    float atLeast = -drilling::BurMask::kAbsent;  ///< some column under the head gives this much
-    float spread = 0.0F;                          ///< columns this much below the largest, and lower, may be left out
-    float enough = drilling::BurMask::kAbsent;    ///< any value above this may be given as any other above it
+    float atLeast = -bur::BurMask::kAbsent;  ///< some column under the head gives this much
+    float spread = 0.0F;                     ///< columns this much below the largest, and lower, may be left out
+    float enough = bur::BurMask::kAbsent;    ///< any value above this may be given as any other above it
 };
 
 /// A maximum over columns, and one that gave it.
 struct Peak
 {
-    float value = -drilling::BurMask::kAbsent;
+    float value = -bur::BurMask::kAbsent;
     int i = -1;  ///< -1 if there was none
     int j = -1;
 };
@@ -128,9 +128,9 @@ struct Kernels
     const char* name;  ///< "plain" or "avx2"
     /// The largest valueOver() in each quarter of the head, with its axis at (u, v) in lattice units: from the top map
     /// and from the bottom map.
-    Peaks (*highestAtPoint)(const HeightView& top, const drilling::BurMask& mask, double cellMm, double u, double v,
+    Peaks (*highestAtPoint)(const HeightView& top, const bur::BurMask& mask, double cellMm, double u, double v,
                             const Search& wanted) noexcept;
-    Peaks (*lowestAtPoint)(const HeightView& bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
+    Peaks (*lowestAtPoint)(const HeightView& bottom, const bur::BurMask& mask, double cellMm, double u, double v,
                            const Search& wanted) noexcept;
     /// The room around the height `tipMm`: LiveTooth::roomAt().
     Room (*roomAt)(const HeightView& top, const HeightView& bottom, const Head& head, float tipMm,

@@ -8,9 +8,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/bur/Reach.h"
 #include "core/contact/Head.h"
 #include "core/contact/Lengths.h"
-#include "core/drilling/Reach.h"
 
 namespace core::contact {
 namespace {
@@ -37,7 +37,7 @@ const Peak& highestOf(const Peaks& peaks)
 }
 
 /// Where ground with `slope` carries a bur whose axis is at p.
-glm::dvec2 footOn(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
+glm::dvec2 footOn(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
 {
     const double steep = std::sqrt(slope.x * slope.x + slope.y * slope.y);
     return steep > 0.0 ? p + slope * (mask.standsAt(steep) / steep) : p;
@@ -45,7 +45,7 @@ glm::dvec2 footOn(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
 
 /// From a place on ground that has `slope` there and bends, towards where the ground has the slope that the bur has:
 /// Newton's step, or, where that leads to no maximum, to where ground with this slope would carry the bur.
-glm::dvec2 stepToFoot(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm::dvec2 slope, glm::dvec2 bend,
+glm::dvec2 stepToFoot(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm::dvec2 slope, glm::dvec2 bend,
                       double twist)
 {
     const glm::dvec2 error = footOn(mask, p, slope) - at;
@@ -83,13 +83,13 @@ int nearestTo(double place)
 }  // namespace
 
 LiveTooth::LiveTooth(terrain::Tooth tooth)
-    : m_tooth(std::move(tooth)), m_sides(*m_tooth.anatomy), m_floorMm(drilling::lowestTipMm(*m_tooth.anatomy)),
+    : m_tooth(std::move(tooth)), m_sides(*m_tooth.anatomy), m_floorMm(bur::lowestTipMm(*m_tooth.anatomy)),
       m_kernels(contact::kernels())
 {
-    for (const drilling::Bur& bur : drilling::burs())
+    for (const bur::Bur& bur : bur::burs())
         m_masks.emplace_back(bur, grid().cellMm);
     std::size_t widest = 0;
-    for (const drilling::BurMask& mask : m_masks)
+    for (const bur::BurMask& mask : m_masks)
         widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
     widest += 2;  // and those that a cell's advance adds
     m_columnsRoom.resize(widest * (widest / kBlock + 1));
@@ -199,7 +199,7 @@ Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     const float spread = kSpikeShare * static_cast<float>(grid().cellMm);
-    Search wanted{-drilling::BurMask::kAbsent, spread, static_cast<float>(enough)};
+    Search wanted{-bur::BurMask::kAbsent, spread, static_cast<float>(enough)};
     if (const Peak last = lastPeakAt(lattice); last.i >= 0) {
         wanted.atLeast = last.value;
         if (last.value > wanted.enough)  // the bur has moved by a fraction of a cell: mostly it is the highest still
@@ -333,7 +333,7 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
 double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
-    Search wanted{-drilling::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
+    Search wanted{-bur::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
     const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
     // What hung lowest a tick ago mostly does still, and what stops the bur from above mostly reaches down beside it.
     for (const Peak& last : {m_lowest, m_peak}) {

@@ -10,11 +10,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/bur/BurMask.h"
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "core/contact/Touch.h"
 #include "core/contact/UprightSides.h"
-#include "core/drilling/BurMask.h"
 #include "core/terrain/Tooth.h"
 
 namespace core::contact {
@@ -40,13 +40,13 @@ public:
 
     [[nodiscard]] const terrain::Tooth& tooth() const noexcept { return m_tooth; }
     [[nodiscard]] const terrain::Grid& grid() const noexcept { return m_tooth.anatomy->grid; }
-    [[nodiscard]] const drilling::BurMask& mask() const noexcept { return m_masks[m_bur]; }
+    [[nodiscard]] const bur::BurMask& mask() const noexcept { return m_masks[m_bur]; }
     [[nodiscard]] std::size_t burIndex() const noexcept { return m_bur; }
 
     /// Deepest the tip gets anywhere, mm: there the head of the handpiece lies on the highest cusp of the uncut crown.
     [[nodiscard]] double floorMm() const noexcept { return m_floorMm; }
 
-    /// Takes another bur in hand: index into drilling::burs().
+    /// Takes another bur in hand: index into bur::burs().
     void selectBur(std::size_t index) noexcept
     {
         m_bur = index;
@@ -144,7 +144,7 @@ private:
 
     terrain::Tooth m_tooth;
     UprightSides m_sides;
-    std::vector<drilling::BurMask> m_masks;
+    std::vector<bur::BurMask> m_masks;
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;
     std::uint64_t m_revision = 0;

@@ -141,7 +141,7 @@ UprightSides::UprightSides(const terrain::ToothAnatomy& anatomy)
     m_first.push_back(static_cast<std::uint32_t>(m_posts.size()));
 
     double widest = 0.0;
-    for (const drilling::Bur& bur : drilling::burs())
+    for (const bur::Bur& bur : bur::burs())
         widest = std::max(widest, bur.headRadiusMm);
     const auto reach = static_cast<int>(std::ceil(kReachShare * widest / grid.cellMm / kBlock)) + 1;
     m_hasNear.assign(blocks, 0);
@@ -210,7 +210,7 @@ std::size_t UprightSides::nodesNear(glm::dvec2 pointMm, const terrain::Tooth& to
     return count;
 }
 
-UprightSides::Reach::Reach(const terrain::Grid& grid, const drilling::BurMask& mask)
+UprightSides::Reach::Reach(const terrain::Grid& grid, const bur::BurMask& mask)
     : radius(static_cast<double>(mask.radiusMm)), chord(std::min(kChordCells * grid.cellMm, kChordShare * radius))
 {
     const double proud = chord * chord / (8.0 * radius);  // of its ends, the middle of a chord
@@ -243,7 +243,7 @@ bool UprightSides::footBetween(glm::dvec2 pointMm, const Node& one, const Node& 
     return true;
 }
 
-Touch UprightSides::touchOf(glm::dvec2 pointMm, const drilling::BurMask& mask, const Foot& foot) noexcept
+Touch UprightSides::touchOf(glm::dvec2 pointMm, const bur::BurMask& mask, const Foot& foot) noexcept
 {
     const glm::dvec2 out = pointMm - foot.place;
     const double apart = lengthOf(out);
@@ -271,7 +271,7 @@ void UprightSides::eachFoot(glm::dvec2 pointMm, const Reach& reach, std::span<co
     }
 }
 
-Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const drilling::BurMask& mask,
+Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const bur::BurMask& mask,
                             const Touch& below) const noexcept
 {
     const Reach reach(tooth.grid(), mask);
@@ -299,7 +299,7 @@ Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, con
 }
 
 Touch UprightSides::besideAt(glm::dvec2 pointMm, double tipMm, const terrain::Tooth& tooth,
-                             const drilling::BurMask& mask) const noexcept
+                             const bur::BurMask& mask) const noexcept
 {
     const Reach reach(tooth.grid(), mask);
     Nodes nodes;

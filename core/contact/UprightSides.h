@@ -9,8 +9,8 @@
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec2.hpp>
 
+#include "core/bur/BurMask.h"
 #include "core/contact/Touch.h"
-#include "core/drilling/BurMask.h"
 #include "core/terrain/Tooth.h"
 
 namespace core::contact {
@@ -31,13 +31,13 @@ public:
 
     /// What a bur let down over a point comes to stand on, if that is a side; else `below` again.
     /// @param below  what is known to carry the bur there
-    [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const drilling::BurMask& mask,
+    [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const bur::BurMask& mask,
                                 const Touch& below) const noexcept;
 
     /// Of the sides that stand beside a bur whose tip is at `tipMm` over a point, and not wholly above it, the one that
     /// comes nearest to its axis; none if it is no isSide().
     [[nodiscard]] Touch besideAt(glm::dvec2 pointMm, double tipMm, const terrain::Tooth& tooth,
-                                 const drilling::BurMask& mask) const noexcept;
+                                 const bur::BurMask& mask) const noexcept;
 
 private:
     static constexpr int kBlock = 8;
@@ -56,7 +56,7 @@ private:
     /// How far around its axis a bur asks for posts, mm.
     struct Reach
     {
-        Reach(const terrain::Grid& grid, const drilling::BurMask& mask);
+        Reach(const terrain::Grid& grid, const bur::BurMask& mask);
         double radius;
         double chord;     ///< longest
         double farthest;  ///< end of a chord that it may touch
@@ -70,7 +70,7 @@ private:
     template <class Take, class MayCount>
     static void eachFoot(glm::dvec2 pointMm, const Reach& reach, std::span<const Node> nodes, Take&& take,
                          MayCount&& mayCount) noexcept;
-    [[nodiscard]] static Touch touchOf(glm::dvec2 pointMm, const drilling::BurMask& mask, const Foot& foot) noexcept;
+    [[nodiscard]] static Touch touchOf(glm::dvec2 pointMm, const bur::BurMask& mask, const Foot& foot) noexcept;
 
     /// A point of a side.
     struct Post

@@ -73,11 +73,11 @@ std::optional<Answer> answerOf(std::uint64_t note)
 ExerciseMeter::ExerciseMeter(Exercise exercise) : m_exercise(std::move(exercise)), m_practised(nothingDone(m_exercise))
 {}
 
-void ExerciseMeter::take(const session::ServoState& state, std::chrono::microseconds dt)
+void ExerciseMeter::take(const servo::ServoState& state, std::chrono::microseconds dt)
 {
     m_time += std::max(dt, 0us);
     const double newtons = std::sqrt(glm::dot(state.forceN, state.forceN));
-    const bool touches = state.touching && !state.drillOn && (state.health & session::kDeviceLost) == 0 &&
+    const bool touches = state.touching && !state.drillOn && (state.health & servo::kDeviceLost) == 0 &&
                          std::isfinite(newtons + state.anchorMm.x + state.anchorMm.y);
     if (const auto* touch = std::get_if<PointsToTouch>(&m_exercise); touch != nullptr && touches)
         take(*touch, state.anchorMm, newtons);

@@ -10,7 +10,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 
 /// Exercises of the first five minutes, in which nothing is to be prepared: a hand learns to find a place, to hold a
 /// force and to tell tissues apart.
@@ -106,7 +106,7 @@ public:
     explicit ExerciseMeter(Exercise exercise);
 
     /// The state after a tick of `dt`. Without a device nothing is touched or held.
-    void take(const session::ServoState& state, std::chrono::microseconds dt);
+    void take(const servo::ServoState& state, std::chrono::microseconds dt);
     /// A note on the recording; one that is no answer is nothing here.
     void noted(std::uint64_t note);
 

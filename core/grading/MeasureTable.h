@@ -23,7 +23,7 @@ struct Measured
     std::optional<Process> process;      ///< nothing without a recording
     std::optional<int> neighbourHits;    ///< times the turning bur touched a tooth beside; nothing without a recording
     std::optional<int> infractions;      ///< against the lesson's rules; nothing without a recording
-    std::optional<int> aidsUsed;         ///< how many of session::Aid; nothing without a recording
+    std::optional<int> aidsUsed;         ///< how many of servo::Aid; nothing without a recording
     std::optional<Practised> practised;  ///< nothing without an exercise and a recording
 };
 

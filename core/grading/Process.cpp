@@ -45,12 +45,12 @@ double ProcessMeter::Way::goTo(const glm::dvec3& placeMm) noexcept
     return way;
 }
 
-void ProcessMeter::take(const session::ServoState& state, std::chrono::microseconds dt) noexcept
+void ProcessMeter::take(const servo::ServoState& state, std::chrono::microseconds dt) noexcept
 {
     const Micros step = std::max<Micros>(0, dt.count());
     m_total += step;
     const bool isSound = std::isfinite(lengthOf(state.deviceMm) + lengthOf(state.anchorMm) + lengthOf(state.forceN));
-    if ((state.health & session::kDeviceLost) != 0 || !isSound)
+    if ((state.health & servo::kDeviceLost) != 0 || !isSound)
         return;
     takeStroke(state, step);
     takeContact(state, step);
@@ -70,7 +70,7 @@ void ProcessMeter::interrupted() noexcept
     forgetMotion();
 }
 
-void ProcessMeter::takeStroke(const session::ServoState& state, Micros dt) noexcept
+void ProcessMeter::takeStroke(const servo::ServoState& state, Micros dt) noexcept
 {
     const Micros idle = m_total - (state.cutting ? dt : 0) - m_lastCut;
     if (m_strokeBegan >= 0 && idle >= kStrokeGapUs)
@@ -106,7 +106,7 @@ void ProcessMeter::endStroke() noexcept
     m_strokeBegan = -1;
 }
 
-void ProcessMeter::takeContact(const session::ServoState& state, Micros dt) noexcept
+void ProcessMeter::takeContact(const servo::ServoState& state, Micros dt) noexcept
 {
     if (!state.touching) {
         m_offFor += dt;
@@ -141,7 +141,7 @@ void ProcessMeter::forgetMotion() noexcept
     m_blockCount = 0;
 }
 
-void ProcessMeter::takeJerk(const session::ServoState& state, Micros dt) noexcept
+void ProcessMeter::takeJerk(const servo::ServoState& state, Micros dt) noexcept
 {
     if (!state.drillOn) {
         forgetMotion();

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 
 namespace core::grading {
 
@@ -67,7 +67,7 @@ public:
     explicit ProcessMeter(double forceLimitN) noexcept : m_forceLimitN(forceLimitN) {}
 
     /// The state after a tick of `dt`. Ticks without a device count as time and as nothing else.
-    void take(const session::ServoState& state, std::chrono::microseconds dt) noexcept;
+    void take(const servo::ServoState& state, std::chrono::microseconds dt) noexcept;
     /// The tooth was put back to an earlier state.
     void undone() noexcept;
     /// Ticks are left out: where the hand is next it has not gone in the attempt.
@@ -91,9 +91,9 @@ private:
         glm::dvec3 m_fromMm{0.0};
         bool m_begun = false;
     };
-    void takeStroke(const session::ServoState& state, Micros dt) noexcept;
-    void takeContact(const session::ServoState& state, Micros dt) noexcept;
-    void takeJerk(const session::ServoState& state, Micros dt) noexcept;
+    void takeStroke(const servo::ServoState& state, Micros dt) noexcept;
+    void takeContact(const servo::ServoState& state, Micros dt) noexcept;
+    void takeJerk(const servo::ServoState& state, Micros dt) noexcept;
     void forgetMotion() noexcept;
     void endStroke() noexcept;
     [[nodiscard]] Process::Force force() const noexcept;

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/grading/Columns.h"
 #include "core/grading/Perforation.h"
 #include "core/teeth/Lattice.h"
@@ -83,7 +83,7 @@ void Referee::find(Breach breach, double value, double limit)
     m_found.push_back(infraction);
 }
 
-std::vector<Infraction> Referee::look(const session::ServoState& state, const drilling::CutRect& changed,
+std::vector<Infraction> Referee::look(const servo::ServoState& state, const cutting::CutRect& changed,
                                       const terrain::Tooth& tooth, std::chrono::microseconds dt)
 {
     m_found.clear();
@@ -92,7 +92,7 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
     m_now.seconds = std::chrono::duration<double>(m_time).count();
     m_now.placeMm = state.anchorMm;
     // Without a device there is no bur, neither in the air nor anywhere: it is time and nothing else.
-    if ((state.health & session::kDeviceLost) != 0) {
+    if ((state.health & servo::kDeviceLost) != 0) {
         m_pressed = {};
         return {};
     }
@@ -131,12 +131,12 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
     return std::exchange(m_found, {});
 }
 
-void Referee::lookBeside(const session::ServoState& state)
+void Referee::lookBeside(const servo::ServoState& state)
 {
-    if (!m_rules.neighbours || state.burIndex >= drilling::burs().size())
+    if (!m_rules.neighbours || state.burIndex >= bur::burs().size())
         return;
     const terrain::HeightMaps& beside = *m_rules.neighbours;
-    const drilling::Bur& bur = drilling::burs()[state.burIndex];
+    const bur::Bur& bur = bur::burs()[state.burIndex];
     const double radius = bur.headRadiusMm - kGrazeMm;
     const glm::dvec2 at = beside.grid.latticeOf({state.anchorMm.x, state.anchorMm.y});
     const double reach = radius / beside.grid.cellMm;
@@ -169,7 +169,7 @@ bool Referee::hasHole(const terrain::Tooth& tooth) const
     return std::find(holes.begin(), holes.end(), 1) != holes.end();
 }
 
-void Referee::lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth& tooth)
+void Referee::lookAtColumns(const cutting::CutRect& rect, const terrain::Tooth& tooth)
 {
     const Grid& grid = tooth.grid();
     for (int j = rect.j0; j <= rect.j1; ++j) {

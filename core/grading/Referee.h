@@ -10,9 +10,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/drilling/Drill.h"
+#include "core/cutting/Drill.h"
 #include "core/grading/IdealCavity.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/terrain/Rasteriser.h"
 
 namespace core::grading {
@@ -78,7 +78,7 @@ public:
 
     /// After a step: the new infractions, few if any.
     /// @param changed  columns that the step lowered
-    [[nodiscard]] std::vector<Infraction> look(const session::ServoState& state, const drilling::CutRect& changed,
+    [[nodiscard]] std::vector<Infraction> look(const servo::ServoState& state, const cutting::CutRect& changed,
                                                const terrain::Tooth& tooth, std::chrono::microseconds dt);
     /// The tooth was put back to an earlier state.
     void restored(const terrain::Tooth& tooth);
@@ -86,8 +86,8 @@ public:
 private:
     static constexpr std::size_t kBreaches = 9;
 
-    void lookBeside(const session::ServoState& state);
-    void lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth& tooth);
+    void lookBeside(const servo::ServoState& state);
+    void lookAtColumns(const cutting::CutRect& rect, const terrain::Tooth& tooth);
     [[nodiscard]] bool hasHole(const terrain::Tooth& tooth) const;
     void find(Breach breach, double value, double limit);
     [[nodiscard]] bool& standing(Breach breach) { return m_standing[static_cast<std::size_t>(breach)]; }

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/teeth/Lattice.h"
 
 namespace core::guidance {
@@ -40,7 +40,7 @@ Fixture::Fixture(const terrain::ToothAnatomy& anatomy, const std::vector<float>&
         marked[k] = ideal[k] < anatomy.top[k] ? 1 : 0;
     const std::vector<float> inside = teeth::distanceInside(m_grid, marked);
     std::vector<double> radiiMm;
-    for (const drilling::Bur& bur : drilling::burs()) {
+    for (const bur::Bur& bur : bur::burs()) {
         const auto known = std::find(radiiMm.begin(), radiiMm.end(), bur.headRadiusMm);
         m_mapOfBur.push_back(static_cast<std::size_t>(known - radiiMm.begin()));
         if (known != radiiMm.end())

@@ -7,7 +7,7 @@
 namespace core::guidance {
 
 std::optional<double> marginMm(const terrain::ToothAnatomy& anatomy, const std::vector<float>& ideal,
-                               const drilling::Bur& bur, const glm::dvec3& tip)
+                               const bur::Bur& bur, const glm::dvec3& tip)
 {
     const terrain::Grid& grid = anatomy.grid;
     const glm::dvec2 at = grid.latticeOf({tip.x, tip.y});

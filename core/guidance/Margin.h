@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/grading/IdealCavity.h"
 
 /// What is told about the ideal while the student works.
@@ -20,7 +20,7 @@ inline constexpr double kToldMm = 1.0;
 /// @param ideal  of this anatomy; not null
 /// @param tip    of the bur, tooth frame, mm
 [[nodiscard]] std::optional<double> marginMm(const terrain::ToothAnatomy& anatomy, const std::vector<float>& ideal,
-                                             const drilling::Bur& bur, const glm::dvec3& tip);
+                                             const bur::Bur& bur, const glm::dvec3& tip);
 
 /// How far the work has come: sums over columns, mm3.
 struct Progress

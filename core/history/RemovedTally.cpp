@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/RemovedTally.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 
@@ -7,7 +8,7 @@
 
 namespace core::history {
 
-using session::kTileSide;
+using servo::kTileSide;
 
 RemovedTally::RemovedTally(std::shared_ptr<const terrain::ToothAnatomy> anatomy) : m_anatomy(std::move(anatomy)) {}
 

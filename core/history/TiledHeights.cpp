@@ -6,7 +6,7 @@
 namespace core::history {
 namespace {
 
-using session::kTileSide;
+using servo::kTileSide;
 
 }  // namespace
 
@@ -68,15 +68,15 @@ std::vector<float> TiledHeights::flat() const
     return heights;
 }
 
-std::vector<session::TilePatch> patchesBetween(const TiledHeights& from, const TiledHeights& to, std::uint64_t tick,
-                                               std::uint64_t generation)
+std::vector<servo::TilePatch> patchesBetween(const TiledHeights& from, const TiledHeights& to, std::uint64_t tick,
+                                             std::uint64_t generation)
 {
-    std::vector<session::TilePatch> group;
+    std::vector<servo::TilePatch> group;
     for (int y = 0; y < to.tilesPerSide(); ++y) {
         for (int x = 0; x < to.tilesPerSide(); ++x) {
             if (from.tile(x, y) == to.tile(x, y))
                 continue;
-            session::TilePatch& patch = group.emplace_back();
+            servo::TilePatch& patch = group.emplace_back();
             patch.tick = tick;
             patch.toothGeneration = generation;
             patch.tileX = static_cast<std::uint16_t>(x);

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/terrain/Grid.h"
 
 namespace core::history {
 
-using Tile = std::array<float, static_cast<std::size_t>(session::kTileSide) * session::kTileSide>;
+using Tile = std::array<float, static_cast<std::size_t>(servo::kTileSide) * servo::kTileSide>;
 
 /// A height map as immutable shared tiles: copying it copies pointers, changing it replaces touched tiles only.
 /// So the states of an undo history share all that they have in common.
@@ -43,7 +43,7 @@ private:
 
 /// The group of patches that turns one map into the other: tiles that are not shared, the last one closing the group.
 /// Empty if there are none.
-[[nodiscard]] std::vector<session::TilePatch> patchesBetween(const TiledHeights& from, const TiledHeights& to,
-                                                             std::uint64_t tick, std::uint64_t generation);
+[[nodiscard]] std::vector<servo::TilePatch> patchesBetween(const TiledHeights& from, const TiledHeights& to,
+                                                           std::uint64_t tick, std::uint64_t generation);
 
 }  // namespace core::history

@@ -8,12 +8,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/history/MomentId.h"
 #include "core/history/RemovedTally.h"
 #include "core/history/TiledHeights.h"
 
 namespace core::history {
-
-using session::MomentId;
 
 /// One moment of a tooth that can be gone back to.
 struct ToothMoment

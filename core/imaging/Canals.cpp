@@ -14,7 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 
 namespace core::imaging {
 namespace {
@@ -298,7 +298,7 @@ void add(ToothAnatomy& anatomy, const std::vector<RootSection>& canal, double re
 /// Returns an anatomy with canals, or the same one if it has no pulp or no roots.
 std::shared_ptr<const ToothAnatomy> made(const std::shared_ptr<const ToothAnatomy>& anatomy)
 {
-    const double reachMm = drilling::lowestTipMm(*anatomy);
+    const double reachMm = bur::lowestTipMm(*anatomy);
     std::vector<glm::dvec3> pulp;
     for (std::size_t k = 0; k < anatomy->grid.count(); ++k)
         if (terrain::hasPulp(*anatomy, k))

@@ -14,7 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 #include "core/preparation/AxisRegion.h"
 #include "core/teeth/Laid.h"
 #include "core/teeth/LesionSite.h"
@@ -264,7 +264,7 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
     std::nth_element(floors.begin(), floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2), floors.end());
     const double chamberMm = isMolar || fromLingual ? floors[floors.size() / 2] : highest - kChamberMm;
     // Nothing is asked for that no bur reaches.
-    const double floorMm = std::max(chamberMm, drilling::lowestTipMm(anatomy));
+    const double floorMm = std::max(chamberMm, bur::lowestTipMm(anatomy));
 
     const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
     const std::vector<glm::dvec2> around = isMolar ? trapezoidAround(hull) : triangleAround(hull, lingual, fromLingual);

@@ -15,7 +15,7 @@ namespace core::preparation {
 
 /// The opening of the pulp chamber of 36 or 21 as an endodontist leaves it: the roof gone wholly, the chamber empty,
 /// its floor untouched, walls that lean out to the surface without a ledge; no deeper than a bur reaches
-/// (drilling::lowestTipMm). Of an incisor that opensFromLingual(), the chamber ends at the neck, and its floor is its
+/// (bur::lowestTipMm). Of an incisor that opensFromLingual(), the chamber ends at the neck, and its floor is its
 /// labial wall. See makePreparation(), which checks its inputs.
 [[nodiscard]] Result<grading::Preparation> accessOpening(const ToothDesign& design,
                                                          const terrain::ToothAnatomy& anatomy);

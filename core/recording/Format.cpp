@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/Format.h"
+#include "core/servo/ServoState.h"
 
 #include <bit>
 #include <cmath>
@@ -8,7 +9,7 @@
 #include <zstd.h>
 
 #include "core/base/Bytes.h"
-#include "core/session/ServoNumbers.h"
+#include "core/servo/ServoNumbers.h"
 
 namespace core::recording {
 namespace {
@@ -50,13 +51,13 @@ std::uint32_t versionWith(const ServoEvent& event)
     case ServoEvent::Kind::Speed:
         return kWithSpeeds;
     case ServoEvent::Kind::Number:
-        return session::isOfFirstNumbers(event.value) ? kWithNumbers : kWithEndsAndFullLoad;
+        return servo::isOfFirstNumbers(event.value) ? kWithNumbers : kWithEndsAndFullLoad;
     default:
         return kOldestVersion;
     }
 }
 
-std::uint32_t versionWith(const session::ServoSettings& settings)
+std::uint32_t versionWith(const servo::ServoSettings& settings)
 {
     if (settings.hardness.decayZones)
         return kWithDecayZones;
@@ -83,7 +84,7 @@ std::optional<std::string> unpack(std::string_view packed, std::uint64_t mostByt
     return raw;
 }
 
-std::string settingsBytes(const session::ServoSettings& settings)
+std::string settingsBytes(const servo::ServoSettings& settings)
 {
     ByteWriter out;
     out.putText(settings.method);
@@ -126,10 +127,10 @@ std::string settingsBytes(const session::ServoSettings& settings)
     return out.bytes();
 }
 
-std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
+std::optional<servo::ServoSettings> settingsFrom(std::string_view bytes)
 {
     ByteReader in(bytes);
-    session::ServoSettings settings;
+    servo::ServoSettings settings;
     settings.method = in.takeText();
     settings.force.stiffnessNPerMm = in.take<double>();
     settings.force.dampingNSPerM = in.take<double>();
@@ -297,15 +298,15 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
         if (isTick(event.kind))
             continue;
         event.value = in.take<std::uint64_t>();
-        if (event.kind == ServoEvent::Kind::Bur && event.value >= drilling::burs().size())
+        if (event.kind == ServoEvent::Kind::Bur && event.value >= bur::burs().size())
             return std::nullopt;
         if (event.kind == ServoEvent::Kind::Spring && (event.value < 1 || event.value > 100))
             return std::nullopt;
         if (event.kind == ServoEvent::Kind::Speed && (event.value < 1 || event.value > 100))
             return std::nullopt;
-        if (event.kind == ServoEvent::Kind::Number && !session::unpackNumber(event.value))
+        if (event.kind == ServoEvent::Kind::Number && !servo::unpackNumber(event.value))
             return std::nullopt;
-        if (event.kind == ServoEvent::Kind::Aids && event.value > session::kAllAids)
+        if (event.kind == ServoEvent::Kind::Aids && event.value > servo::kAllAids)
             return std::nullopt;
     }
     if (!in.ok() || in.left() != 0)

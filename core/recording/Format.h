@@ -16,7 +16,7 @@
 /// relies on and answer with nothing where it does not hold.
 namespace core::recording {
 
-using session::ServoEvent;
+using servo::ServoEvent;
 
 inline constexpr std::uint32_t kFormatVersion = 9;
 /// Oldest version that is read. A recording is written in the oldest version that has its tooth, its settings and all
@@ -38,7 +38,7 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 /// Returns the oldest version that has such an event, or such settings. Version 6 brought numbers of the feel, 7 the
 /// speed of a pedal, 8 the share of flat ends and the full load, 9 the zones of decay.
 [[nodiscard]] std::uint32_t versionWith(const ServoEvent& event);
-[[nodiscard]] std::uint32_t versionWith(const session::ServoSettings& settings);
+[[nodiscard]] std::uint32_t versionWith(const servo::ServoSettings& settings);
 /// Returns the oldest version that has such a tooth. Version 8 brought teeth that lie on a side, 9 the zones of decay.
 [[nodiscard]] inline std::uint32_t versionWith(const terrain::ToothAnatomy& tooth)
 {
@@ -53,10 +53,10 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 [[nodiscard]] std::optional<std::string> unpack(std::string_view packed, std::uint64_t mostBytes);
 
 /// What versionWith() says an older version knows is written as that version does.
-[[nodiscard]] std::string settingsBytes(const session::ServoSettings& settings);
+[[nodiscard]] std::string settingsBytes(const servo::ServoSettings& settings);
 /// Settings that end before the share of flat ends were made without one, and those that end behind the full load
 /// without zones of decay. Values are not checked: makeServoTick() does.
-[[nodiscard]] std::optional<session::ServoSettings> settingsFrom(std::string_view bytes);
+[[nodiscard]] std::optional<servo::ServoSettings> settingsFrom(std::string_view bytes);
 
 /// How a tooth lies comes behind its maps, and only if it lies on a side. One byte more, 1, says that its decay has
 /// zones.

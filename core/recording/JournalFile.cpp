@@ -259,7 +259,7 @@ Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, J
         return nothingIn(ErrorCode::FileTruncated, "its file is damaged before the first thing that was done");
     };
     std::optional<std::int64_t> begun;
-    std::optional<session::ServoSettings> settings;
+    std::optional<servo::ServoSettings> settings;
     std::string lesson;
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
     while (!anatomy) {
@@ -273,7 +273,7 @@ Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, J
             begun = ByteReader(frame->payload).take<std::int64_t>();
         } else if (frame->kind == Section::Settings && raw && begun && !settings) {
             settings = settingsFrom(*raw);
-            if (!settings || !session::makeServoTick(*settings))
+            if (!settings || !servo::makeServoTick(*settings))
                 return cutOff();
         } else if (frame->kind == Section::Lesson && raw && settings && lesson.empty() && checkLesson(*raw)) {
             lesson = std::move(*raw);

@@ -57,7 +57,7 @@ public:
 
     /// Writes what happened next, at most 4096 events: from then on no end of this program can undo it. After a failure
     /// the file is whole as far as events() says, and may be tried again.
-    [[nodiscard]] Status append(std::span<const session::ServoEvent> events);
+    [[nodiscard]] Status append(std::span<const servo::ServoEvent> events);
     /// How many events it holds.
     [[nodiscard]] std::uint64_t events() const { return m_events.load(std::memory_order_acquire); }
     /// Deletes the file, and an older one of its name. Nothing is to be written any more.

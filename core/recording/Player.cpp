@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/Player.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 namespace core::recording {
 namespace {
 
-using drilling::CutRect;
+using cutting::CutRect;
 
 CutRect both(const CutRect& a, const CutRect& b)
 {
@@ -103,7 +104,7 @@ void Player::play(const ServoEvent& event)
         keepPose(m_servo.state());
 }
 
-void Player::keepPose(const session::ServoState& state)
+void Player::keepPose(const servo::ServoState& state)
 {
     const Pose pose{.deviceMm = glm::vec3(state.deviceMm),
                     .anchorMm = glm::vec3(state.anchorMm),
@@ -185,12 +186,12 @@ std::uint64_t Player::tickAt(double seconds) const
     return tick + static_cast<std::uint64_t>(share * static_cast<double>(kTicksAPose));
 }
 
-session::ServoState Player::stateAt(std::uint64_t tick) const
+servo::ServoState Player::stateAt(std::uint64_t tick) const
 {
     const std::lock_guard lock(m_mutex);
     const std::size_t n = std::min(static_cast<std::size_t>(tick / kTicksAPose), m_poses.size() - 1);
     const Pose& pose = m_poses[n];
-    session::ServoState state;
+    servo::ServoState state;
     state.tick = kTicksAPose * n;
     state.deviceMm = pose.deviceMm;
     state.anchorMm = pose.anchorMm;

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/recording/Replay.h"
-#include "core/session/StrokeWatch.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/StrokeWatch.h"
 
 namespace core::recording {
 
@@ -26,7 +27,7 @@ struct StrokeSpan
 struct MarkedEvent
 {
     std::uint64_t tick = 0;  ///< it came after this one
-    session::ServoEvent event;
+    servo::ServoEvent event;
 };
 
 /// An attempt that can be looked at at any moment, forward and back, as fast as one likes.
@@ -51,7 +52,7 @@ public:
     /// Plays so many ticks more. False when the recording is at its end. One thread, the same or with its own order.
     /// @param afterEvent  called after every event, as by replay(); may be empty
     bool advance(std::uint64_t ticks,
-                 const std::function<void(const session::ServoEvent&, const Replayer&)>& afterEvent = {});
+                 const std::function<void(const servo::ServoEvent&, const Replayer&)>& afterEvent = {});
 
     [[nodiscard]] const Recording& recording() const { return m_recording; }
     /// Of the whole recording.
@@ -65,7 +66,7 @@ public:
 
     /// Bur, force, drill and removed volumes as they were; without trail, generation and missed periods. At tick 0, and
     /// beyond what is ready, the nearest there is.
-    [[nodiscard]] session::ServoState stateAt(std::uint64_t tick) const;
+    [[nodiscard]] servo::ServoState stateAt(std::uint64_t tick) const;
     /// The top map, row by row, mm.
     [[nodiscard]] std::vector<float> heightsAt(std::uint64_t tick) const;
 
@@ -112,21 +113,21 @@ private:
     };
 
     Player(Recording recording, Replayer servo);
-    void play(const session::ServoEvent& event);
-    void keepPose(const session::ServoState& state);
+    void play(const servo::ServoEvent& event);
+    void keepPose(const servo::ServoState& state);
     void keepPatch();
     void keepKeyFrame();
 
     Recording m_recording;
     std::uint64_t m_nextEvent = 0;
-    std::vector<session::ServoEvent> m_events;  ///< at hand, from m_nextEvent on
+    std::vector<servo::ServoEvent> m_events;  ///< at hand, from m_nextEvent on
     std::size_t m_nextAtHand = 0;
 
     // Of the thread that advances.
     Replayer m_servo;
-    session::StrokeWatch m_watch;
-    std::vector<float> m_shown;   ///< the top map as of the newest patch
-    drilling::CutRect m_changed;  ///< since then
+    servo::StrokeWatch m_watch;
+    std::vector<float> m_shown;  ///< the top map as of the newest patch
+    cutting::CutRect m_changed;  ///< since then
     std::chrono::microseconds m_time{0};
 
     mutable std::mutex m_mutex;  ///< guards what follows

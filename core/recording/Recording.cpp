@@ -40,7 +40,7 @@ tl::unexpected<Error> damaged(std::string_view place)
 
 }  // namespace
 
-Recording::Recording(session::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
+Recording::Recording(servo::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
                      std::string lesson)
     : m_settings(std::move(settings)), m_anatomy(std::move(anatomy)), m_lesson(std::move(lesson))
 {
@@ -154,7 +154,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
                                                     ", from an older Cusp; this one reads from version " +
                                                     std::to_string(kOldestVersion) +
                                                     " on. Make the attempt again, or keep the Cusp that made it.");
-    std::optional<session::ServoSettings> settings;
+    std::optional<servo::ServoSettings> settings;
     std::string lesson;
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
     std::optional<Recording> recording;
@@ -174,7 +174,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             settings = raw ? settingsFrom(*raw) : std::nullopt;
             if (!settings)
                 return damaged("in its settings");
-            if (auto servo = session::makeServoTick(*settings); !servo)
+            if (auto servo = servo::makeServoTick(*settings); !servo)
                 return tl::unexpected(servo.error());
             break;
         }

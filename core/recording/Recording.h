@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/Result.h"
-#include "core/session/ServoLinks.h"
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoLinks.h"
+#include "core/servo/ServoTick.h"
 
 namespace core::recording {
 
@@ -37,14 +37,14 @@ class Recording
 {
 public:
     /// @param lesson  what the attempt is made for, as text that only lessons understands; checked (checkLesson)
-    Recording(session::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
+    Recording(servo::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
               std::string lesson = {});
 
-    void append(const session::ServoEvent& event);
+    void append(const servo::ServoEvent& event);
     /// Notes what the tooth was after a tick; the last one said is stored.
     void setWitness(const Witness& witness) { m_witness = witness; }
 
-    [[nodiscard]] const session::ServoSettings& settings() const { return m_settings; }
+    [[nodiscard]] const servo::ServoSettings& settings() const { return m_settings; }
     [[nodiscard]] const std::shared_ptr<const terrain::ToothAnatomy>& anatomy() const { return m_anatomy; }
     /// Empty: the attempt was made for no lesson.
     [[nodiscard]] const std::string& lesson() const { return m_lesson; }
@@ -59,9 +59,9 @@ public:
     [[nodiscard]] std::uint64_t events() const;
     /// Events from number `first` on, counted from nought: as many as are at hand together, at most 4096. Empty if
     /// there are none yet.
-    [[nodiscard]] std::vector<session::ServoEvent> eventsSince(std::uint64_t first) const;
+    [[nodiscard]] std::vector<servo::ServoEvent> eventsSince(std::uint64_t first) const;
     /// All events in order.
-    void forEach(const std::function<void(const session::ServoEvent&)>& visit) const;
+    void forEach(const std::function<void(const servo::ServoEvent&)>& visit) const;
 
     /// The file's bytes.
     [[nodiscard]] std::string toBytes() const;
@@ -72,11 +72,11 @@ public:
 private:
     void packTail();
 
-    session::ServoSettings m_settings;
+    servo::ServoSettings m_settings;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
     std::string m_lesson;
     std::vector<std::string> m_chunks;  ///< packed
-    std::vector<session::ServoEvent> m_tail;
+    std::vector<servo::ServoEvent> m_tail;
     std::optional<Witness> m_witness;
     bool m_isRetuned = false;
     std::uint32_t m_version = 0;  ///< of the format that has all of its events; 0: any

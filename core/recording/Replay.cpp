@@ -2,19 +2,19 @@
 #include "core/recording/Replay.h"
 
 #include "core/recording/Format.h"
-#include "core/session/ServoNumbers.h"
+#include "core/servo/ServoNumbers.h"
 
 namespace core::recording {
 
 Result<Replayer> Replayer::make(const Recording& recording)
 {
-    auto servo = session::makeServoTick(recording.settings());
+    auto servo = servo::makeServoTick(recording.settings());
     if (!servo)
         return tl::unexpected(servo.error());
     return Replayer(recording, std::move(*servo));
 }
 
-Replayer::Replayer(const Recording& recording, std::unique_ptr<session::ServoTick> servo)
+Replayer::Replayer(const Recording& recording, std::unique_ptr<servo::ServoTick> servo)
     : m_settings(recording.settings()), m_anatomy(recording.anatomy()),
       m_tooth(std::make_unique<contact::LiveTooth>(terrain::Tooth(m_anatomy))), m_servo(std::move(servo)),
       m_newest(m_anatomy->grid, m_anatomy->top)
@@ -59,7 +59,7 @@ bool Replayer::play(const ServoEvent& event)
         m_servo->setHandpiece(static_cast<std::size_t>(event.value));
         break;
     case ServoEvent::Kind::Number:
-        if (const auto number = session::unpackNumber(event.value))
+        if (const auto number = servo::unpackNumber(event.value))
             m_servo->setNumber(*number);
         break;
     case ServoEvent::Kind::Home:
@@ -76,7 +76,7 @@ bool Replayer::play(const ServoEvent& event)
         swap(m_moments.at(event.value).flat(), false);
         break;
     case ServoEvent::Kind::Resume:
-        if (auto servo = session::makeServoTick(m_settings))  // as the first time
+        if (auto servo = servo::makeServoTick(m_settings))  // as the first time
             m_servo = std::move(*servo);
         swap(m_tooth->tooth().top, true);
         break;

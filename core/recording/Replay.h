@@ -6,6 +6,7 @@
 
 #include "core/history/TiledHeights.h"
 #include "core/recording/Recording.h"
+#include "core/servo/ServoState.h"
 
 namespace core::recording {
 
@@ -17,7 +18,7 @@ public:
     [[nodiscard]] static Result<Replayer> make(const Recording& recording);
 
     /// What happens next: give it all events of the recording, in order. True after a step of the servo.
-    bool play(const session::ServoEvent& event);
+    bool play(const servo::ServoEvent& event);
 
     /// Whether a Restore of this tick can be played. Those that were on the recording when this was made can.
     [[nodiscard]] bool knows(std::uint64_t tick) const { return m_moments.contains(tick); }
@@ -27,20 +28,20 @@ public:
     /// Steps of the servo so far.
     [[nodiscard]] std::uint64_t tick() const { return m_tick; }
     /// As of the last step.
-    [[nodiscard]] const session::ServoState& state() const { return m_servo->state(); }
+    [[nodiscard]] const servo::ServoState& state() const { return m_servo->state(); }
     /// Columns that the last step lowered.
-    [[nodiscard]] const drilling::CutRect& changed() const { return m_servo->changed(); }
+    [[nodiscard]] const cutting::CutRect& changed() const { return m_servo->changed(); }
     [[nodiscard]] const contact::LiveTooth& tooth() const { return *m_tooth; }
     /// The tooth's top as it is now. Tiles that have not changed since the last call are the same.
     [[nodiscard]] const history::TiledHeights& heights();
 
 private:
-    Replayer(const Recording& recording, std::unique_ptr<session::ServoTick> servo);
+    Replayer(const Recording& recording, std::unique_ptr<servo::ServoTick> servo);
 
-    session::ServoSettings m_settings;
+    servo::ServoSettings m_settings;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
     std::unique_ptr<contact::LiveTooth> m_tooth;
-    std::unique_ptr<session::ServoTick> m_servo;
+    std::unique_ptr<servo::ServoTick> m_servo;
     std::uint64_t m_tick = 0;
     history::TiledHeights m_newest;
     std::map<std::uint64_t, history::TiledHeights> m_moments;  ///< by tick: those that will be gone back to
@@ -48,8 +49,8 @@ private:
 
 struct ReplayOutcome
 {
-    terrain::Tooth tooth;       ///< as it stood after the last tick
-    session::ServoState state;  ///< of the last tick
+    terrain::Tooth tooth;     ///< as it stood after the last tick
+    servo::ServoState state;  ///< of the last tick
     std::uint64_t stateHash = 0;
     /// False if the recording says what the tooth was at some tick and this replay came to something else, or never
     /// to that tick.
@@ -60,12 +61,12 @@ struct ReplayOutcome
 /// @param afterEvent  called after every event, with the servo as it is then; may be empty
 [[nodiscard]] Result<ReplayOutcome>
 replay(const Recording& recording,
-       const std::function<void(const session::ServoEvent&, const Replayer&)>& afterEvent = {});
+       const std::function<void(const servo::ServoEvent&, const Replayer&)>& afterEvent = {});
 
 /// Whether an event is a step of the servo.
-[[nodiscard]] inline bool isStep(const session::ServoEvent& event)
+[[nodiscard]] inline bool isStep(const servo::ServoEvent& event)
 {
-    return event.kind == session::ServoEvent::Kind::Tick || event.kind == session::ServoEvent::Kind::NoDevice;
+    return event.kind == servo::ServoEvent::Kind::Tick || event.kind == servo::ServoEvent::Kind::NoDevice;
 }
 
 }  // namespace core::recording

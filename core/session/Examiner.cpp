@@ -18,16 +18,16 @@ std::optional<grading::Practised> Examiner::practised() const
     return m_exercise ? std::optional(m_exercise->practised()) : std::nullopt;
 }
 
-void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed)
+void Examiner::take(const servo::ServoEvent& event, const recording::Replayer& replayed)
 {
     const terrain::Tooth& tooth = replayed.tooth().tooth();
-    if (event.kind == ServoEvent::Kind::Restore) {
+    if (event.kind == servo::ServoEvent::Kind::Restore) {
         m_meter->undone();
         m_referee.restored(tooth);
     }
-    if (event.kind == ServoEvent::Kind::Aids)
+    if (event.kind == servo::ServoEvent::Kind::Aids)
         m_aids |= static_cast<std::uint8_t>(event.value);
-    if (event.kind == ServoEvent::Kind::Note && m_exercise)
+    if (event.kind == servo::ServoEvent::Kind::Note && m_exercise)
         m_exercise->noted(event.value);
     m_rests.hear(event);
     if (!recording::isStep(event))

@@ -10,7 +10,7 @@
 #include "core/grading/Process.h"
 #include "core/grading/Referee.h"
 #include "core/recording/Replay.h"
-#include "core/session/Rests.h"
+#include "core/recording/Rests.h"
 
 namespace core::session {
 
@@ -35,9 +35,9 @@ public:
     Examiner(const Examination& examination, std::shared_ptr<const terrain::ToothAnatomy> anatomy);
 
     /// An event of the recording, after the replay has played it.
-    void take(const ServoEvent& event, const recording::Replayer& replayed);
+    void take(const servo::ServoEvent& event, const recording::Replayer& replayed);
 
-    /// Bits of session::Aid: those that were in use at any time.
+    /// Bits of servo::Aid: those that were in use at any time.
     [[nodiscard]] std::uint8_t aids() const { return m_aids; }
     [[nodiscard]] grading::Process process() const { return m_meter->process(); }
     [[nodiscard]] const std::vector<grading::Infraction>& infractions() const { return m_infractions; }
@@ -58,7 +58,7 @@ private:
     grading::Referee m_referee;
     std::optional<grading::ExerciseMeter> m_exercise;
     std::uint8_t m_aids = 0;
-    Rests m_rests;
+    recording::Rests m_rests;
     bool m_leftOut = false;  ///< the last step was none of the work
     std::chrono::microseconds m_worked{0};
     std::vector<Rest> m_left;

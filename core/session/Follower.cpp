@@ -58,7 +58,7 @@ std::optional<Concluded> Follower::conclude()
     if (const std::uint64_t generation = m_session.recordedGeneration(); generation != m_generation)
         startOver(*recording, generation);
     while (m_generation != 0 && m_events < recording->events()) {
-        std::vector<ServoEvent> events = recording->eventsSince(m_events);
+        std::vector<servo::ServoEvent> events = recording->eventsSince(m_events);
         take(events);
     }
     if (!m_replayer || !m_examiner)
@@ -83,9 +83,9 @@ void Follower::startOver(const recording::Recording& recording, std::uint64_t ge
     m_examiner.emplace(generation == m_watchedGeneration ? m_examination : Examination{}, recording.anatomy());
 }
 
-void Follower::take(const std::vector<ServoEvent>& events)
+void Follower::take(const std::vector<servo::ServoEvent>& events)
 {
-    for (const ServoEvent& event : events) {
+    for (const servo::ServoEvent& event : events) {
         if (!play(event)) {
             m_generation = 0;  // startOver() knows all moments that are on the recording by now
             return;
@@ -95,9 +95,9 @@ void Follower::take(const std::vector<ServoEvent>& events)
 }
 
 /// False where the event goes back to a moment that nobody knows any more.
-bool Follower::play(const ServoEvent& event)
+bool Follower::play(const servo::ServoEvent& event)
 {
-    if (event.kind == ServoEvent::Kind::Restore && !m_replayer->knows(event.value)) {
+    if (event.kind == servo::ServoEvent::Kind::Restore && !m_replayer->knows(event.value)) {
         auto moment = m_session.restored(event.value);
         if (!moment)
             return false;

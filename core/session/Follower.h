@@ -56,8 +56,8 @@ public:
 
 private:
     void startOver(const recording::Recording& recording, std::uint64_t generation);
-    void take(const std::vector<ServoEvent>& events);
-    [[nodiscard]] bool play(const ServoEvent& event);
+    void take(const std::vector<servo::ServoEvent>& events);
+    [[nodiscard]] bool play(const servo::ServoEvent& event);
     [[nodiscard]] Findings found() const;
 
     const SessionLoop& m_session;

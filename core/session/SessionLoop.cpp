@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/SessionLoop.h"
+#include "core/history/MomentId.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 
 #include <algorithm>
 
@@ -20,14 +23,15 @@ void discard(const SessionCommand& command)
         delete replace->servo;
     } else if (const auto* resume = std::get_if<ResumeAttempt>(&command)) {
         delete resume->attempt;
-    } else if (const auto* held = std::get_if<SetFixture>(&command)) {
+    } else if (const auto* held = std::get_if<servo::SetFixture>(&command)) {
         delete held->fixture;
     }
 }
 
 }  // namespace
 
-SessionLoop::SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings, const SessionMemory& memory)
+SessionLoop::SessionLoop(servo::ServoLinks& servo, UiLinks& ui, servo::ServoSettings settings,
+                         const SessionMemory& memory)
     : m_servo(servo), m_ui(ui), m_settings(std::move(settings)), m_records(memory.recording),
       m_undoBytes(memory.undoBytes)
 {}
@@ -61,7 +65,7 @@ void SessionLoop::freeRetired()
 {
     for (contact::LiveTooth* tooth = nullptr; m_servo.retired.tryPop(tooth);)
         delete tooth;
-    for (ServoTick* servo = nullptr; m_servo.retiredServos.tryPop(servo);)
+    for (servo::ServoTick* servo = nullptr; m_servo.retiredServos.tryPop(servo);)
         delete servo;
     for (const guidance::Fixture* fixture = nullptr; m_servo.retiredFixtures.tryPop(fixture);)
         delete fixture;
@@ -70,8 +74,8 @@ void SessionLoop::freeRetired()
 void SessionLoop::takeEvents()
 {
     const std::lock_guard lock(m_mutex);
-    for (ServoEvent event; m_servo.events.tryPop(event);) {
-        if (event.kind == ServoEvent::Kind::Begin) {
+    for (servo::ServoEvent event; m_servo.events.tryPop(event);) {
+        if (event.kind == servo::ServoEvent::Kind::Begin) {
             while (!m_upcoming.empty() && m_upcoming.front().generation < event.value)
                 m_upcoming.pop_front();
             if (m_upcoming.empty())
@@ -82,7 +86,7 @@ void SessionLoop::takeEvents()
             m_recordedGeneration = event.value;
             m_upcoming.pop_front();
             if (m_recordedGeneration == m_generation)
-                for (const ServoEvent& noted : std::exchange(m_noted, {}))
+                for (const servo::ServoEvent& noted : std::exchange(m_noted, {}))
                     note(noted);
             continue;
         }
@@ -94,7 +98,7 @@ void SessionLoop::takeEvents()
 
 void SessionLoop::takePatches()
 {
-    for (TilePatch patch; m_servo.patches.tryPop(patch);) {
+    for (servo::TilePatch patch; m_servo.patches.tryPop(patch);) {
         if (patch.toothGeneration != m_serial) {
             m_group.clear();
             continue;
@@ -110,7 +114,7 @@ void SessionLoop::takePatches()
 void SessionLoop::applyGroup()
 {
     const std::lock_guard lock(m_mutex);
-    for (TilePatch& patch : m_group) {
+    for (servo::TilePatch& patch : m_group) {
         m_mirror.setTile(patch.tileX, patch.tileY, patch.top);
         patch.toothGeneration = m_generation;
         m_toUi.push_back(patch);
@@ -188,7 +192,7 @@ void SessionLoop::apply(const ReplaceTooth& replace)
 {
     const std::unique_ptr<terrain::Tooth> tooth(replace.tooth);
     const std::unique_ptr<const std::string> lesson(replace.lesson);
-    std::unique_ptr<ServoTick> servo(replace.servo);
+    std::unique_ptr<servo::ServoTick> servo(replace.servo);
     if (servo)
         m_settings = servo->settings();
     const history::TiledHeights uncut(tooth->anatomy->grid, tooth->anatomy->top);
@@ -202,13 +206,14 @@ void SessionLoop::apply(const ReplaceTooth& replace)
 void SessionLoop::apply(const ResumeAttempt& resume)
 {
     const std::unique_ptr<Unfinished> attempt(resume.attempt);
-    std::unique_ptr<ServoTick> servo = std::move(attempt->servo);
+    std::unique_ptr<servo::ServoTick> servo = std::move(attempt->servo);
     m_settings = attempt->recording.settings();
     take(std::move(*attempt), resume.generation, true, std::move(servo));
 }
 
 /// Begins with an attempt, or goes on with it.
-void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resumed, std::unique_ptr<ServoTick> servo)
+void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resumed,
+                       std::unique_ptr<servo::ServoTick> servo)
 {
     const std::uint64_t tick = attempt.recording.ticks();
     {
@@ -236,24 +241,24 @@ void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resume
         m_upcoming.push_back({m_generation, std::move(attempt.recording)});
     }
     static_cast<void>(
-        m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, m_mirror.flat())),
-                                           m_generation, ++m_serial, true, tick, resumed, servo.release()}));
+        m_servo.commands.tryPush(servo::SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, m_mirror.flat())),
+                                                  m_generation, ++m_serial, true, tick, resumed, servo.release()}));
 }
 
 void SessionLoop::apply(const SetAids& aids)
 {
     const std::lock_guard lock(m_mutex);
-    note({ServoEvent::Kind::Aids, 0, glm::vec3(0.0F), aids.aids});
+    note({servo::ServoEvent::Kind::Aids, 0, glm::vec3(0.0F), aids.aids});
 }
 
 void SessionLoop::apply(const AddNote& added)
 {
     const std::lock_guard lock(m_mutex);
-    note({ServoEvent::Kind::Note, 0, glm::vec3(0.0F), added.code});
+    note({servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F), added.code});
 }
 
 /// On the recording, as soon as that is the one of the present tooth. The mutex is held.
-void SessionLoop::note(const ServoEvent& event)
+void SessionLoop::note(const servo::ServoEvent& event)
 {
     if (m_recordedGeneration != m_generation)
         m_noted.push_back(event);
@@ -261,32 +266,32 @@ void SessionLoop::note(const ServoEvent& event)
         m_recording->append(event);
 }
 
-void SessionLoop::apply(const SetBur& bur)
+void SessionLoop::apply(const servo::SetBur& bur)
 {
     static_cast<void>(m_servo.commands.tryPush(bur));
 }
 
-void SessionLoop::apply(const SetDrill& drill)
+void SessionLoop::apply(const servo::SetDrill& drill)
 {
     static_cast<void>(m_servo.commands.tryPush(drill));
 }
 
-void SessionLoop::apply(const SetHandpiece& handpiece)
+void SessionLoop::apply(const servo::SetHandpiece& handpiece)
 {
     static_cast<void>(m_servo.commands.tryPush(handpiece));
 }
 
-void SessionLoop::apply(const SetNumber& number)
+void SessionLoop::apply(const servo::SetNumber& number)
 {
     static_cast<void>(m_servo.commands.tryPush(number));
 }
 
-void SessionLoop::apply(const SetFixture& fixture)
+void SessionLoop::apply(const servo::SetFixture& fixture)
 {
     static_cast<void>(m_servo.commands.tryPush(fixture));
 }
 
-void SessionLoop::apply(const BringHome& home)
+void SessionLoop::apply(const servo::BringHome& home)
 {
     static_cast<void>(m_servo.commands.tryPush(home));
 }
@@ -296,11 +301,11 @@ void SessionLoop::handOver()
 {
     const history::ToothMoment& moment = m_undo.current();
     m_group.clear();
-    for (const TilePatch& patch : history::patchesBetween(m_mirror, moment.top, moment.tick, m_generation))
+    for (const servo::TilePatch& patch : history::patchesBetween(m_mirror, moment.top, moment.tick, m_generation))
         m_toUi.push_back(patch);
-    static_cast<void>(
-        m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, moment.top.flat())),
-                                           m_generation, ++m_serial, false, moment.tick}));
+    static_cast<void>(m_servo.commands.tryPush(
+        servo::SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, moment.top.flat())), m_generation,
+                         ++m_serial, false, moment.tick}));
     const std::lock_guard lock(m_mutex);
     m_mirror = moment.top;
     m_mirrorTick = moment.tick;
@@ -387,7 +392,7 @@ std::vector<history::MomentInfo> SessionLoop::historySoFar() const
     return m_undo.list();
 }
 
-std::vector<float> SessionLoop::momentHeights(MomentId id) const
+std::vector<float> SessionLoop::momentHeights(history::MomentId id) const
 {
     history::TiledHeights top;
     {

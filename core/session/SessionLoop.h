@@ -8,8 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/history/MomentId.h"
 #include "core/rt/Loop.h"
-#include "core/session/ServoLinks.h"
+#include "core/servo/ServoLinks.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "core/session/Unfinished.h"
 
 namespace core::session {
@@ -24,9 +27,9 @@ struct SessionMemory
 /// What of an attempt a journal is still to write.
 struct RecordedPart
 {
-    std::uint64_t generation = 0;    ///< of the tooth that is being recorded; 0: none yet
-    bool isWorthKeeping = false;     ///< something has come off it
-    std::vector<ServoEvent> events;  ///< the next that are at hand; empty where another generation was asked for
+    std::uint64_t generation = 0;           ///< of the tooth that is being recorded; 0: none yet
+    bool isWorthKeeping = false;            ///< something has come off it
+    std::vector<servo::ServoEvent> events;  ///< the next that are at hand; empty where another generation was asked for
 };
 
 /// The servo's patient partner (about 100 Hz): keeps a mirror of the tooth, the undo history and the recording, builds
@@ -36,7 +39,7 @@ class SessionLoop final : public rt::Loop
 public:
     /// @param servo, ui  must outlive the loop
     /// @param settings   of the servo, until a command brings another
-    SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings, const SessionMemory& memory = {});
+    SessionLoop(servo::ServoLinks& servo, UiLinks& ui, servo::ServoSettings settings, const SessionMemory& memory = {});
     ~SessionLoop() override;
 
     void tick(std::chrono::microseconds dt) override;
@@ -60,7 +63,7 @@ public:
     [[nodiscard]] std::vector<history::MomentInfo> historySoFar() const;
     /// The top map at a moment, row by row, mm, for a small picture of it. Any thread; empty if it is not known any
     /// more.
-    [[nodiscard]] std::vector<float> momentHeights(MomentId id) const;
+    [[nodiscard]] std::vector<float> momentHeights(history::MomentId id) const;
 
 private:
     struct Upcoming
@@ -81,14 +84,14 @@ private:
     void apply(const ResumeAttempt& resume);
     void apply(const SetAids& aids);
     void apply(const AddNote& note);
-    void note(const ServoEvent& event);
-    void take(Unfinished attempt, std::uint64_t generation, bool resumed, std::unique_ptr<ServoTick> servo);
-    void apply(const SetBur& bur);
-    void apply(const SetDrill& drill);
-    void apply(const SetHandpiece& handpiece);
-    void apply(const SetFixture& fixture);
-    void apply(const BringHome& home);
-    void apply(const SetNumber& number);
+    void note(const servo::ServoEvent& event);
+    void take(Unfinished attempt, std::uint64_t generation, bool resumed, std::unique_ptr<servo::ServoTick> servo);
+    void apply(const servo::SetBur& bur);
+    void apply(const servo::SetDrill& drill);
+    void apply(const servo::SetHandpiece& handpiece);
+    void apply(const servo::SetFixture& fixture);
+    void apply(const servo::BringHome& home);
+    void apply(const servo::SetNumber& number);
     void apply(const GoTo& where);
     void step(const std::function<bool()>& go);
     void rememberUnfinished();
@@ -96,9 +99,9 @@ private:
     void forward();
     void publish();
 
-    ServoLinks& m_servo;
+    servo::ServoLinks& m_servo;
     UiLinks& m_ui;
-    ServoSettings m_settings;
+    servo::ServoSettings m_settings;
     bool m_records;
     std::size_t m_undoBytes;
 
@@ -114,8 +117,8 @@ private:
     std::optional<std::uint64_t> m_vouchedTick;  ///< nothing: since the attempt was resumed there was none
     history::UndoTree m_undo;
 
-    std::deque<Upcoming> m_upcoming;  ///< handed to the servo, not yet begun there
-    std::vector<ServoEvent> m_noted;  ///< of an attempt that has not begun there
+    std::deque<Upcoming> m_upcoming;         ///< handed to the servo, not yet begun there
+    std::vector<servo::ServoEvent> m_noted;  ///< of an attempt that has not begun there
     std::uint64_t m_historyVersion = 0;
     std::chrono::microseconds m_attemptTime{0};
     bool m_unfinished = false;  ///< the mirror differs from m_undo.current()
@@ -125,8 +128,8 @@ private:
     std::uint64_t m_generation = 0;
     terrain::PerMaterial m_wholeMm3{};
     history::RemovedTally m_removed;
-    std::vector<TilePatch> m_group;  ///< patches of a group that is not complete yet
-    std::deque<TilePatch> m_toUi;
+    std::vector<servo::TilePatch> m_group;  ///< patches of a group that is not complete yet
+    std::deque<servo::TilePatch> m_toUi;
 };
 
 }  // namespace core::session

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/Unfinished.h"
+#include "core/history/MomentId.h"
 
 #include <chrono>
 #include <map>
@@ -7,8 +8,8 @@
 
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
-#include "core/session/Rests.h"
-#include "core/session/StrokeWatch.h"
+#include "core/recording/Rests.h"
+#include "core/servo/StrokeWatch.h"
 
 namespace core::session {
 namespace {
@@ -20,18 +21,18 @@ public:
     Gardener(const recording::Recording& recording, recording::Replayer& servo)
         : m_servo(servo), m_removed(recording.anatomy())
     {
-        recording.forEach([this](const ServoEvent& event) {
-            if (event.kind == ServoEvent::Kind::Restore)
+        recording.forEach([this](const servo::ServoEvent& event) {
+            if (event.kind == servo::ServoEvent::Kind::Restore)
                 m_goneBackTo.insert(event.value);
         });
         m_tree.restart({servo.heights(), 0, 0.0, {}});
         m_unfinished = m_tree.current();
     }
 
-    void play(const ServoEvent& event)
+    void play(const servo::ServoEvent& event)
     {
         m_time += std::chrono::microseconds(event.dtUs);
-        if (event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume)
+        if (event.kind == servo::ServoEvent::Kind::Restore || event.kind == servo::ServoEvent::Kind::Resume)
             endStroke();
         if (m_servo.play(event)) {
             const bool cut = !m_servo.changed().isEmpty();
@@ -45,7 +46,7 @@ public:
                 ++m_strokes;
             }
         }
-        if (event.kind == ServoEvent::Kind::Restore)
+        if (event.kind == servo::ServoEvent::Kind::Restore)
             goTo(event.value);
     }
 
@@ -80,7 +81,7 @@ private:
     {
         m_strokeBegan = m_servo.tick();
         const auto is = [&](bool went) { return went && m_tree.current().tick == tick; };
-        const MomentId before = m_tree.currentId();
+        const history::MomentId before = m_tree.currentId();
         if (is(m_tree.undo()))
             return;
         m_tree.goTo(before);
@@ -98,11 +99,11 @@ private:
     recording::Replayer& m_servo;
     history::UndoTree m_tree;
     history::RemovedTally m_removed;
-    StrokeWatch m_stroke;
+    servo::StrokeWatch m_stroke;
     std::set<std::uint64_t> m_goneBackTo;
-    std::map<std::uint64_t, MomentId> m_ids;  ///< by tick
-    history::ToothMoment m_unfinished;        ///< what the stroke under way, or just over, becomes
-    std::uint64_t m_strokeBegan = 0;          ///< what is older than this belongs to another
+    std::map<std::uint64_t, history::MomentId> m_ids;  ///< by tick
+    history::ToothMoment m_unfinished;                 ///< what the stroke under way, or just over, becomes
+    std::uint64_t m_strokeBegan = 0;                   ///< what is older than this belongs to another
     std::chrono::microseconds m_time{0};
     bool m_hasCut = false;
     int m_strokes = 0;
@@ -123,13 +124,14 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
     std::optional<recording::Witness> last;
     std::optional<std::uint8_t> bur;
     std::optional<std::uint8_t> handpiece;
-    Rests rests;
+    recording::Rests rests;
     std::chrono::microseconds rested{0};
-    recording.forEach([&](const ServoEvent& event) {
-        const bool goes = event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume;
-        if (event.kind == ServoEvent::Kind::Bur)
+    recording.forEach([&](const servo::ServoEvent& event) {
+        const bool goes =
+            event.kind == servo::ServoEvent::Kind::Restore || event.kind == servo::ServoEvent::Kind::Resume;
+        if (event.kind == servo::ServoEvent::Kind::Bur)
             bur = static_cast<std::uint8_t>(event.value);
-        if (event.kind == ServoEvent::Kind::Handpiece)
+        if (event.kind == servo::ServoEvent::Kind::Handpiece)
             handpiece = static_cast<std::uint8_t>(event.value);
         if (goes && !wentElsewhere)
             last = witness();
@@ -140,7 +142,7 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
             rested += std::chrono::microseconds(event.dtUs);
     });
     recording.setWitness(wentElsewhere ? *last : witness());
-    auto next = makeServoTick(recording.settings());
+    auto next = servo::makeServoTick(recording.settings());
     if (!next)
         return tl::unexpected(next.error());
     const int strokes = gardener.strokes();

@@ -17,7 +17,7 @@ struct Unfinished
     history::TiledHeights uncut;
     history::UndoTree history;  ///< its present moment is what the tooth came to
     int strokes = 0;
-    std::unique_ptr<ServoTick> servo;            ///< with the recording's settings, new: what goes on computing it
+    std::unique_ptr<servo::ServoTick> servo;     ///< with the recording's settings, new: what goes on computing it
     std::optional<std::uint8_t> bur = {};        ///< in hand last; nothing: that which an attempt begins with
     std::optional<std::uint8_t> handpiece = {};  ///< the same, of those at hand (SetHandpiece)
     double restedS = 0.0;                        ///< of the recording, in which the student was elsewhere

@@ -11,7 +11,7 @@
 namespace core::settings {
 
 /// How one material yields: dV/dt = rate * max(0, F - threshold) (Preston's law) up to the full load of the preset, at
-/// the speed that drilling::kReferenceRpmMm stands for.
+/// the speed that cutting::kReferenceRpmMm stands for.
 struct MaterialHardness
 {
     double rateMm3PerNs = 0.7;  ///< volume a second for each newton above the threshold, pushing sideways

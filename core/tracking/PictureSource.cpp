@@ -14,29 +14,27 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "core/tracking/pictures/Reader.h"
+#include "core/tracking/PictureLibrary.h"
 
 namespace core::tracking {
 namespace {
 
 namespace fs = std::filesystem;
-using pictures::Library;
-using pictures::Reader;
 
 constexpr const char* kLibraryFile = "../lib/cusp/cusp_pictures.so";  ///< from the folder of the program
 constexpr std::size_t kMostImages = 100'000;
 constexpr std::array<std::string_view, 7> kImageEndings{".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".tif", ".tiff"};
 
 /// Loads the library once. Null if it is not there or cannot be loaded.
-const Library* library()
+const PictureLibrary* library()
 {
-    static const Library* const loaded = []() -> const Library* {
+    static const PictureLibrary* const loaded = []() -> const PictureLibrary* {
         std::error_code ignored;
         const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
         void* const handle = dlopen((program.parent_path() / kLibraryFile).c_str(), RTLD_NOW | RTLD_LOCAL);
         if (handle == nullptr)
             return nullptr;
-        const auto entry = reinterpret_cast<pictures::Entry>(dlsym(handle, pictures::kEntry));
+        const auto entry = reinterpret_cast<Entry>(dlsym(handle, kEntry));
         return entry == nullptr ? nullptr : entry();
     }();
     return loaded;
@@ -58,7 +56,7 @@ std::string deviceOf(int number)
 class LiveSource final : public PictureSource
 {
 public:
-    LiveSource(std::unique_ptr<Reader> reader, int number) : m_reader(std::move(reader)), m_number(number) {}
+    LiveSource(std::unique_ptr<PictureReader> reader, int number) : m_reader(std::move(reader)), m_number(number) {}
 
     Result<bool> next(Picture& picture) override
     {
@@ -71,14 +69,15 @@ public:
     bool isLive() const override { return true; }
 
 private:
-    std::unique_ptr<Reader> m_reader;
+    std::unique_ptr<PictureReader> m_reader;
     int m_number;
 };
 
 class VideoSource final : public PictureSource
 {
 public:
-    VideoSource(std::unique_ptr<Reader> reader, std::string name) : m_reader(std::move(reader)), m_name(std::move(name))
+    VideoSource(std::unique_ptr<PictureReader> reader, std::string name)
+        : m_reader(std::move(reader)), m_name(std::move(name))
     {}
 
     Result<bool> next(Picture& picture) override
@@ -105,14 +104,14 @@ private:
     {
         constexpr double kWholeShare = 0.9;
         constexpr double kLeastMissing = 3.0;
-        const Reader::Length whole = m_reader->length();
+        const PictureReader::Length whole = m_reader->length();
         return m_pictures + kLeastMissing < kWholeShare * whole.pictures && m_lastS < kWholeShare * whole.seconds;
     }
 
     static constexpr double kLeastStepS = 0.001;
     static constexpr double kUsualStepS = 1.0 / 30.0;
     static constexpr double kLongestS = 1e6;
-    std::unique_ptr<Reader> m_reader;
+    std::unique_ptr<PictureReader> m_reader;
     std::string m_name;
     double m_lastS = 0.0;
     double m_pictures = 0.0;
@@ -121,7 +120,8 @@ private:
 class FolderSource final : public PictureSource
 {
 public:
-    FolderSource(const Library& from, std::vector<fs::path> files) : m_library(from), m_files(std::move(files)) {}
+    FolderSource(const PictureLibrary& from, std::vector<fs::path> files) : m_library(from), m_files(std::move(files))
+    {}
 
     Result<bool> next(Picture& picture) override
     {
@@ -140,7 +140,7 @@ public:
 
 private:
     static constexpr double kStepS = 1.0 / 30.0;  ///< as of a camera
-    const Library& m_library;
+    const PictureLibrary& m_library;
     std::vector<fs::path> m_files;
     std::size_t m_next = 0;
 };
@@ -210,10 +210,10 @@ Result<std::unique_ptr<PictureSource>> openCamera(int number, const CameraWish& 
             Words{"You have no permission to use camera %1. An administrator of this computer can add you "
                   "to the group \"video\".",
                   {noted(std::to_string(number))}});
-    const Library* const from = library();
+    const PictureLibrary* const from = library();
     if (from == nullptr)
         return noLibrary();
-    std::unique_ptr<Reader> reader(from->openCamera(number, wish.width, wish.height, wish.hz));
+    std::unique_ptr<PictureReader> reader(from->openCamera(number, wish.width, wish.height, wish.hz));
     if (!reader)
         return unexpected(ErrorCode::Busy,
                           Words{"Camera %1 gives no pictures. Close other programs that use it, or choose another one.",
@@ -230,10 +230,10 @@ Result<std::unique_ptr<PictureSource>> openVideo(const std::string& path)
         return unexpected(ErrorCode::WrongKind, Words{"%1 is a folder, not a video.", {noted(path)}});
     if (access(path.c_str(), R_OK) != 0)
         return unexpected(ErrorCode::FileUnreadable, Words{"The file %1 cannot be read.", {noted(path)}});
-    const Library* const from = library();
+    const PictureLibrary* const from = library();
     if (from == nullptr)
         return noLibrary();
-    std::unique_ptr<Reader> reader(isText(path) ? nullptr : from->openVideo(path.c_str()));
+    std::unique_ptr<PictureReader> reader(isText(path) ? nullptr : from->openVideo(path.c_str()));
     if (!reader)
         return unexpected(ErrorCode::WrongKind,
                           Words{"%1 is no video, or of a kind that cannot be read here.", {noted(path)}});
@@ -255,7 +255,7 @@ Result<std::unique_ptr<PictureSource>> openFolder(const std::string& path)
         return unexpected(ErrorCode::WrongKind,
                           Words{"The folder %1 has no images (PNG, JPEG, BMP, PGM or TIFF).", {noted(path)}});
     std::sort(files.begin(), files.end());
-    const Library* const from = library();
+    const PictureLibrary* const from = library();
     if (from == nullptr)
         return noLibrary();
     return std::make_unique<FolderSource>(*from, std::move(files));

@@ -29,7 +29,7 @@ constexpr double kLeanS = 0.03;            ///< time from no lean to the wanted 
 constexpr double kFreeS = 0.05;            ///< the bur counts as in the air after this time without contact
 constexpr double kPedalLiftsAfterS = 0.3;  ///< a pressed bur stops turning after this time without contact
 
-bool isFinite(const core::session::PointerInput& input)
+bool isFinite(const core::servo::PointerInput& input)
 {
     return std::isfinite(input.targetMm.x) && std::isfinite(input.targetMm.y) && std::isfinite(input.hoverMm) &&
            std::isfinite(input.pushForceN) && std::isfinite(input.feedMmPerS) && !std::isnan(input.stopMm);
@@ -37,14 +37,14 @@ bool isFinite(const core::session::PointerInput& input)
 
 }  // namespace
 
-PointerDevice::PointerDevice(core::rt::TripleBuffer<core::session::PointerInput>& input, double stiffnessNPerMm,
+PointerDevice::PointerDevice(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm,
                              double periodS) noexcept
     : m_input(input), m_stiffness(stiffnessNPerMm), m_period(periodS)
 {}
 
 DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
-    if (const core::session::PointerInput& asked = m_input.latest(); isFinite(asked))
+    if (const core::servo::PointerInput& asked = m_input.latest(); isFinite(asked))
         m_want = asked;
     if (std::exchange(m_begins, false))
         begin();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/rt/TripleBuffer.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "haptics/HapticDevice.h"
 
 namespace haptics {
@@ -26,7 +26,7 @@ class PointerDevice final : public HapticDevice
 public:
     /// @param input    written by the ui; a wish that is not finite is passed over
     /// @param stiffnessNPerMm  of the spring that answers the hand: the unit of its leaning
-    PointerDevice(core::rt::TripleBuffer<core::session::PointerInput>& input, double stiffnessNPerMm,
+    PointerDevice(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm,
                   double periodS) noexcept;
 
     void seeBur(const glm::dvec3& tipMm) noexcept override { m_burMm = tipMm; }
@@ -41,10 +41,10 @@ private:
     void lower() noexcept;
     void lift() noexcept;
 
-    core::rt::TripleBuffer<core::session::PointerInput>& m_input;
+    core::rt::TripleBuffer<core::servo::PointerInput>& m_input;
     double m_stiffness;
     double m_period;
-    core::session::PointerInput m_want;  ///< the newest that was finite
+    core::servo::PointerInput m_want;  ///< the newest that was finite
     glm::dvec3 m_burMm{0.0, 0.0, 4.0};
     double m_followMmPerS = 0.0;  ///< pace of the bur into the cut
     double m_levelMm = 4.0;       ///< level of a hand with a feed, tooth frame z

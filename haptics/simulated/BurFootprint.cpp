@@ -5,7 +5,7 @@
 
 namespace haptics {
 
-std::vector<FootprintPart> footprint(const core::drilling::Bur& bur, const core::terrain::Grid& grid)
+std::vector<FootprintPart> footprint(const core::bur::Bur& bur, const core::terrain::Grid& grid)
 {
     const int span = static_cast<int>(std::floor(bur.headRadiusMm / grid.cellMm));
     std::vector<FootprintPart> parts;

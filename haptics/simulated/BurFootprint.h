@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/terrain/Grid.h"
 
 namespace haptics {
@@ -17,6 +17,6 @@ struct FootprintPart
 };
 
 /// All that a bur's head stands over, seen from above; the part below the tip is one of them.
-[[nodiscard]] std::vector<FootprintPart> footprint(const core::drilling::Bur& bur, const core::terrain::Grid& grid);
+[[nodiscard]] std::vector<FootprintPart> footprint(const core::bur::Bur& bur, const core::terrain::Grid& grid);
 
 }  // namespace haptics

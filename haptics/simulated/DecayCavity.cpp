@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 #include "core/grading/IdealCavity.h"
 #include "haptics/simulated/BurFootprint.h"
 
@@ -50,12 +50,12 @@ std::vector<std::size_t> deepestFirst(const core::terrain::ToothAnatomy& anatomy
 
 }  // namespace
 
-std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy, const core::drilling::Bur& bur)
+std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy, const core::bur::Bur& bur)
 {
     const core::terrain::Grid& grid = anatomy.grid;
     const std::vector<FootprintPart> head = footprint(bur, grid);
     const std::vector<float> limit = limits(anatomy);
-    const auto lowestTip = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    const auto lowestTip = static_cast<float>(core::bur::lowestTipMm(anatomy));
     std::vector<float> top = anatomy.top;
     // What a cut costs in height of sound columns, with its tip at such a place; nothing where it must not be.
     const auto costOf = [&](int i, int j, float tipMm) -> std::optional<float> {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/terrain/Tooth.h"
 
 namespace haptics {
@@ -12,7 +12,6 @@ namespace haptics {
 /// Decay is left where the bur would come near the pulp, go through the tooth, or not fit. Takes some ten milliseconds
 /// at 150 x 150. Any thread may call it.
 /// @return the top of each column afterwards, mm, [side * side], as core::grading::IdealTop
-[[nodiscard]] std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy,
-                                             const core::drilling::Bur& bur);
+[[nodiscard]] std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy, const core::bur::Bur& bur);
 
 }  // namespace haptics

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/simulated/GuidedFalcon.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 
@@ -18,7 +20,7 @@ constexpr double kMostCorrectionMm = 0.5;      ///< a little more than the devic
 
 }  // namespace
 
-GuidedFalcon::GuidedFalcon(core::rt::TripleBuffer<core::session::PointerInput>& input, double stiffnessNPerMm,
+GuidedFalcon::GuidedFalcon(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm,
                            double periodS)
     : m_glance(periodS / kEyeLagS),
       // Who leans on a tooth through an arm stretches both springs, one behind the other.

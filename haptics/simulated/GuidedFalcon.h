@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/SimulatedFalcon.h"
 
@@ -12,7 +14,7 @@ class GuidedFalcon final : public HapticDevice
 {
 public:
     /// @param input, stiffnessNPerMm, periodS  as of PointerDevice
-    GuidedFalcon(core::rt::TripleBuffer<core::session::PointerInput>& input, double stiffnessNPerMm, double periodS);
+    GuidedFalcon(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm, double periodS);
 
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
 

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 
 namespace haptics {
 namespace {
@@ -33,7 +33,7 @@ constexpr int kThere = 6;            ///< a decision counts so many times where 
 }  // namespace
 
 IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop,
-                     const core::drilling::Bur& bur, const core::terrain::HeightMaps* beside)
+                     const core::bur::Bur& bur, const core::terrain::HeightMaps* beside)
     : m_grid(anatomy.grid), m_lowestMm(m_grid.count(), kEmptyTop), m_reachMm(anatomy.top), m_fromAt(m_grid.count()),
       m_isKeptOff(m_grid.count()), m_isGivenUp(m_grid.count()), m_layerMm(kEmptyTop),
       m_thickMm(static_cast<float>(kLayerShare * bur.headLengthMm))
@@ -45,7 +45,7 @@ IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const
         if (anatomy.top[k] > anatomy.bottom[k])
             wantedTop[k] = std::max(wantedTop[k], anatomy.bottom[k] - kBelowToothMm);
     findLowest(wantedTop, head);
-    const auto lowestTip = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    const auto lowestTip = static_cast<float>(core::bur::lowestTipMm(anatomy));
     for (float& lowest : m_lowestMm)
         lowest = std::max(lowest, lowestTip);
     if (beside != nullptr)
@@ -75,7 +75,7 @@ void IdealHand::findLowest(std::span<const float> idealTop, std::span<const Foot
 }
 
 /// Over a neighbour the bur stays above it, however little it would touch.
-void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::drilling::Bur& bur)
+void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::bur::Bur& bur)
 {
     const core::terrain::Grid& other = beside.grid;
     const int span = static_cast<int>((bur.headRadiusMm + kApartMm) / other.cellMm) + 1;
@@ -189,7 +189,7 @@ double IdealHand::lowestOnTheWay(glm::dvec2 fromMm, glm::dvec2 toMm) const
     return highest;
 }
 
-core::session::PointerInput IdealHand::decide(const core::session::ServoState& state, const core::terrain::Tooth& tooth)
+core::servo::PointerInput IdealHand::decide(const core::servo::ServoState& state, const core::terrain::Tooth& tooth)
 {
     const glm::dvec2 bur(state.anchorMm.x, state.anchorMm.y);
     if (m_column) {
@@ -204,7 +204,7 @@ core::session::PointerInput IdealHand::decide(const core::session::ServoState& s
         m_patience = 0;
     }
     m_isDone = !m_column;
-    core::session::PointerInput want;
+    core::servo::PointerInput want;
     want.pushForceN = kPushN;
     want.targetMm = bur;
     if (m_isDone)

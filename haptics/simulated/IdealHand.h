@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/drilling/Bur.h"
-#include "core/session/Links.h"
+#include "core/bur/Bur.h"
+#include "core/servo/ServoState.h"
 #include "core/terrain/Rasteriser.h"
 #include "core/terrain/Tooth.h"
 #include "haptics/simulated/BurFootprint.h"
@@ -22,19 +22,19 @@ class IdealHand
 public:
     /// @param idealTop  as core::grading::IdealTop, of the anatomy that is cut
     /// @param beside    the neighbours, which the bur keeps off; may be null, is not kept
-    IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop,
-              const core::drilling::Bur& bur, const core::terrain::HeightMaps* beside = nullptr);
+    IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop, const core::bur::Bur& bur,
+              const core::terrain::HeightMaps* beside = nullptr);
 
     /// What the hand wants now, given the bur and the tooth. Call once every few ticks.
-    [[nodiscard]] core::session::PointerInput decide(const core::session::ServoState& state,
-                                                     const core::terrain::Tooth& tooth);
+    [[nodiscard]] core::servo::PointerInput decide(const core::servo::ServoState& state,
+                                                   const core::terrain::Tooth& tooth);
 
     /// True when all is cut that this bur can reach, or what is left does not yield.
     [[nodiscard]] bool isDone() const { return m_isDone; }
 
 private:
     void findLowest(std::span<const float> idealTop, std::span<const FootprintPart> head);
-    void keepOff(const core::terrain::HeightMaps& beside, const core::drilling::Bur& bur);
+    void keepOff(const core::terrain::HeightMaps& beside, const core::bur::Bur& bur);
     void findReach(std::span<const FootprintPart> head);
     [[nodiscard]] bool goDown(const core::terrain::Tooth& tooth);
     [[nodiscard]] bool isWanting(const core::terrain::Tooth& tooth, std::size_t column) const;

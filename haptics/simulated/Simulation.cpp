@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/simulated/Simulation.h"
+#include "core/session/Links.h"
 
 #include <cmath>
 #include <ctime>
@@ -11,6 +12,7 @@ namespace haptics {
 namespace {
 
 using namespace core::session;
+using namespace core::servo;
 
 /// Ticks between two of the session, as in the program: about 100 Hz at 1 kHz.
 constexpr std::uint64_t kTicksPerSession = 10;

@@ -7,7 +7,8 @@
 #include <string>
 
 #include "core/recording/Recording.h"
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/HapticDevice.h"
 #include "haptics/simulated/TickTimes.h"
 
@@ -18,18 +19,18 @@ namespace haptics {
 
 struct SimulationOptions
 {
-    core::session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     std::size_t burIndex = 1;  ///< 330
     double rateHz = 1000.0;
     std::string lesson;   ///< what the attempt is made for, for the recording; may be empty
     bool record = false;  ///< keeps a recording, which grows with every tick
-    std::function<void(const core::session::TilePatch&)> onPatch;  ///< called with each cut tile; may be empty
+    std::function<void(const core::servo::TilePatch&)> onPatch;  ///< called with each cut tile; may be empty
 };
 
 struct SimulationOutcome
 {
     core::terrain::Tooth tooth;
-    core::session::ServoState last;
+    core::servo::ServoState last;
     std::optional<core::recording::Recording> recording;  ///< where one was asked for
     std::unique_ptr<TickTimes> tickTimes;                 ///< thread CPU time of each tick
 };
@@ -43,8 +44,8 @@ struct SimulationOutcome
 [[nodiscard]] core::Result<SimulationOutcome>
 simulate(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, HapticDevice& device, std::uint64_t ticks,
          const SimulationOptions& options,
-         const std::function<std::optional<bool>(std::uint64_t tick, const core::session::ServoState& state,
+         const std::function<std::optional<bool>(std::uint64_t tick, const core::servo::ServoState& state,
                                                  const core::terrain::Tooth& tooth)>& before,
-         const std::function<void(std::uint64_t tick, const core::session::ServoState& state)>& after);
+         const std::function<void(std::uint64_t tick, const core::servo::ServoState& state)>& after);
 
 }  // namespace haptics

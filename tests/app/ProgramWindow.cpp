@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/ProgramWindow.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +13,7 @@
 #include <QRadioButton>
 #include <QSlider>
 
-#include "core/session/StrokeWatch.h"
+#include "core/servo/StrokeWatch.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonReader.h"
 #include "tests/support/Files.h"
@@ -28,14 +29,13 @@ void ProgramWindow::begin(app::WindowOptions options)
         options.database = m_folder->filePath("school.sqlite");
     m_application = app::Application::make(options).value();
     m_servo = {};
-    connect(&window().view(), &ui::tooth::ToothView::frameAdvanced, this,
-            [this](const core::session::ServoState& state) {
-                if (state.removedMm3 != m_removed || state.toothGeneration != m_servo.toothGeneration) {
-                    m_removed = state.removedMm3;
-                    m_cutAtTick = state.tick;
-                }
-                m_servo = state;
-            });
+    connect(&window().view(), &ui::tooth::ToothView::frameAdvanced, this, [this](const core::servo::ServoState& state) {
+        if (state.removedMm3 != m_removed || state.toothGeneration != m_servo.toothGeneration) {
+            m_removed = state.removedMm3;
+            m_cutAtTick = state.tick;
+        }
+        m_servo = state;
+    });
     m_application->show();
     // A small picture: without a graphics card it is drawn by the processor.
     window().resize(window().minimumSizeHint().expandedTo({1100, 760}));
@@ -84,7 +84,7 @@ void ProgramWindow::drill(glm::dvec3 pointMm) const
 
 void ProgramWindow::waitForStrokeEnd() const
 {
-    constexpr std::uint64_t kEndedTicks = 2 * core::session::StrokeWatch::kPauseTicks;
+    constexpr std::uint64_t kEndedTicks = 2 * core::servo::StrokeWatch::kPauseTicks;
     WAIT_FOR(m_servo.tick > m_cutAtTick + kEndedTicks);
 }
 

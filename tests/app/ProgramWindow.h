@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/Application.h"
+#include "core/servo/ServoState.h"
 #include "lessons/Lesson.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
@@ -92,7 +93,7 @@ protected:
     void drill(glm::dvec3 pointMm) const;
     void drill(double xMm) const { drill({xMm, 1.0, -1.0}); }
     /// The servo as the window has shown it last.
-    [[nodiscard]] const core::session::ServoState& servo() const { return m_servo; }
+    [[nodiscard]] const core::servo::ServoState& servo() const { return m_servo; }
     [[nodiscard]] bool hasCut() const { return m_removed != core::terrain::PerMaterial{}; }
     void waitForTicks(std::uint64_t ticks) const;
     /// Waits until what is done with the pointer has ended as a stroke.
@@ -115,7 +116,7 @@ protected:
     std::unique_ptr<app::Application> m_application;
 
 private:
-    core::session::ServoState m_servo;
+    core::servo::ServoState m_servo;
     std::uint64_t m_cutAtTick = 0;           ///< when material came away last
     core::terrain::PerMaterial m_removed{};  ///< by then
 };

@@ -16,6 +16,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/recording/JournalFile.h"
+#include "core/servo/ServoState.h"
 #include "core/teeth/Block.h"
 #include "database/sql/Database.h"
 #include "database/sql/Statement.h"
@@ -177,7 +178,7 @@ private slots:
         QPoint at;
         double mostMm = 0.0;
         bool hasCut = false;
-        const auto compare = [&](const core::session::ServoState& state) {
+        const auto compare = [&](const core::servo::ServoState& state) {
             if (!state.cutting || std::exchange(hasCut, true))
                 return;
             const ui::render::Ray ray = view.camera().rayThrough({at.x() + 0.5, at.y() + 0.5});

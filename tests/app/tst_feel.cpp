@@ -14,7 +14,7 @@
 #include <QTest>
 
 #include "core/recording/Replay.h"
-#include "core/session/ServoNumbers.h"
+#include "core/servo/ServoNumbers.h"
 #include "lessons/PresetFile.h"
 #include "tests/app/ProgramWindow.h"
 #include "tests/support/Files.h"
@@ -55,12 +55,12 @@ private slots:
         // Rates of caries and enamel, as the servo is told them.
         const auto rates = [this] {
             const core::recording::Recording made = recording();
-            core::session::ServoSettings settings = made.settings();
-            made.forEach([&](const core::session::ServoEvent& event) {
-                if (event.kind != core::session::ServoEvent::Kind::Number)
+            core::servo::ServoSettings settings = made.settings();
+            made.forEach([&](const core::servo::ServoEvent& event) {
+                if (event.kind != core::servo::ServoEvent::Kind::Number)
                     return;
-                if (const auto number = core::session::unpackNumber(event.value))
-                    core::session::setServoNumber(settings, *number);
+                if (const auto number = core::servo::unpackNumber(event.value))
+                    core::servo::setServoNumber(settings, *number);
             });
             return std::pair(static_cast<float>(settings.hardness.material[0].rateMm3PerNs),
                              static_cast<float>(settings.hardness.material[1].rateMm3PerNs));

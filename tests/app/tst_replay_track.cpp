@@ -6,6 +6,8 @@
 
 #include "app/ReplayLoop.h"
 #include "core/base/Rng.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "tests/support/Rig.h"
@@ -38,24 +40,24 @@ Recording attempt()
 {
     support::Rig rig;
     rig.open(block());
-    rig.send(session::SetDrill{true});
+    rig.send(core::servo::SetDrill{true});
     const auto stroke = [&rig](double x, int ticks) {
         rig.lean(x, 0.0, 2.0, ticks);
         rig.lift();
         rig.run(40);
     };
     stroke(-1.2, 120);
-    rig.send(session::SetAids{session::kMirrorAid});
+    rig.send(session::SetAids{core::servo::kMirrorAid});
     stroke(0.0, 150);
     rig.send(session::Undo{});
     rig.run(60);
     rig.send(session::Redo{});
     rig.run(60);
     rig.send(session::AddNote{5});
-    rig.send(session::AddNote{session::kRestNote});
+    rig.send(session::AddNote{core::servo::kRestNote});
     rig.run(50);
-    rig.send(session::AddNote{session::kWorkNote});
-    rig.send(session::SetBur{3});
+    rig.send(session::AddNote{core::servo::kWorkNote});
+    rig.send(core::servo::SetBur{3});
     rig.run(20);
     stroke(1.2, 130);
     rig.send(session::Reload{});
@@ -74,9 +76,9 @@ struct Viewer
 
     void look()
     {
-        for (session::TilePatch patch; links->patches.tryPop(patch);)
+        for (core::servo::TilePatch patch; links->patches.tryPop(patch);)
             inbox.take(patch);
-        for (const session::TilePatch& patch : inbox.complete())
+        for (const core::servo::TilePatch& patch : inbox.complete())
             ui::tooth::write(patch, tooth);
         inbox.complete().clear();
     }
@@ -130,10 +132,10 @@ private slots:
             viewer.look();
             QCOMPARE(viewer.tooth.top, truth->heightsAt(truth->tickAt(seconds)));
             QVERIFY(std::abs(viewer.shownS() - seconds) < 0.005);
-            const session::ServoState& state = viewer.links->servo.latest();
+            const core::servo::ServoState& state = viewer.links->servo.latest();
             QCOMPARE(state.toothGeneration, kGeneration);
-            const session::ServoState was = truth->stateAt(truth->tickAt(seconds));
-            const session::ServoState next = truth->stateAt(truth->tickAt(seconds) + Player::kTicksAPose);
+            const core::servo::ServoState was = truth->stateAt(truth->tickAt(seconds));
+            const core::servo::ServoState next = truth->stateAt(truth->tickAt(seconds) + Player::kTicksAPose);
             QCOMPARE(state.burIndex, was.burIndex);
             QVERIFY(state.anchorMm.z >= std::min(was.anchorMm.z, next.anchorMm.z) - 1.0e-9);
             QVERIFY(state.anchorMm.z <= std::max(was.anchorMm.z, next.anchorMm.z) + 1.0e-9);
@@ -166,13 +168,13 @@ private slots:
         block.cellMm = 0.02;
         block.bottomMm = -0.01;  // so thin that the first touch of the bur bores through
         const auto anatomy = support::makeBlock(block);
-        session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.hardness.material.fill({100.0, 0.0});
         Recording made(settings, anatomy);
-        made.append({session::ServoEvent::Kind::Drill, 0, {}, 1});
-        made.append({session::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
+        made.append({core::servo::ServoEvent::Kind::Drill, 0, {}, 1});
+        made.append({core::servo::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
         for (int n = 0; n < 4000; ++n)
-            made.append({session::ServoEvent::Kind::Tick,
+            made.append({core::servo::ServoEvent::Kind::Tick,
                          1000,
                          {-4.5F + 0.6F * std::floor(static_cast<float>(n) / 250.0F),
                           4.5F - 0.036F * static_cast<float>(n % 250), -1.0F},
@@ -184,11 +186,11 @@ private slots:
         history::TiledHeights view(anatomy->grid, anatomy->top);
         int patches = 0;
         for (int n = 0; n < 20; ++n) {
-            for (session::TilePatch patch; links.patches.tryPop(patch); ++patches)
+            for (core::servo::TilePatch patch; links.patches.tryPop(patch); ++patches)
                 view.setTile(patch.tileX, patch.tileY, patch.top);
             track->show(60.0);
         }
-        for (session::TilePatch patch; links.patches.tryPop(patch); ++patches)
+        for (core::servo::TilePatch patch; links.patches.tryPop(patch); ++patches)
             view.setTile(patch.tileX, patch.tileY, patch.top);
         QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
         QCOMPARE(view.flat(), outcome->tooth.top);
@@ -280,8 +282,8 @@ private slots:
         const auto assigned = lessons::assign(lesson).value();
         support::Rig rig;
         rig.open(assigned.assignment.anatomy, 1, lesson.json);
-        rig.send(session::SetBur{0});
-        rig.send(session::SetDrill{true});
+        rig.send(core::servo::SetBur{0});
+        rig.send(core::servo::SetDrill{true});
         rig.run(30);
         // Far beside the line.
         rig.lean(3.5, 3.5, 4.0, 1500);
@@ -366,7 +368,7 @@ private slots:
         const Recording made = attempt();
         support::Rig rig;
         rig.open(block());
-        rig.send(session::SetDrill{true});
+        rig.send(core::servo::SetDrill{true});
         rig.lean(0.0, 0.0, 2.0, 300);
         rig.lift();
         rig.settle();

@@ -10,6 +10,7 @@
 
 #include "app/AdminDesk.h"
 #include "app/PresetDesk.h"
+#include "core/session/Links.h"
 #include "database/sql/Settings.h"
 #include "tests/database/SchoolRig.h"
 #include "ui/admin/AdminPage.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/drilling/BreakOff.h"
+#include "core/cutting/BreakOff.h"
 #include "core/recording/Replay.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
@@ -20,9 +20,9 @@ namespace {
 constexpr double kDeepMm = 1.0;
 
 /// Breaking off or not; a tooth that yields at once, so that a cut is where the path is.
-session::ServoSettings yielding(bool on)
+core::servo::ServoSettings yielding(bool on)
 {
-    session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     settings.hardness.material.fill({settings::kMaxRateMm3PerNs, 0.0});
     settings.breakOff.on = on;
     return settings;
@@ -36,10 +36,10 @@ double sum(const terrain::PerMaterial& volumes)
 /// A tooth after two trenches of a fissure bur, 1 mm deep and 2 mm long, with a fin between them.
 struct TwoTrenches : support::Bench
 {
-    TwoTrenches(const support::Block& block, double finMm, const session::ServoSettings& settings)
+    TwoTrenches(const support::Block& block, double finMm, const core::servo::ServoSettings& settings)
         : Bench(support::blockTooth(block), "57", settings)
     {
-        const double y = drilling::burs()[tooth->burIndex()].headRadiusMm + 0.5 * finMm;
+        const double y = core::bur::burs()[tooth->burIndex()].headRadiusMm + 0.5 * finMm;
         for (const double aside : {-y, y}) {
             step({-1.0, aside, 0.5});
             for (int tick = 0; tick < 300; ++tick)
@@ -97,14 +97,14 @@ private slots:
             const glm::dvec2 across(-std::sin(degrees * 0.017453292519943), std::cos(degrees * 0.017453292519943));
             contact::LiveTooth tooth{support::blockTooth({})};
             const terrain::Grid& grid = tooth.grid();
-            drilling::CutRect changed{40, 40, 110, 110};
+            core::cutting::CutRect changed{40, 40, 110, 110};
             for (int j = changed.j0; j <= changed.j1; ++j)
                 for (int i = changed.i0; i <= changed.i1; ++i) {
                     const glm::dvec2 at = grid.nodeMm(i, j);
                     if (std::abs(at.x * across.x + at.y * across.y) > 0.05)
                         tooth.lower(i, j, -1.2F);
                 }
-            const terrain::PerMaterial broken = drilling::breakOff(tooth, 6.0, changed);
+            const terrain::PerMaterial broken = core::cutting::breakOff(tooth, 6.0, changed);
             int standing = 0;
             for (int j = 45; j <= 105; ++j)
                 for (int i = 45; i <= 105; ++i)
@@ -148,7 +148,7 @@ private slots:
 
     void replaysToTheSameBits()
     {
-        session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.hardness.material.fill({30.0, 0.0});
         settings.handpieces = {settings::findHandpiece("electric").value()};
         settings.breakOff = {true, 5.0};
@@ -168,9 +168,9 @@ private slots:
 
     void badSlendernessIsRefused()
     {
-        session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.breakOff.slenderness = 1.0;
-        QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
+        QCOMPARE(core::servo::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
     }
 };
 

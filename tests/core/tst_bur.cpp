@@ -4,15 +4,15 @@
 #include <cmath>
 #include <set>
 
+#include "core/bur/BurFile.h"
+#include "core/bur/BurMask.h"
 #include "core/contact/Head.h"
-#include "core/drilling/BurFile.h"
-#include "core/drilling/BurMask.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
 
 using namespace core;
-using drilling::Bur;
+using core::bur::Bur;
 
 namespace {
 
@@ -67,14 +67,14 @@ private slots:
     void allBurs_data()
     {
         QTest::addColumn<std::size_t>("index");
-        for (std::size_t k = 0; k < drilling::burs().size(); ++k)
-            QTest::newRow(drilling::burs()[k].id.c_str()) << k;
+        for (std::size_t k = 0; k < core::bur::burs().size(); ++k)
+            QTest::newRow(core::bur::burs()[k].id.c_str()) << k;
     }
 
     /// Recordings name burs by index and replay to the bit.
     void theFirstFourStayAsTheyAre()
     {
-        const auto burs = drilling::burs();
+        const auto burs = core::bur::burs();
         QVERIFY(burs.size() >= 24);
         const auto is = [&](std::size_t k, const char* id, double radius, double length, double neck, double corner,
                             std::size_t points) {
@@ -92,7 +92,7 @@ private slots:
     void everyBurHasItsSizes()
     {
         std::set<std::string> ids;
-        for (const Bur& bur : drilling::burs()) {
+        for (const Bur& bur : core::bur::burs()) {
             QVERIFY2(ids.insert(bur.id).second, bur.id.c_str());
             QCOMPARE(bur.isoSize().size(), 3U);
             if (!bur.iso6360.empty())
@@ -100,8 +100,8 @@ private slots:
             for (std::size_t k = 1; k < bur.outline.size(); ++k)
                 QVERIFY2(bur.outline[k].heightMm >= bur.outline[k - 1].heightMm, bur.id.c_str());
         }
-        QCOMPARE(drilling::burs()[drilling::findBur("1/4").value()].isoSize(), std::string("005"));
-        QCOMPARE(drilling::burs()[drilling::findBur("8").value()].isoSize(), std::string("023"));
+        QCOMPARE(core::bur::burs()[core::bur::findBur("1/4").value()].isoSize(), std::string("005"));
+        QCOMPARE(core::bur::burs()[core::bur::findBur("8").value()].isoSize(), std::string("023"));
     }
 
     void theUndersideIsTheProfile_data() { allBurs_data(); }
@@ -109,7 +109,7 @@ private slots:
     void theUndersideIsTheProfile()
     {
         QFETCH(std::size_t, index);
-        const Bur& bur = drilling::burs()[index];
+        const Bur& bur = core::bur::burs()[index];
         double before = 0.0;
         for (int k = 0; k < kSamples; ++k) {
             const double radius = bur.headRadiusMm * k / kSamples;
@@ -132,8 +132,8 @@ private slots:
     void theMaskIsTheSlowObviousSearch()
     {
         QFETCH(std::size_t, index);
-        const Bur& bur = drilling::burs()[index];
-        const drilling::BurMask mask(bur, 0.07);
+        const Bur& bur = core::bur::burs()[index];
+        const core::bur::BurMask mask(bur, 0.07);
         const double step = bur.headRadiusMm / kSamples;
         for (const double slope : {0.0, 0.05, 0.3, 1.0, 1.8, 3.0, 4.5, 8.0, 18.0, 25.0, 40.0, 300.0}) {
             double most = -1.0e9;
@@ -169,8 +169,8 @@ private slots:
     void whatCutsIsTheProfile()
     {
         QFETCH(std::size_t, index);
-        const Bur& bur = drilling::burs()[index];
-        const drilling::BurMask mask(bur, 0.07);
+        const Bur& bur = core::bur::burs()[index];
+        const core::bur::BurMask mask(bur, 0.07);
         const contact::Head head = contact::headAt(mask, 0.07, 0.0, 0.0);
         float before = 0.0F;
         for (int k = 0; k <= kSamples; ++k) {
@@ -187,12 +187,12 @@ private slots:
             QVERIFY2(under > low - 2.0e-6 && under < high + 2.0e-6,
                      qPrintable(QString("at %1: %2, not %3 to %4").arg(radius).arg(under).arg(low).arg(high)));
         }
-        QCOMPARE(contact::underAt(head.radius2 * 1.001F, head), drilling::BurMask::kAbsent);
+        QCOMPARE(contact::underAt(head.radius2 * 1.001F, head), core::bur::BurMask::kAbsent);
     }
 
     void readsAUsersBur()
     {
-        const auto burs = drilling::parseBurs("# mine\r\n\r\n" + kTapered);
+        const auto burs = core::bur::parseBurs("# mine\r\n\r\n" + kTapered);
         QVERIFY2(burs, burs ? "" : burs.error().detail.c_str());
         QCOMPARE(burs->size(), 1U);
         const Bur& bur = burs->front();
@@ -200,7 +200,7 @@ private slots:
         QCOMPARE(bur.isoSize(), std::string("012"));
         // 2.5 degrees a side.
         QVERIFY(std::abs(1.0 / bur.coneSlope - std::tan(2.5 * 0.017453292519943295)) < 1.0e-4);
-        QVERIFY(drilling::parseBurs(with(3, "material diamond 524\niso6360 806 314 168 524 012 # a cone\n"))
+        QVERIFY(core::bur::parseBurs(with(3, "material diamond 524\niso6360 806 314 168 524 012 # a cone\n"))
                     ->front()
                     .grit == 524);
     }
@@ -271,7 +271,7 @@ private slots:
     {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, says);
-        const auto burs = drilling::parseBurs(text.toStdString());
+        const auto burs = core::bur::parseBurs(text.toStdString());
         QVERIFY(!burs);
         QVERIFY2(burs.error().detail.find(says.toStdString()) != std::string::npos, burs.error().detail.c_str());
         QVERIFY(burs.error().detail.ends_with('.') && burs.error().detail.find('\n') == std::string::npos);
@@ -279,9 +279,9 @@ private slots:
 
     void readsWhatEditorsAdd()
     {
-        const auto plain = drilling::parseBurs(kTapered);
+        const auto plain = core::bur::parseBurs(kTapered);
         const std::string other = "\xEF\xBB\xBF# f\xC3\xBCr Stufen\r\n" + kTapered;
-        const auto read = drilling::parseBurs(other);
+        const auto read = core::bur::parseBurs(other);
         QVERIFY(support::succeeds(plain) && support::succeeds(read));
         QCOMPARE(read->front().headRadiusMm, plain->front().headRadiusMm);
     }
@@ -290,19 +290,19 @@ private slots:
     {
         const QTemporaryDir dir;
         const std::filesystem::path file = dir.filePath("mine.txt").toStdString();
-        QCOMPARE(drilling::readBur(file).error().code, ErrorCode::FileMissing);
-        QCOMPARE(drilling::readBur(dir.path().toStdString()).error().code, ErrorCode::FileUnreadable);
+        QCOMPARE(core::bur::readBur(file).error().code, ErrorCode::FileMissing);
+        QCOMPARE(core::bur::readBur(dir.path().toStdString()).error().code, ErrorCode::FileUnreadable);
         const auto write = [&](const std::string& text) {
             QFile out(QString::fromStdString(file.string()));
             return out.open(QIODevice::WriteOnly) &&
                    out.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
         };
         QVERIFY(write(kTapered));
-        QCOMPARE(drilling::readBur(file)->id, std::string("mine"));
+        QCOMPARE(core::bur::readBur(file)->id, std::string("mine"));
         QVERIFY(write(std::string(70000, '#')));
-        QCOMPARE(drilling::readBur(file).error().code, ErrorCode::FileTooLarge);
+        QCOMPARE(core::bur::readBur(file).error().code, ErrorCode::FileTooLarge);
         QVERIFY(write(kTapered + "bur other" + kTapered.substr(8)));
-        QCOMPARE(drilling::readBur(file).error().code, ErrorCode::BadStructure);
+        QCOMPARE(core::bur::readBur(file).error().code, ErrorCode::BadStructure);
     }
 };
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 #include "core/imaging/Canals.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Scenes.h"
@@ -34,7 +34,7 @@ private slots:
         const auto built = teeth::buildTooth({fdi}, {});
         QVERIFY(built.has_value());
         const auto model = built->anatomy;
-        const double reachMm = drilling::lowestTipMm(*model);
+        const double reachMm = core::bur::lowestTipMm(*model);
         const auto pictured = imaging::withCanals(terrain::Tooth(model)).anatomy;
         QVERIFY(pictured != model);
         QVERIFY(imaging::withCanals(terrain::Tooth(model)).anatomy == pictured);  // found once

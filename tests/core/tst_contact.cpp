@@ -118,8 +118,8 @@ private slots:
         const int side = anatomy->grid.side;
         for (int n = 0; n < support::trials(50, 400); ++n) {
             contact::LiveTooth tooth(thin);
-            tooth.selectBur(static_cast<std::size_t>(n) % drilling::burs().size());
-            const drilling::BurMask& mask = tooth.mask();
+            tooth.selectBur(static_cast<std::size_t>(n) % core::bur::burs().size());
+            const core::bur::BurMask& mask = tooth.mask();
             const contact::Head head = contact::headAt(mask, cell, rng.uniform(-5.0, 155.0), rng.uniform(-5.0, 155.0));
             const contact::Descent descent{static_cast<float>(rng.uniform(-6.0, 0.0)), 0.5F};
             const float share = n % 3 == 0 ? 0.4F : 1.0F;
@@ -207,10 +207,10 @@ private slots:
             return *std::max_element(peaks.begin(), peaks.end(),
                                      [](const auto& a, const auto& b) { return a.value < b.value; });
         };
-        for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
+        for (std::size_t bur = 0; bur < core::bur::burs().size(); ++bur) {
             tooth.selectBur(bur);
-            const drilling::BurMask& mask = tooth.mask();
-            for (int n = 0; n < (bur < drilling::kCommonBurs ? 5000 : 400); ++n) {
+            const core::bur::BurMask& mask = tooth.mask();
+            for (int n = 0; n < (bur < core::bur::kCommonBurs ? 5000 : 400); ++n) {
                 const double u = rng.uniform(-8.0, 158.0);
                 const double v = rng.uniform(-8.0, 158.0);
                 const auto& fast = contact::kernels();
@@ -259,14 +259,14 @@ private slots:
                     tooth.refreshBlocks(i, j, i, j);
             }
             if (n % 100 == 0)
-                tooth.selectBur(static_cast<std::size_t>(n / 100) % drilling::burs().size());
+                tooth.selectBur(static_cast<std::size_t>(n / 100) % core::bur::burs().size());
             const glm::dvec2 p(rng.uniform(-5.5, 5.5), rng.uniform(-5.5, 5.5));
             const double z = rng.uniform(-6.0, 0.0);
             const glm::dvec2 lattice = grid.latticeOf(p);
             const contact::Head head = contact::headAt(tooth.mask(), grid.cellMm, lattice.x, lattice.y);
             float floor = terrain::kEmptyTop;
             float roof = terrain::kEmptyBottom;
-            float lowest = drilling::BurMask::kAbsent;
+            float lowest = core::bur::BurMask::kAbsent;
             for (int j = 0; j < grid.side; ++j) {
                 for (int i = 0; i < grid.side; ++i) {
                     const std::size_t k = grid.index(i, j);
@@ -297,7 +297,7 @@ private slots:
             QCOMPARE(enough.floorMm <= enough.roofMm && enough.floorMm <= least.floorMm &&
                          enough.roofMm >= least.roofMm,
                      fits);
-            if (std::abs(lowest) < drilling::BurMask::kAbsent / 2.0F)
+            if (std::abs(lowest) < core::bur::BurMask::kAbsent / 2.0F)
                 QCOMPARE(tooth.undersideAt(p), static_cast<double>(lowest));
         }
     }
@@ -308,10 +308,10 @@ private slots:
         contact::LiveTooth tooth(support::blockTooth({.topMm = [&rng](double x, double y) {
             return std::hypot(x, y) > 4.0 ? std::nan("") : rng.uniform(-2.0, 0.0);
         }}));
-        for (std::size_t b = 0; b < drilling::burs().size(); ++b) {
+        for (std::size_t b = 0; b < core::bur::burs().size(); ++b) {
             tooth.selectBur(b);
-            const drilling::Bur& bur = drilling::burs()[b];
-            for (int n = 0; n < (b < drilling::kCommonBurs ? 300 : 30); ++n) {
+            const core::bur::Bur& bur = core::bur::burs()[b];
+            for (int n = 0; n < (b < core::bur::kCommonBurs ? 300 : 30); ++n) {
                 const int i = rng.below(150);
                 const int j = rng.below(150);
                 double slow = -1.0e9;
@@ -364,7 +364,7 @@ private slots:
         const glm::dvec2 up(std::cos(turn * kDegree), std::sin(turn * kDegree));
         contact::LiveTooth tooth(support::blockTooth(
             {.bottomMm = -40.0, .topMm = [&](double x, double y) { return slope * (up.x * x + up.y * y); }}));
-        tooth.selectBur(drilling::findBur("57").value());
+        tooth.selectBur(core::bur::findBur("57").value());
         const double stands = 0.4 * slope + 0.1 * (std::sqrt(1.0 + slope * slope) - 1.0);
         Rng rng(3);
         for (int n = 0; n < 2000; ++n) {
@@ -480,8 +480,8 @@ private slots:
     void theRimOfAToothIsRound_data()
     {
         support::columns<std::size_t, double>("bur", "mmPerS");
-        for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur)
-            if (drilling::BurMask(drilling::burs()[bur], 0.07).steepMm < 1.0)  // a rounder one climbs up the disc
+        for (std::size_t bur = 0; bur < core::bur::burs().size(); ++bur)
+            if (core::bur::BurMask(core::bur::burs()[bur], 0.07).steepMm < 1.0)  // a rounder one climbs up the disc
                 for (const double mmPerS : {20.0, 100.0})
                     QTest::addRow("bur %zu, %g mm/s", bur, mmPerS) << bur << mmPerS;
     }
@@ -495,7 +495,7 @@ private slots:
         constexpr double kDiscMm = 4.0;
         constexpr double kCellUm = 70.0;
         // Its edge is met as high above the tip as the disc stands out there.
-        const double right = kDiscMm + drilling::BurMask(drilling::burs()[bur], 0.07).reachAt(1.0);
+        const double right = kDiscMm + core::bur::BurMask(core::bur::burs()[bur], 0.07).reachAt(1.0);
         Scene scene(
             support::blockTooth(
                 {.bottomMm = -3.0,
@@ -528,7 +528,7 @@ private slots:
         // At 100 mm/s the path itself goes on by 0.1 mm a tick, more than a cell, which is 0.2 N.
         const bool isFast = mmPerS > 50.0;
         constexpr double kThinMm = 0.35;
-        if (drilling::burs()[bur].hasCone() || drilling::burs()[bur].headRadiusMm < kThinMm) {
+        if (core::bur::burs()[bur].hasCone() || core::bur::burs()[bur].headRadiusMm < kThinMm) {
             // A tapered side has no plane of its own, and a thin bur few columns around it: they feel more of the
             // stair, and a fast hand gets ahead of them at a column now and then.
             QVERIFY2(std::sqrt(sum2 / count) < (isFast ? 110.0 : 30.0) && most < (isFast ? 420.0 : 110.0),
@@ -555,7 +555,7 @@ private slots:
         const auto built = teeth::buildTooth({fdi}, {}).value();
         contact::LiveTooth tooth{terrain::Tooth(built.anatomy)};
         tooth.selectBur(static_cast<std::size_t>(bur));
-        const double highest = tooth.floorMm() + drilling::kChuckMm;
+        const double highest = tooth.floorMm() + core::bur::kChuckMm;
         // Round the crown at 20 mm/s, 0.3 mm inside the outline that the bur has at that height, smoothed over 9
         // degrees.
         constexpr int kDegrees = 360;
@@ -614,8 +614,8 @@ private slots:
         constexpr int kTicks = 1500;
         constexpr double kBeyondMm = 1.0;
         const terrain::Tooth uncut(teeth::buildTooth({fdi}, {}).value().anatomy);
-        for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
-            for (int walk = 0; walk < (bur < drilling::kCommonBurs ? kWalks : 1); ++walk) {
+        for (std::size_t bur = 0; bur < core::bur::burs().size(); ++bur) {
+            for (int walk = 0; walk < (bur < core::bur::kCommonBurs ? kWalks : 1); ++walk) {
                 core::Rng rng(100 * bur + static_cast<std::uint64_t>(walk));
                 const auto within = [&](double low, double high) { return low + (high - low) * rng.uniform(); };
                 const double from = within(0.0, 360.0) * kDegree;
@@ -648,7 +648,7 @@ private slots:
     /// column.
     void theShoulderStopsBeneathAnOverhang()
     {
-        const drilling::Bur& bur = drilling::burs()[1];
+        const core::bur::Bur& bur = core::bur::burs()[1];
         for (const double x : {-0.23, -0.26, -0.30, -0.34}) {
             Scene scene(support::blockTooth(kPlate), 1, {x, 0.0, -4.0});
             // The hand holds the bur where it is and pulls it up gently.

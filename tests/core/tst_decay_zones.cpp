@@ -52,15 +52,15 @@ terrain::Tooth decayedBlock(bool hasZones)
     return terrain::Tooth(std::move(block));
 }
 
-session::ServoSettings settingsFor(settings::DecayKind decay)
+core::servo::ServoSettings settingsFor(settings::DecayKind decay)
 {
-    session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     settings.hardness = settings::hardnessFor({}, {false, decay});
     return settings;
 }
 
 /// Presses a fissure bur down with 1 N and returns its pace between two depths, mm/s.
-double paceBetween(const terrain::Tooth& tooth, const session::ServoSettings& settings, double fromMm, double toMm)
+double paceBetween(const terrain::Tooth& tooth, const core::servo::ServoSettings& settings, double fromMm, double toMm)
 {
     const support::Bench bench(tooth, "57", settings);
     bench.step({0.013, 0.021, 0.5});
@@ -106,13 +106,13 @@ private slots:
     /// Each zone is cut at the pace of its own row, and firm decay as where all decay is firm.
     void aBurGoesSlowerFromZoneToZone()
     {
-        const session::ServoSettings graded = settingsFor(settings::DecayKind::Graded);
+        const core::servo::ServoSettings graded = settingsFor(settings::DecayKind::Graded);
         const terrain::Tooth tooth = decayedBlock(true);
         const double soft = paceBetween(tooth, graded, -0.1, -0.4);
         const double leathery = paceBetween(tooth, graded, -0.6, -0.9);
         const double firm = paceBetween(tooth, graded, -1.1, -1.4);
         QVERIFY(between(leathery / soft, 0.8 * (0.935 / 0.95) - 0.02, 0.8 * (0.935 / 0.95) + 0.02));
-        const session::ServoSettings allFirm = settingsFor(settings::DecayKind::Firm);
+        const core::servo::ServoSettings allFirm = settingsFor(settings::DecayKind::Firm);
         QVERIFY(between(firm / paceBetween(decayedBlock(false), allFirm, -1.1, -1.4), 0.98, 1.02));
         QVERIFY(firm < 0.85 * leathery);
     }

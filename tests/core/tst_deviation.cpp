@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/Rng.h"
+#include "core/bur/Bur.h"
 #include "core/contact/LiveTooth.h"
-#include "core/drilling/Bur.h"
-#include "core/drilling/Drill.h"
+#include "core/cutting/Drill.h"
 #include "core/grading/Deviation.h"
 #include "core/grading/IdealCavity.h"
 #include "core/teeth/ToothBuilder.h"
@@ -164,10 +164,10 @@ terrain::Tooth drilled(const std::shared_ptr<const terrain::ToothAnatomy>& anato
                        const std::vector<glm::dvec3>& way)
 {
     contact::LiveTooth live{terrain::Tooth(anatomy)};
-    live.selectBur(drilling::findBur(bur).value());
+    live.selectBur(core::bur::findBur(bur).value());
     settings::HardnessPreset yielding;
     yielding.material.fill({settings::kMaxRateMm3PerNs, 0.0});
-    drilling::Drill drill(yielding, {});
+    core::cutting::Drill drill(yielding, {});
     constexpr double kStepMm = 0.02;
     glm::dvec3 tip = way.front();
     for (const glm::dvec3& corner : way) {

@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Feed.h"
-#include "core/session/ServoTick.h"
+#include "core/cutting/Feed.h"
+#include "core/servo/ServoTick.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lab/CuttingTrials.h"
 #include "tests/support/Checks.h"
@@ -32,7 +32,7 @@ const support::Block kCariesBlock{.cariesFloorMm = -100.0};
 
 /// Presses straight down with a constant force for some seconds and returns what was removed, all materials together.
 double plunge(const support::Block& block, const char* bur, double newtons, double seconds,
-              const session::ServoSettings& settings = {})
+              const core::servo::ServoSettings& settings = {})
 {
     constexpr double kX = 0.013;
     constexpr double kY = 0.021;
@@ -125,14 +125,14 @@ private slots:
     void beyondTheFullLoadABurRemovesNoMore()
     {
         QFETCH(QString, bur);
-        const auto rate = [&](double newtons, const session::ServoSettings& settings) {
+        const auto rate = [&](double newtons, const core::servo::ServoSettings& settings) {
             return plunge({}, qPrintable(bur), newtons, 1.5, settings) -
                    plunge({}, qPrintable(bur), newtons, 0.5, settings);
         };
         const double full = rate(1.5, {});
         for (const double newtons : {2.0, 3.0, 4.0})
             QVERIFY2(between(rate(newtons, {}) / full, 0.98, 1.02), qPrintable(QString::number(newtons)));
-        session::ServoSettings before;
+        core::servo::ServoSettings before;
         before.hardness = settings::withoutEndsAndFullLoad(before.hardness);
         QVERIFY(rate(2.0, before) > 1.1 * rate(1.5, before));
     }
@@ -140,17 +140,17 @@ private slots:
     /// Blades on the end of a fissure bur cut badly, a ball has them all over.
     void flatEndsPlungeMoreSlowlyThanBalls()
     {
-        for (const drilling::Bur& bur : drilling::burs())
+        for (const core::bur::Bur& bur : core::bur::burs())
             QCOMPARE(bur.hasFlatEnd(), !bur.outline.empty() && bur.undersideMm(0.1 * bur.headRadiusMm) == 0.0);
         for (const char* flat : {"330", "245", "57", "557", "701", "34", "836"})
-            QVERIFY2(drilling::burs()[drilling::findBur(flat).value()].hasFlatEnd(), flat);
+            QVERIFY2(core::bur::burs()[core::bur::findBur(flat).value()].hasFlatEnd(), flat);
         for (const char* round : {"2", "8", "801", "1557", "856", "877", "379", "860"})
-            QVERIFY2(!drilling::burs()[drilling::findBur(round).value()].hasFlatEnd(), round);
+            QVERIFY2(!core::bur::burs()[core::bur::findBur(round).value()].hasFlatEnd(), round);
         const settings::HardnessPreset shipped;
         const settings::HardnessPreset before = settings::withoutEndsAndFullLoad(shipped);
         const auto feed = [](const settings::HardnessPreset& preset, const char* bur) {
-            return drilling::feedMmPerS(preset, preset.material[kDentin], settings::Handpiece{},
-                                        drilling::burs()[drilling::findBur(bur).value()], 1.0);
+            return core::cutting::feedMmPerS(preset, preset.material[kDentin], settings::Handpiece{},
+                                             core::bur::burs()[core::bur::findBur(bur).value()], 1.0);
         };
         QCOMPARE(feed(shipped, "2"), feed(before, "2"));
         for (const char* flat : {"330", "245", "57"})
@@ -185,7 +185,7 @@ private slots:
     void handpiecesCutAsFastAsTheyTurn()
     {
         const auto rate = [](const settings::Handpiece& handpiece, double newtons) {
-            session::ServoSettings settings;
+            core::servo::ServoSettings settings;
             settings.handpieces = {handpiece};
             return plunge(kCariesBlock, "2", newtons, 0.5, settings);
         };
@@ -199,9 +199,9 @@ private slots:
         QVERIFY(rate(motor, 5.0) > rate(settings::Handpiece{}, 5.0));
         QVERIFY(!settings::findHandpiece("chisel"));
 
-        session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.handpieces.front().stallTorqueNmm = 0.0;
-        QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
+        QCOMPARE(core::servo::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
     }
 
     void ratesAreThoseOfTheTissues()
@@ -313,7 +313,7 @@ private slots:
                 return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) - 1.5 * std::exp(-4.0 * (x * x + y * y));
             }};
         for (const glm::dvec2 at : {glm::dvec2(0.3, -0.1), glm::dvec2(1.4, 1.1)}) {
-            session::ServoSettings settings;
+            core::servo::ServoSettings settings;
             settings.method = method.toStdString();
             const Bench bench(blockTooth(block), "2", settings);
             bench.servo->setBur(static_cast<std::size_t>(bur));
@@ -335,7 +335,7 @@ private slots:
         bench.step({0.0, 0.0, 0.5});
         for (int tick = 0; tick < 6000; ++tick)
             bench.step({0.0, 0.0, std::max(bench.state().anchorMm.z - 1.0, -30.0)});
-        QCOMPARE(bench.state().anchorMm.z, -drilling::kChuckMm);
+        QCOMPARE(bench.state().anchorMm.z, -core::bur::kChuckMm);
         QVERIFY(bench.state().forceN.z > 1.0);
 
         const terrain::PerMaterial before = bench.state().removedMm3;
@@ -350,7 +350,7 @@ private slots:
             QVERIFY(between(state.anchorMm.z - z, -0.5, 0.5));
             deepest = std::min(deepest, state.anchorMm.z);
         }
-        QVERIFY(deepest >= -drilling::kChuckMm);
+        QVERIFY(deepest >= -core::bur::kChuckMm);
     }
 
     void cutsInFromTheSideWithoutAJump_data() { support::rows<int>("fdi", {24, 26, 36}); }
@@ -420,10 +420,11 @@ private slots:
     void feedIsThatOfAFlatBur()
     {
         QFETCH(double, newtons);
-        const drilling::Bur& bur = drilling::burs()[drilling::findBur("57").value()];
+        const core::bur::Bur& bur = core::bur::burs()[core::bur::findBur("57").value()];
         const double seconds = 1.0;
         const settings::HardnessPreset preset;
-        const double told = drilling::feedMmPerS(preset, preset.material[kEnamel], settings::Handpiece{}, bur, newtons);
+        const double told =
+            core::cutting::feedMmPerS(preset, preset.material[kEnamel], settings::Handpiece{}, bur, newtons);
         const double sunk =
             plunge({}, "57", newtons, seconds) / (std::numbers::pi * bur.headRadiusMm * bur.headRadiusMm) / seconds;
         QVERIFY(between(sunk / told, 0.95, 1.05));
@@ -431,9 +432,9 @@ private slots:
 
     void badPresetIsRefused()
     {
-        session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.hardness.material[kEnamel].rateMm3PerNs = std::nan("");
-        const auto servo = session::makeServoTick(settings);
+        const auto servo = core::servo::makeServoTick(settings);
         QVERIFY(support::isRefused(servo, ErrorCode::OutOfRange));
         QVERIFY(servo.error().detail.find("enamel") != std::string::npos);
     }

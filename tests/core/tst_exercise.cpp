@@ -5,7 +5,9 @@
 
 #include "core/base/Rng.h"
 #include "core/grading/MeasureTable.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Follower.h"
+#include "core/session/Links.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -23,9 +25,9 @@ using terrain::Material;
 namespace {
 
 /// A bur that rests on the tooth.
-session::ServoState pressing(double newtons, glm::dvec2 at = {0.0, 0.0}, bool drillOn = false)
+core::servo::ServoState pressing(double newtons, glm::dvec2 at = {0.0, 0.0}, bool drillOn = false)
 {
-    session::ServoState state;
+    core::servo::ServoState state;
     state.anchorMm = state.deviceMm = {at, 0.0};
     state.forceN = {0.0, 0.0, newtons};
     state.touching = true;
@@ -33,12 +35,12 @@ session::ServoState pressing(double newtons, glm::dvec2 at = {0.0, 0.0}, bool dr
     return state;
 }
 
-session::ServoState stateInAir()
+core::servo::ServoState stateInAir()
 {
     return {};
 }
 
-void practise(ExerciseMeter& meter, const session::ServoState& state, int ticks)
+void practise(ExerciseMeter& meter, const core::servo::ServoState& state, int ticks)
 {
     for (int n = 0; n < ticks; ++n)
         meter.take(state, 1ms);
@@ -107,9 +109,9 @@ private slots:
         QFETCH(bool, drill);
         QFETCH(bool, touching);
         QFETCH(bool, lost);
-        session::ServoState state = pressing(newtons, {0.0, 0.0}, drill);
+        core::servo::ServoState state = pressing(newtons, {0.0, 0.0}, drill);
         state.touching = touching;
-        state.health = lost ? session::kDeviceLost : 0U;
+        state.health = lost ? core::servo::kDeviceLost : 0U;
         ExerciseMeter meter(threePoints());
         practise(meter, state, 1000);
         QCOMPARE(std::get<Touched>(meter.practised()).count(), std::size_t{0});
@@ -165,8 +167,8 @@ private slots:
 
     void aLostDeviceEndsTheStretch()
     {
-        session::ServoState lost = stateInAir();
-        lost.health = session::kDeviceLost;
+        core::servo::ServoState lost = stateInAir();
+        lost.health = core::servo::kDeviceLost;
         ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
         practise(meter, pressing(1.0), 6000);
         practise(meter, lost, 200);
@@ -279,7 +281,7 @@ private slots:
             rig.send(session::AddNote{
                 answerNote(static_cast<std::size_t>(rng.below(3)), static_cast<Material>(rng.below(3)))});
             if (n % 7 == 0)
-                rig.send(session::SetDrill{n % 2 == 0});
+                rig.send(core::servo::SetDrill{n % 2 == 0});
             if (n % 10 == 0)
                 rig.send(session::Undo{});
             if (n % 3 == 0)
@@ -292,9 +294,8 @@ private slots:
         const auto examined = [&](const recording::Recording& recording) {
             session::Examiner examiner(examination, block);
             const auto outcome =
-                recording::replay(recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
-                    examiner.take(event, servo);
-                });
+                recording::replay(recording, [&](const core::servo::ServoEvent& event,
+                                                 const recording::Replayer& servo) { examiner.take(event, servo); });
             return outcome ? examiner.practised() : std::nullopt;
         };
         QVERIFY(examined(concluded->recording) == concluded->findings.practised);
@@ -316,10 +317,10 @@ private slots:
         for (std::size_t pad = 0; pad < kPads; ++pad) {
             support::Rig rig;
             rig.open(built->anatomy);
-            rig.give(session::SetBur{0});
+            rig.give(core::servo::SetBur{0});
             rig.lean(teeth::kPadX[pad], 0.0, 0.6, 500);
             const double before = rig.servo->state().anchorMm.z;
-            rig.send(session::SetDrill{true});
+            rig.send(core::servo::SetDrill{true});
             rig.lean(teeth::kPadX[pad], 0.0, 0.6, 1000);
             sunkMm[teeth::padMaterials(kSeed)[pad]] = before - rig.servo->state().anchorMm.z;
         }
@@ -333,12 +334,12 @@ private slots:
     {
         const auto built = teeth::buildTooth({36}, {});
         QVERIFY(built.has_value());
-        rt::TripleBuffer<session::PointerInput> wishes;
+        rt::TripleBuffer<core::servo::PointerInput> wishes;
         haptics::PointerDevice device(wishes, contact::ForceSettings{}.stiffnessNPerMm, 0.001);
         const support::Bench bench(terrain::Tooth(built->anatomy), "2");
         bench.servo->setDrill(false);
         ExerciseMeter meter(ForceToHold{});
-        const auto run = [&](const session::PointerInput& wish, int ticks) {
+        const auto run = [&](const core::servo::PointerInput& wish, int ticks) {
             for (int n = 0; n < ticks; ++n) {
                 wishes.publish(wish);
                 const auto sample = device.exchange(bench.state().forceN);
@@ -346,7 +347,7 @@ private slots:
                 meter.take(bench.state(), 1ms);
             }
         };
-        session::PointerInput wish;
+        core::servo::PointerInput wish;
         wish.targetMm = {-0.27, 0.64};
         wish.hoverMm = 1.0;
         wish.pushForceN = 1.0;

@@ -9,6 +9,7 @@
 #include "core/contact/ForceLaw.h"
 #include "core/contact/PaceMeter.h"
 #include "core/contact/WorkArea.h"
+#include "core/servo/ServoState.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Suite.h"
@@ -461,13 +462,13 @@ private slots:
 
     void vibrationNeitherCutsNorTouches()
     {
-        session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.force.vibrationN = 0.05;
         const support::Bench bench(support::blockTooth({}), "2", settings);
         const glm::dvec3 above(0.0, 0.0, bench.tooth->clearanceAt({0.0, 0.0}) + 0.001);
         double square = 0.0;
         for (int n = 0; n < 1000; ++n) {
-            const session::ServoState& state = bench.step(above);
+            const core::servo::ServoState& state = bench.step(above);
             QVERIFY(!state.touching && !state.cutting);
             square += glm::dot(state.forceN, state.forceN);
         }

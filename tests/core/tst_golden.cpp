@@ -8,6 +8,8 @@
 
 #include "core/contact/Kernels.h"
 #include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Suite.h"
@@ -28,16 +30,16 @@ constexpr std::uint64_t kTicks = 8571;
 /// bored through, a lost device, missed beats, undo, redo.
 recording::Recording makeAttempt()
 {
-    session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
     support::Rig rig(settings);
     rig.drill(support::syntheticMolar(80));
     // Through the lesion into dentin and pulp.
-    rig.send(session::SetBur{1});
+    rig.send(core::servo::SetBur{1});
     rig.lean(support::kLesionX, support::kLesionY, 3.0, 3500);
     rig.lift();
     // A trench along the fissure, side-cutting.
-    rig.send(session::SetBur{3});
+    rig.send(core::servo::SetBur{3});
     for (int n = 0; n < 1500; ++n) {
         const double x = 0.3 - 0.0012 * n;
         rig.lean(x, -0.1 + 0.2 * std::sin(0.01 * n), 1.5, 1);
@@ -47,12 +49,12 @@ recording::Recording makeAttempt()
     rig.device.present = true;
     rig.lift();
     // The thin rim gives way.
-    rig.send(session::SetBur{2});
+    rig.send(core::servo::SetBur{2});
     for (int n = 0; n < 1500; ++n)
         rig.lean(4.95, 0.0005 * n, 3.0, 1);
     rig.lift();
-    rig.send(session::SetBur{0});
-    rig.send(session::SetHandpiece{1});
+    rig.send(core::servo::SetBur{0});
+    rig.send(core::servo::SetHandpiece{1});
     rig.lean(-2.0, 1.0, 2.0, 500);
     rig.lift();
     rig.send(session::Undo{});
@@ -112,13 +114,13 @@ private slots:
         bool lost = false;
         bool late = false;
         int restores = 0;
-        golden.forEach([&](const session::ServoEvent& event) {
-            if (event.kind == session::ServoEvent::Kind::Bur)
+        golden.forEach([&](const core::servo::ServoEvent& event) {
+            if (event.kind == core::servo::ServoEvent::Kind::Bur)
                 burs[event.value] = true;
-            handpieces += event.kind == session::ServoEvent::Kind::Handpiece ? 1 : 0;
-            lost = lost || event.kind == session::ServoEvent::Kind::NoDevice;
+            handpieces += event.kind == core::servo::ServoEvent::Kind::Handpiece ? 1 : 0;
+            lost = lost || event.kind == core::servo::ServoEvent::Kind::NoDevice;
             late = late || event.dtUs > 1000;
-            restores += event.kind == session::ServoEvent::Kind::Restore ? 1 : 0;
+            restores += event.kind == core::servo::ServoEvent::Kind::Restore ? 1 : 0;
         });
         QCOMPARE(burs, (std::array{true, true, true, true}));
         QCOMPARE(handpieces, 1);

@@ -35,9 +35,9 @@ struct Trench
     {}
 };
 
-const drilling::Bur& burOf(const char* id)
+const core::bur::Bur& burOf(const char* id)
 {
-    return drilling::burs()[drilling::findBur(id).value()];
+    return core::bur::burs()[core::bur::findBur(id).value()];
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ private slots:
     {
         const Trench trench;
         const double cell = trench.anatomy->grid.cellMm;
-        const drilling::Bur& straight = burOf("57");
+        const core::bur::Bur& straight = burOf("57");
         const double radius = straight.headRadiusMm;
         const auto margin = [&](double x, double z) {
             return marginMm(*trench.anatomy, trench.ideal, straight, {x, 0.0, z});
@@ -135,8 +135,8 @@ private slots:
     {
         const Trench trench;
         const Fixture fixture(*trench.anatomy, trench.ideal);
-        const std::size_t bur = drilling::findBur("330").value();
-        const double room = kHalfWidthMm - drilling::burs()[bur].headRadiusMm;
+        const std::size_t bur = core::bur::findBur("330").value();
+        const double room = kHalfWidthMm - core::bur::burs()[bur].headRadiusMm;
         const auto at = [&](double x, double z) { return fixture.forceN({x, 0.0, z}, bur); };
         for (const double x : {-room + 0.05, 0.0, room - 0.05})
             QCOMPARE(at(x, -1.0), glm::dvec3(0.0));
@@ -185,8 +185,8 @@ private slots:
     {
         const Trench narrow(0.34);
         const Fixture fixture(*narrow.anatomy, narrow.ideal);
-        const std::size_t straight = drilling::findBur("57").value();
-        const std::size_t pear = drilling::findBur("330").value();
+        const std::size_t straight = core::bur::findBur("57").value();
+        const std::size_t pear = core::bur::findBur("330").value();
         for (double x = -2.0; x < 2.0; x += 0.1)
             QCOMPARE(fixture.forceN({x, 0.0, -1.0}, straight), glm::dvec3(0.0));
         QVERIFY(glm::length(fixture.forceN({1.0, 0.0, -1.0}, pear)) > 0.3);

@@ -4,7 +4,9 @@
 
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
 #include "core/session/JournalLoop.h"
+#include "core/session/Links.h"
 #include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
@@ -17,6 +19,7 @@
 
 using namespace core;
 using namespace core::session;
+using namespace core::servo;
 using namespace std::chrono_literals;
 using recording::FoundAttempt;
 using recording::Recording;

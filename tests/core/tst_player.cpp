@@ -7,13 +7,15 @@
 
 #include "core/recording/Format.h"
 #include "core/recording/Player.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
+using core::servo::ServoEvent;
 using recording::Player;
 using recording::Recording;
-using session::ServoEvent;
 
 namespace {
 
@@ -40,7 +42,7 @@ Recording attempt(int ticks)
                 rig.send(session::Redo{});
                 break;
             case 2:
-                rig.send(session::SetBur{static_cast<std::uint8_t>(rng.below(4))});
+                rig.send(core::servo::SetBur{static_cast<std::uint8_t>(rng.below(4))});
                 break;
             case 3:
                 rig.send(session::AddNote{static_cast<std::uint64_t>(n)});
@@ -59,7 +61,7 @@ Recording attempt(int ticks)
 struct Truth
 {
     std::map<std::uint64_t, std::vector<float>> heights;
-    std::map<std::uint64_t, session::ServoState> states;
+    std::map<std::uint64_t, core::servo::ServoState> states;
     std::map<std::uint64_t, double> seconds;
 };
 
@@ -110,8 +112,8 @@ private slots:
             if (known != truth.heights.begin())
                 QVERIFY2(heights == std::prev(known)->second, qPrintable(QString::number(tick)));
             cut += heights != made.anatomy()->top ? 1 : 0;
-            const session::ServoState state = player->stateAt(tick);
-            const session::ServoState& was = truth.states.at(tick / Player::kTicksAPose * Player::kTicksAPose);
+            const core::servo::ServoState state = player->stateAt(tick);
+            const core::servo::ServoState& was = truth.states.at(tick / Player::kTicksAPose * Player::kTicksAPose);
             QCOMPARE(state.tick, was.tick);
             QCOMPARE(glm::vec3(state.anchorMm), glm::vec3(was.anchorMm));
             QCOMPARE(glm::vec3(state.deviceMm), glm::vec3(was.deviceMm));

@@ -8,7 +8,9 @@
 #include "core/base/Rng.h"
 #include "core/grading/Process.h"
 #include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Examiner.h"
+#include "core/session/Links.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
@@ -16,16 +18,16 @@
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
+using core::servo::ServoState;
 using grading::Process;
 using grading::ProcessMeter;
-using session::ServoState;
 using support::near;
 using namespace std::chrono_literals;
 using support::kPi;
 
 namespace {
 
-ServoState cutting(glm::dvec3 at = {0.0, 0.0, 0.0}, double newtons = 1.0)
+ServoState whileCutting(glm::dvec3 at = {0.0, 0.0, 0.0}, double newtons = 1.0)
 {
     ServoState state;
     state.deviceMm = state.anchorMm = at;
@@ -36,7 +38,7 @@ ServoState cutting(glm::dvec3 at = {0.0, 0.0, 0.0}, double newtons = 1.0)
 
 ServoState touching(bool drillOn, double newtons = 1.0)
 {
-    ServoState state = cutting({0.0, 0.0, 0.0}, newtons);
+    ServoState state = whileCutting({0.0, 0.0, 0.0}, newtons);
     state.cutting = false;
     state.drillOn = drillOn;
     return state;
@@ -82,12 +84,12 @@ private slots:
         for (const auto& [state, ticks, dt] : {std::tuple(inAir(false), 1000, 1ms),
                                                {inAir(true), 500, 1ms},
                                                {touching(true), 20, 1ms},
-                                               {cutting(), 300, 1ms},
+                                               {whileCutting(), 300, 1ms},
                                                {touching(false), 40, 1ms},
                                                {inAir(true), 1000, 2ms},
-                                               {cutting(), 100, 1ms},
+                                               {whileCutting(), 100, 1ms},
                                                {touching(true), 400, 1ms},
-                                               {cutting(), 100, 1ms}})
+                                               {whileCutting(), 100, 1ms}})
             give(meter, state, ticks, dt);
         const Process p = meter.process();
         QVERIFY(near(p.totalS, 1.0 + 0.5 + 0.02 + 0.3 + 0.04 + 2.0 + 0.1 + 0.4 + 0.1));
@@ -104,18 +106,18 @@ private slots:
     {
         ProcessMeter meter(2.0);
         for (int n = 0; n < 10; ++n) {
-            give(meter, cutting(), 100);
+            give(meter, whileCutting(), 100);
             give(meter, touching(true), 149);
         }
         QCOMPARE(meter.process().strokes, 1);
         QVERIFY(near(meter.process().cuttingS, 10 * 0.1 + 9 * 0.149));
         give(meter, touching(true), 1);
-        give(meter, cutting(), 1);
+        give(meter, whileCutting(), 1);
         QCOMPARE(meter.process().strokes, 2);
         QVERIFY(near(meter.process().longestPauseS, 0.15));
         // What was undone in the middle of a stroke has ended it.
         meter.undone();
-        give(meter, cutting(), 1);
+        give(meter, whileCutting(), 1);
         QCOMPARE(meter.process().strokes, 3);
         QCOMPARE(meter.process().undos, 1);
     }
@@ -154,9 +156,9 @@ private slots:
         give(meter, inAir(true), 100);
         QCOMPARE(meter.process().liftOffs, 0);
         for (int n = 0; n < 3; ++n) {
-            give(meter, cutting(), 20);
+            give(meter, whileCutting(), 20);
             give(meter, inAir(true), 49);  // a hop
-            give(meter, cutting(), 20);
+            give(meter, whileCutting(), 20);
             give(meter, inAir(true), 200);
         }
         QCOMPARE(meter.process().liftOffs, 3);
@@ -170,7 +172,7 @@ private slots:
         ProcessMeter meter(2.0);
         for (int n = 0; n <= 2000; ++n) {
             const double turn = 2.0 * kPi * n / 2000;
-            meter.take(cutting({2.0 * std::cos(turn), 2.0 * std::sin(turn), 0.0}), 1ms);
+            meter.take(whileCutting({2.0 * std::cos(turn), 2.0 * std::sin(turn), 0.0}), 1ms);
         }
         // Chords of 0.1 mm on a radius of 2, and less than one of them left over.
         QVERIFY(near(meter.process().pathMm, 4.0 * kPi, 0.11));
@@ -183,7 +185,7 @@ private slots:
         ProcessMeter meter(2.0);
         Rng rng(1);
         for (int n = 0; n < 10'000; ++n)
-            meter.take(cutting({0.05 * rng.below(2), 0.05 * rng.below(2), 0.0}), 1ms);
+            meter.take(whileCutting({0.05 * rng.below(2), 0.05 * rng.below(2), 0.0}), 1ms);
         QCOMPARE(meter.process().pathMm, 0.0);
     }
 
@@ -193,7 +195,7 @@ private slots:
         ProcessMeter meter(2.0);
         const auto go = [&](double from, double to, bool cuts) {
             for (int n = 0; n <= 1000; ++n) {
-                ServoState state = cutting({from + (to - from) * n / 1000, 0.0, 0.0});
+                ServoState state = whileCutting({from + (to - from) * n / 1000, 0.0, 0.0});
                 state.cutting = state.touching = cuts;
                 meter.take(state, 1ms);
             }
@@ -214,10 +216,10 @@ private slots:
         // 1 N for 5 s, 2 N for 3.6 s, 4 N for 0.4 s: of what is over the time, not over the ticks.
         for (const auto& [limitN, overS] : {std::pair(0.5, 9.0), {1.5, 4.0}, {9.0, 0.0}}) {
             ProcessMeter meter(limitN);
-            give(meter, cutting({}, 1.0), 2500, 2ms);
+            give(meter, whileCutting({}, 1.0), 2500, 2ms);
             give(meter, inAir(true), 777);
             give(meter, touching(false, 2.0), 3600);
-            give(meter, cutting({}, 4.0), 400);
+            give(meter, whileCutting({}, 4.0), 400);
             const Process p = meter.process();
             const double mean = (5.0 + 7.2 + 1.6) / 9.0;
             QVERIFY(near(p.force->meanN, mean));
@@ -225,12 +227,12 @@ private slots:
             QVERIFY(near(p.force->largestN, 4.0));
             QVERIFY(near(p.force->p95N, 2.0, 0.02));  // a bin
             QVERIFY(near(p.overLimitS, overS));
-            give(meter, cutting({}, 4.0), 200);  // now more than 5 % of the time
+            give(meter, whileCutting({}, 4.0), 200);  // now more than 5 % of the time
             QVERIFY(near(meter.process().force->p95N, 4.0, 0.02));
         }
         // Beyond the histogram.
         ProcessMeter strong(2.0);
-        give(strong, cutting({}, 25.0), 100);
+        give(strong, whileCutting({}, 25.0), 100);
         QVERIFY(near(strong.process().force->largestN, 25.0));
         QVERIFY(near(strong.process().force->p95N, 25.0));
     }
@@ -245,7 +247,7 @@ private slots:
             const double omega = 2.0 * kPi * hertz;
             for (int n = 0; n < 20'000; ++n) {
                 const double x = std::sin(omega * 0.001 * n);
-                meter.take(cutting({countMm > 0.0 ? countMm * std::round(x / countMm) : x, 3.0, 0.0}), 1ms);
+                meter.take(whileCutting({countMm > 0.0 ? countMm * std::round(x / countMm) : x, 3.0, 0.0}), 1ms);
             }
             const double expected = omega * omega * omega / std::numbers::sqrt2;
             QVERIFY(near(meter.process().jerkMmPerS3.value(), expected, share * expected));
@@ -256,30 +258,30 @@ private slots:
     {
         ProcessMeter meter(2.0);
         for (int n = 0; n < 5000; ++n)
-            meter.take(cutting({0.005 * n, -0.002 * n, 0.0}), 1ms);
+            meter.take(whileCutting({0.005 * n, -0.002 * n, 0.0}), 1ms);
         QVERIFY(near(meter.process().jerkMmPerS3.value(), 0.0, 1.0e-4));
         // Whatever the hand does while the drill is off is none of it.
         ServoState away = inAir(false);
         away.deviceMm = {90.0, 0.0, 0.0};
         give(meter, away, 100);
-        give(meter, cutting(), 1000);
+        give(meter, whileCutting(), 1000);
         QVERIFY(near(meter.process().jerkMmPerS3.value(), 0.0, 1.0e-4));
     }
 
     void ticksThatTellNothingAreTimeAlone()
     {
         ProcessMeter meter(2.0);
-        give(meter, cutting(), 100);
+        give(meter, whileCutting(), 100);
         ServoState lost = inAir(true);
-        lost.health = session::kDeviceLost;
+        lost.health = core::servo::kDeviceLost;
         give(meter, lost, 1000);
         QVERIFY(near(meter.process().totalS, 1.1));
         QCOMPARE(meter.process().liftOffs, 0);
         QCOMPARE(meter.process().drillInAirS, 0.0);
         // No numbers.
         ProcessMeter odd(2.0);
-        give(odd, cutting({}, std::nan("")), 100);
-        give(odd, cutting({std::numeric_limits<double>::infinity(), 0.0, 0.0}), 100);
+        give(odd, whileCutting({}, std::nan("")), 100);
+        give(odd, whileCutting({std::numeric_limits<double>::infinity(), 0.0, 0.0}), 100);
         QVERIFY(near(odd.process().totalS, 0.2));
         QVERIFY(!odd.process().force.has_value());
         QCOMPARE(odd.process().strokes, 0);
@@ -290,7 +292,7 @@ private slots:
         ProcessMeter meter(2.0);
         const long before = support::allocationsOnThisThread();
         for (int n = 0; n < 1000; ++n)
-            meter.take(n % 400 < 200 ? cutting({0.01 * n, 0.0, 0.0}) : inAir(true), 1ms);
+            meter.take(n % 400 < 200 ? whileCutting({0.01 * n, 0.0, 0.0}) : inAir(true), 1ms);
         (void)meter.process();
         QCOMPARE(support::allocationsOnThisThread() - before, 0L);
     }
@@ -312,7 +314,7 @@ private slots:
         QVERIFY(recording.has_value());
         ProcessMeter replayed(1.0);
         const auto outcome =
-            recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
+            recording::replay(*recording, [&](const core::servo::ServoEvent& event, const recording::Replayer& servo) {
                 if (recording::isStep(event))
                     replayed.take(servo.state(), 1ms);
             });
@@ -336,14 +338,15 @@ private slots:
             rig.settle();
             return std::chrono::duration<double>(rig.session->recordingSoFar()->duration()).count();
         };
-        const double before = wait(session::kWorkNote, 500);
-        const double away = wait(session::kRestNote, 2000) - before;
+        const double before = wait(core::servo::kWorkNote, 500);
+        const double away = wait(core::servo::kRestNote, 2000) - before;
         QVERIFY(away >= 2.0);
-        const double all = wait(session::kWorkNote, 300);
+        const double all = wait(core::servo::kWorkNote, 300);
         session::Examiner examiner({}, block);
-        QVERIFY(recording::replay(
-            *rig.session->recordingSoFar(),
-            [&](const session::ServoEvent& event, const recording::Replayer& servo) { examiner.take(event, servo); }));
+        QVERIFY(recording::replay(*rig.session->recordingSoFar(),
+                                  [&](const core::servo::ServoEvent& event, const recording::Replayer& servo) {
+                                      examiner.take(event, servo);
+                                  }));
         QVERIFY(near(examiner.process().totalS, all - away, 0.1));
     }
 };

@@ -11,10 +11,12 @@
 #include <zstd.h>
 
 #include "core/base/Bytes.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
-#include "core/session/ServoNumbers.h"
+#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
@@ -26,8 +28,8 @@
 #include "tests/support/Tables.h"
 
 using namespace core;
+using core::servo::ServoEvent;
 using recording::Recording;
-using session::ServoEvent;
 
 namespace {
 
@@ -36,20 +38,20 @@ using Spoil = std::function<void(terrain::ToothAnatomy&)>;
 
 /// A short attempt: a few ticks of cutting, another bur and handpiece, a lost reading, an undo, a lesson, an aid, a
 /// note.
-Recording shortAttempt(session::ServoSettings settings = {})
+Recording shortAttempt(core::servo::ServoSettings settings = {})
 {
     settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
     support::Rig rig(settings);
     rig.drill(support::smallBlock(), 1, "lesson 1");
-    rig.send(session::SetAids{session::kSectionAid});
+    rig.send(session::SetAids{core::servo::kSectionAid});
     rig.lean(0.0, 0.0, 2.0, 120);
     rig.send(session::AddNote{7});
     rig.device.present = false;
     rig.run(5);
     rig.device.present = true;
     rig.lift();
-    rig.send(session::SetBur{3});
-    rig.send(session::SetHandpiece{1});
+    rig.send(core::servo::SetBur{3});
+    rig.send(core::servo::SetHandpiece{1});
     rig.lean(1.0, 0.5, 2.0, 60);
     rig.lift();
     rig.give(session::Undo{});
@@ -59,7 +61,7 @@ Recording shortAttempt(session::ServoSettings settings = {})
 /// The same, cut as before there were flat ends and full loads.
 Recording attemptAsBefore()
 {
-    session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     settings.hardness = settings::withoutEndsAndFullLoad(settings.hardness);
     return shortAttempt(settings);
 }
@@ -166,15 +168,16 @@ private slots:
 
     void oddEventsComeBackEqual()
     {
-        const Recording made = recordingOf({{ServoEvent::Kind::Tick, 65535, {std::nanf("7"), -0.0F, 1.0e-42F}, 0},
-                                            {ServoEvent::Kind::Tick, 0, {INFINITY, -INFINITY, 3.4e38F}, 0},
-                                            {ServoEvent::Kind::NoDevice, 1, {1.0F, 2.0F, 3.0F}, 0},
-                                            {ServoEvent::Kind::Drill, 0, {}, 1},
-                                            {ServoEvent::Kind::Bur, 0, {}, 3},
-                                            {ServoEvent::Kind::Restore, 0, {}, 2},
-                                            {ServoEvent::Kind::Aids, 0, {}, session::kSectionAid | session::kIdealAid},
-                                            {ServoEvent::Kind::Note, 0, {}, 0xFEDCBA9876543210},
-                                            {ServoEvent::Kind::Resume, 0, {}, 0}});
+        const Recording made =
+            recordingOf({{ServoEvent::Kind::Tick, 65535, {std::nanf("7"), -0.0F, 1.0e-42F}, 0},
+                         {ServoEvent::Kind::Tick, 0, {INFINITY, -INFINITY, 3.4e38F}, 0},
+                         {ServoEvent::Kind::NoDevice, 1, {1.0F, 2.0F, 3.0F}, 0},
+                         {ServoEvent::Kind::Drill, 0, {}, 1},
+                         {ServoEvent::Kind::Bur, 0, {}, 3},
+                         {ServoEvent::Kind::Restore, 0, {}, 2},
+                         {ServoEvent::Kind::Aids, 0, {}, core::servo::kSectionAid | core::servo::kIdealAid},
+                         {ServoEvent::Kind::Note, 0, {}, 0xFEDCBA9876543210},
+                         {ServoEvent::Kind::Resume, 0, {}, 0}});
         const auto read = Recording::fromBytes(made.toBytes());
         QVERIFY(support::succeeds(read));
         QVERIFY(sameBits(made, *read));
@@ -358,7 +361,7 @@ private slots:
         std::string called = plain;
         called[8] = static_cast<char>(recording::kFormatVersion);
         QVERIFY(Recording::fromBytes(called));
-        ServoEvent number{ServoEvent::Kind::Number, 0, glm::vec3(0.0F), session::packNumber({9, 1.5F})};
+        ServoEvent number{ServoEvent::Kind::Number, 0, glm::vec3(0.0F), core::servo::packNumber({9, 1.5F})};
         made.append(number);
         const std::string changed = made.toBytes();
         QCOMPARE(changed[8], static_cast<char>(6));
@@ -366,8 +369,9 @@ private slots:
         QVERIFY(support::succeeds(read));
         QVERIFY(read->isRetuned());
         QCOMPARE(allEvents(*read), allEvents(made));
-        for (const std::uint64_t bad : {std::uint64_t{session::kServoNumbers} << 32U, session::packNumber({9, 1.0e9F}),
-                                        session::packNumber({0, -1.0F}), ~std::uint64_t{0}}) {
+        for (const std::uint64_t bad :
+             {std::uint64_t{core::servo::kServoNumbers} << 32U, core::servo::packNumber({9, 1.0e9F}),
+              core::servo::packNumber({0, -1.0F}), ~std::uint64_t{0}}) {
             Recording wrong = shortAttempt();
             number.value = bad;
             wrong.append(number);
@@ -392,7 +396,7 @@ private slots:
         // A number that older programs do not know.
         Recording retuned = attemptAsBefore();
         retuned.append({ServoEvent::Kind::Number, 0, glm::vec3(0.0F),
-                        session::packNumber({static_cast<std::uint8_t>(session::kServoNumbers - 1), 1.5F})});
+                        core::servo::packNumber({static_cast<std::uint8_t>(core::servo::kServoNumbers - 1), 1.5F})});
         QCOMPARE(retuned.toBytes()[8], static_cast<char>(8));
     }
 
@@ -418,11 +422,11 @@ private slots:
             events.push_back({kind, 0, {}, value});
             QTest::newRow(name) << events << isAllowed;
         };
-        row("the last bur", {}, ServoEvent::Kind::Bur, drilling::burs().size() - 1, true);
-        row("no such bur", {}, ServoEvent::Kind::Bur, drilling::burs().size(), false);
+        row("the last bur", {}, ServoEvent::Kind::Bur, core::bur::burs().size() - 1, true);
+        row("no such bur", {}, ServoEvent::Kind::Bur, core::bur::burs().size(), false);
         row("the only handpiece", {}, ServoEvent::Kind::Handpiece, 0, true);
         row("no such handpiece", {}, ServoEvent::Kind::Handpiece, 1, false);
-        row("no such aid", {}, ServoEvent::Kind::Aids, session::kAllAids + 1U, false);
+        row("no such aid", {}, ServoEvent::Kind::Aids, core::servo::kAllAids + 1U, false);
         row("slowest", {}, ServoEvent::Kind::Speed, 1, true);
         row("full speed", {}, ServoEvent::Kind::Speed, 100, true);
         row("no speed", {}, ServoEvent::Kind::Speed, 0, false);
@@ -479,13 +483,13 @@ private slots:
 
     void refusesSettingsOutOfRange()
     {
-        session::ServoSettings strong;
+        core::servo::ServoSettings strong;
         strong.force.clampN = 1.0e6;
-        session::ServoSettings magic;
+        core::servo::ServoSettings magic;
         magic.method = "magic";
-        session::ServoSettings soft;
+        core::servo::ServoSettings soft;
         soft.hardness.material[1].rateMm3PerNs = NAN;
-        const auto read = [](const session::ServoSettings& settings) {
+        const auto read = [](const core::servo::ServoSettings& settings) {
             return Recording::fromBytes(Recording(settings, support::smallBlock()).toBytes());
         };
         QVERIFY(support::isRefused(read(strong), ErrorCode::OutOfRange));

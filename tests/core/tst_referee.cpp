@@ -4,7 +4,9 @@
 #include <type_traits>
 
 #include "core/grading/Referee.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Follower.h"
+#include "core/session/Links.h"
 #include "core/teeth/Beside.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
@@ -165,7 +167,7 @@ private slots:
         QVERIFY(cut(m_middle, m_middle, 0.2F).empty());
         m_state.touching = false;
         QVERIFY(wait(1500).empty());
-        m_state.health = session::kDeviceLost;
+        m_state.health = core::servo::kDeviceLost;
         QVERIFY(wait(60'000).empty());
         m_state.health = 0;
         QVERIFY(wait(500).empty());
@@ -174,7 +176,7 @@ private slots:
         m_state.touching = true;
         m_state.forceN = {0.0, 0.0, 3.5};
         QVERIFY(wait(150).empty());
-        m_state.health = session::kDeviceLost;
+        m_state.health = core::servo::kDeviceLost;
         QVERIFY(wait(100).empty());
         m_state.health = 0;
         QVERIFY(wait(200).empty());
@@ -266,7 +268,7 @@ private slots:
         session::Follower follower(*rig.session);
         rig.open(m_anatomy);
         follower.watch(1, examination);
-        rig.send(session::SetDrill{true});
+        rig.send(core::servo::SetDrill{true});
         support::RestlessHand hand(11);
         for (int n = 0; n < 6000; ++n) {
             rig.device.tipMm = hand.next();
@@ -282,9 +284,9 @@ private slots:
         QVERIFY(!concluded->findings.infractions.empty());
 
         session::Examiner examiner(examination, m_anatomy);
-        const auto outcome = recording::replay(
-            concluded->recording,
-            [&](const session::ServoEvent& event, const recording::Replayer& servo) { examiner.take(event, servo); });
+        const auto outcome = recording::replay(concluded->recording,
+                                               [&](const core::servo::ServoEvent& event,
+                                                   const recording::Replayer& servo) { examiner.take(event, servo); });
         QVERIFY(outcome.has_value());
         QVERIFY(outcome->agreesWithWitness);
         QCOMPARE(outcome->stateHash, terrain::stateHash(concluded->tooth));
@@ -347,7 +349,7 @@ private:
     std::optional<terrain::Tooth> m_tooth;
     Rules m_rules;
     std::optional<Referee> m_referee;
-    session::ServoState m_state;
+    core::servo::ServoState m_state;
     int m_middle = 0;
 };
 

@@ -3,9 +3,11 @@
 #include <array>
 #include <numeric>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/recording/Replay.h"
-#include "core/session/ServoNumbers.h"
+#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Suite.h"
@@ -13,8 +15,8 @@
 #include "tests/support/Tables.h"
 
 using namespace core;
+using core::servo::ServoEvent;
 using recording::Recording;
-using session::ServoEvent;
 
 namespace {
 
@@ -62,9 +64,9 @@ void compareWithLive(support::Rig& rig)
 }
 
 /// The usual, with every handpiece at hand.
-session::ServoSettings withHandpieces()
+core::servo::ServoSettings withHandpieces()
 {
-    session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     const auto all = settings::handpieces();
     settings.handpieces.assign(all.begin(), all.end());
     return settings;
@@ -76,9 +78,9 @@ double removedMm3(const support::Rig& rig)
     return std::accumulate(removed.begin(), removed.end(), 0.0);
 }
 
-session::ServoSettings settingsOf(const QString& method)
+core::servo::ServoSettings settingsOf(const QString& method)
 {
-    session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     settings.method = method.toStdString();
     return settings;
 }
@@ -86,7 +88,7 @@ session::ServoSettings settingsOf(const QString& method)
 /// Drills a layered tooth of this many nodes a side.
 struct ReplayedDrilling : support::Rig
 {
-    explicit ReplayedDrilling(int side, const session::ServoSettings& wanted = {}) : Rig(wanted)
+    explicit ReplayedDrilling(int side, const core::servo::ServoSettings& wanted = {}) : Rig(wanted)
     {
         drill(layeredTooth(side));
     }
@@ -100,7 +102,7 @@ session::SessionCommand undoOrRedo(Rng& rng)
 }
 
 /// Returns random commands, valid and invalid. In most ticks there are none.
-std::vector<session::SessionCommand> anything(Rng& rng, const session::ServoSettings& settings,
+std::vector<session::SessionCommand> anything(Rng& rng, const core::servo::ServoSettings& settings,
                                               const std::shared_ptr<const terrain::ToothAnatomy>& anatomy,
                                               std::uint64_t& generation)
 {
@@ -110,9 +112,9 @@ std::vector<session::SessionCommand> anything(Rng& rng, const session::ServoSett
     case 1:
         return {session::Reload{}};
     case 2:
-        return {session::SetBur{static_cast<std::uint8_t>(rng.below(4))}};
+        return {core::servo::SetBur{static_cast<std::uint8_t>(rng.below(4))}};
     case 3:
-        return {session::SetDrill{rng.below(4) != 0}};
+        return {core::servo::SetDrill{rng.below(4) != 0}};
     case 4:
     case 5:
     case 6:
@@ -125,21 +127,21 @@ std::vector<session::SessionCommand> anything(Rng& rng, const session::ServoSett
             return {session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation}};
         return {};
     case 9:
-        return {session::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))}};  // 3: there is none
+        return {core::servo::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))}};  // 3: there is none
     case 10:
         // Another tooth with another servo: softer, and with one handpiece less.
         if (rng.below(8) == 0) {
-            session::ServoSettings other = settings;
+            core::servo::ServoSettings other = settings;
             other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
             other.handpieces.resize(1 + static_cast<std::size_t>(rng.below(3)));
             return {session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
-                                          session::makeServoTick(other).value().release()}};
+                                          core::servo::makeServoTick(other).value().release()}};
         }
         return {};
     case 11:
     case 12:
-        return {session::SetNumber{static_cast<std::uint8_t>(rng.below(session::kServoNumbers + 2)),
-                                   static_cast<float>(rng.below(400)) * 0.01F}};
+        return {core::servo::SetNumber{static_cast<std::uint8_t>(rng.below(core::servo::kServoNumbers + 2)),
+                                       static_cast<float>(rng.below(400)) * 0.01F}};
     default:
         return {};
     }
@@ -157,12 +159,12 @@ private slots:
         ReplayedDrilling rig(64);
         rig.lean(0.0, 0.0, 1.0, 100);
         const double before = removedMm3(rig);
-        const session::ServoNumbers was = session::numbersOf({});
-        for (std::size_t k = 0; k < session::kServoNumbers; ++k)
-            rig.send(session::SetNumber{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
-        rig.send(session::SetNumber{2, 20.0F});  // the rate of enamel
-        rig.send(session::SetNumber{2, std::nanf("")});
-        rig.send(session::SetNumber{99, 1.0F});
+        const core::servo::ServoNumbers was = core::servo::numbersOf({});
+        for (std::size_t k = 0; k < core::servo::kServoNumbers; ++k)
+            rig.send(core::servo::SetNumber{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
+        rig.send(core::servo::SetNumber{2, 20.0F});  // the rate of enamel
+        rig.send(core::servo::SetNumber{2, std::nanf("")});
+        rig.send(core::servo::SetNumber{99, 1.0F});
         rig.lean(0.0, 0.0, 1.0, 100);
         QVERIFY(removedMm3(rig) > 4.0 * before);
         compareWithLive(rig);
@@ -170,7 +172,7 @@ private slots:
         QVERIFY(made.isRetuned());
         int told = 0;
         made.forEach([&](const ServoEvent& event) { told += event.kind == ServoEvent::Kind::Number ? 1 : 0; });
-        QCOMPARE(told, static_cast<int>(session::kServoNumbers) + 1);  // what is no number is not told
+        QCOMPARE(told, static_cast<int>(core::servo::kServoNumbers) + 1);  // what is no number is not told
     }
 
     void aBurAtHalfItsSpeedTurnsAndCutsAtHalfThePace()
@@ -237,9 +239,9 @@ private slots:
     void aChangeOfBurIsReplayed()
     {
         ReplayedDrilling rig(100);
-        const std::size_t count = drilling::burs().size();
+        const std::size_t count = core::bur::burs().size();
         for (std::size_t bur = 0; bur < count; ++bur) {
-            rig.send(session::SetBur{static_cast<std::uint8_t>(bur)});
+            rig.send(core::servo::SetBur{static_cast<std::uint8_t>(bur)});
             const double along = -3.0 + 6.0 * static_cast<double>(bur) / static_cast<double>(count);
             rig.lean(along, 1.0 - 0.5 * static_cast<double>(bur % 5), 1.5, 120);
             QCOMPARE(std::size_t{rig.servo->state().burIndex}, bur);
@@ -253,7 +255,7 @@ private slots:
     {
         ReplayedDrilling rig(100, withHandpieces());
         for (std::uint8_t bur = 0; bur < 4; ++bur) {
-            rig.send(session::SetBur{bur});
+            rig.send(core::servo::SetBur{bur});
             rig.lean(0.8 * bur - 1.2, 0.3, 1.5, 200);
             rig.device.present = false;  // lost in the middle of a cut
             rig.run(30);
@@ -264,10 +266,10 @@ private slots:
             rig.device.tipMm = {2.0e9F, 0.0F, 0.0F};
             rig.run(3);
             rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
-            rig.send(session::SetDrill{false});
-            rig.send(session::SetHandpiece{static_cast<std::uint8_t>(bur % 3)});
+            rig.send(core::servo::SetDrill{false});
+            rig.send(core::servo::SetHandpiece{static_cast<std::uint8_t>(bur % 3)});
             rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
-            rig.send(session::SetDrill{true});
+            rig.send(core::servo::SetDrill{true});
             if (bur % 2 == 0)
                 rig.lift();
         }
@@ -324,7 +326,7 @@ private slots:
         QFETCH(QString, method);
         QFETCH(int, side);
         QFETCH(int, seed);
-        session::ServoSettings settings = withHandpieces();
+        core::servo::ServoSettings settings = withHandpieces();
         settings.method = method.toStdString();
         ReplayedDrilling rig(side, settings);
         const auto anatomy = rig.live().anatomy;
@@ -373,7 +375,7 @@ private slots:
             else
                 rig.open(layeredTooth(side), 2);
             const std::uint64_t begun = rig.liveHash();
-            rig.send(session::SetDrill{true});
+            rig.send(core::servo::SetDrill{true});
             for (int n = 0; n < 1200 || rig.liveHash() == begun; ++n) {
                 rig.device.tipMm = hand.next();
                 rig.device.present = rng.below(100) != 0;
@@ -389,7 +391,7 @@ private slots:
     void secondToothHasItsOwnRecording()
     {
         ReplayedDrilling rig(64);
-        rig.send(session::SetBur{2});
+        rig.send(core::servo::SetBur{2});
         rig.lean(0.0, 0.0, 2.0, 200);
         // In the middle of a cut; bur and drill stay as they were.
         rig.open(layeredTooth(100), 2);
@@ -432,7 +434,7 @@ private slots:
             rig.device.tipMm = {0.5F, 0.0F, n % 400 < 200 ? 2.0F : -0.4F};
             rig.servo->tick(rig.period);
         }
-        QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) != 0);
+        QVERIFY((rig.uiLinks->servo.latest().health & core::servo::kRecordGap) != 0);
         // It wakes; the student goes on, takes back and cuts again.
         rig.lift();
         rig.give(session::Undo{});
@@ -449,7 +451,7 @@ private slots:
         QVERIFY(recording::replay(*read)->agreesWithWitness);
         // A new tooth is recorded again.
         rig.open(layeredTooth(64), 2);
-        QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) == 0);
+        QVERIFY((rig.uiLinks->servo.latest().health & core::servo::kRecordGap) == 0);
         rig.lean(0.0, 0.0, 2.0, 100);
         compareWithLive(rig);
     }

@@ -8,13 +8,17 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/history/MomentId.h"
 #include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Scenes.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
 using namespace core::session;
+using namespace core::servo;
 
 namespace {
 
@@ -122,7 +126,7 @@ private slots:
             QCOMPARE(state(rig).undoSteps, n + 1);
             QCOMPARE(state(rig).strokes, n + 1);
         }
-        const MomentId ofLast = rig.session->historySoFar().back().id;
+        const history::MomentId ofLast = rig.session->historySoFar().back().id;
         for (std::size_t n = 4; n-- > 0;) {
             rig.give(Undo{});
             QCOMPARE(rig.liveHash(), hashes[n]);
@@ -196,11 +200,11 @@ private slots:
     {
         Drilling rig;
         Rng rng(4);
-        std::map<MomentId, std::uint64_t> hashes{{rig.session->historySoFar().front().id, rig.liveHash()}};
+        std::map<history::MomentId, std::uint64_t> hashes{{rig.session->historySoFar().front().id, rig.liveHash()}};
         for (int n = 0; n < 60; ++n) {
             if (n % 3 == 2) {
                 const auto all = rig.session->historySoFar();
-                const MomentId id = all[static_cast<std::size_t>(rng.below(static_cast<int>(all.size())))].id;
+                const history::MomentId id = all[static_cast<std::size_t>(rng.below(static_cast<int>(all.size())))].id;
                 rig.give(GoTo{id});
                 QCOMPARE(rig.liveHash(), hashes.at(id));
             } else {
@@ -209,13 +213,13 @@ private slots:
             }
         }
         const std::uint64_t before = rig.liveHash();
-        rig.give(GoTo{MomentId{12345}});  // nobody knows that one
+        rig.give(GoTo{history::MomentId{12345}});  // nobody knows that one
         QCOMPARE(rig.liveHash(), before);
         const auto all = rig.session->historySoFar();
         QCOMPARE(all.size(), 41U);
         for (const history::MomentInfo& moment : all)
             QCOMPARE(hashOf(rig.session->momentHeights(moment.id)), hashes.at(moment.id));
-        QVERIFY(rig.session->momentHeights(MomentId{12345}).empty());
+        QVERIFY(rig.session->momentHeights(history::MomentId{12345}).empty());
         QVERIFY(recording::replay(rig.session->recordingSoFar().value())->agreesWithWitness);
     }
 

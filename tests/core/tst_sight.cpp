@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/grading/Exercise.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Sight.h"
 #include "tests/support/Suite.h"
 
@@ -41,7 +41,7 @@ private slots:
     void otherNotesAreNone()
     {
         for (const std::uint64_t note :
-             {core::session::kGradedNote, core::session::kRestNote, core::session::kWorkNote,
+             {core::servo::kGradedNote, core::servo::kRestNote, core::servo::kWorkNote,
               core::grading::answerNote(1, core::terrain::Material::Dentin), std::uint64_t(0)})
             QVERIFY(!sightOf(note));
     }

@@ -10,6 +10,7 @@
 #include "core/audio/Synthesizer.h"
 #include "core/audio/WaveFile.h"
 #include "core/base/Rng.h"
+#include "core/servo/ServoState.h"
 #include "core/settings/Handpiece.h"
 #include "lab/Spectrum.h"
 #include "tests/support/Allocations.h"
@@ -412,7 +413,7 @@ private slots:
     void theServoIsHeard()
     {
         ServoSound sound;
-        core::session::ServoState state;
+        core::servo::ServoState state;
         const core::settings::Handpiece turbine;
         constexpr double kTickS = 0.001;
         QVERIFY(!sound.update(state, turbine, kTickS).turns);
@@ -449,7 +450,7 @@ private slots:
         for (int tick = 0; tick < 100; ++tick)
             heard = sound.update(state, turbine, kTickS);
         QVERIFY(heard.cutMm3PerS < 0.001F);
-        state.health = core::session::kDeviceLost;
+        state.health = core::servo::kDeviceLost;
         QVERIFY(!sound.update(state, turbine, kTickS).turns);
         QVERIFY(!sound.update({}, core::settings::handpieces()[2], kTickS).spray);
     }

@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 #include "core/grading/Measures.h"
 #include "core/imaging/Canals.h"
 #include "core/imaging/Radiograph.h"
@@ -338,7 +338,7 @@ private slots:
         };
         const auto lowest = static_cast<double>(*std::min_element(model->bottom.begin(), model->bottom.end()));
         // Two in the mesial root and one in the distal root, which is a little shorter.
-        for (double height = lowest + 3.0; height < drilling::lowestTipMm(*model) - 2.0; height += 0.5)
+        for (double height = lowest + 3.0; height < core::bur::lowestTipMm(*model) - 2.0; height += 0.5)
             QCOMPARE(canalsAt(height), 3);
         QVERIFY(canalsAt(lowest + 1.7) >= 1);
     }

@@ -5,16 +5,18 @@
 #include <set>
 
 #include "core/base/Rng.h"
+#include "core/history/MomentId.h"
 #include "core/history/UndoTree.h"
+#include "core/servo/ServoState.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace core;
+using history::MomentId;
 using history::Tile;
 using history::TiledHeights;
 using history::ToothMoment;
 using history::UndoTree;
-using session::MomentId;
 
 namespace {
 
@@ -121,7 +123,7 @@ private slots:
         QCOMPARE(group[0].last, false);
         QCOMPARE(group[1].last, true);
         TiledHeights rebuilt = from;
-        for (const session::TilePatch& patch : group) {
+        for (const core::servo::TilePatch& patch : group) {
             QCOMPARE(patch.tick, 17U);
             QCOMPARE(patch.toothGeneration, 5U);
             rebuilt.setTile(patch.tileX, patch.tileY, patch.top);

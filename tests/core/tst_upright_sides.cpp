@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/bur/Bur.h"
 #include "core/contact/ContactMethod.h"
 #include "core/contact/LiveTooth.h"
-#include "core/drilling/Bur.h"
 #include "lab/Block.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
@@ -94,7 +94,7 @@ private slots:
     {
         const glm::dvec2 across(0.8, 0.6);
         LiveTooth tooth = wallAcross(across);
-        for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
+        for (std::size_t bur = 0; bur < core::bur::burs().size(); ++bur) {
             tooth.selectBur(bur);
             for (double aside = -1.0; aside < 1.0; aside += 0.1) {
                 const double off = stopsAt(tooth, across, aside, Edges::Sides) + tooth.mask().reachAt(kWallMm);
@@ -107,7 +107,7 @@ private slots:
     void thePocketOfABurHoldsTheBur()
     {
         LiveTooth tooth = wallAcross({1.0, 0.0});
-        const auto& bur = core::drilling::burs()[0];
+        const auto& bur = core::bur::burs()[0];
         const glm::dvec2 axis(-0.4, 0.013);
         for (int j = 0; j < tooth.grid().side; ++j)
             for (int i = 0; i < tooth.grid().side; ++i) {
@@ -178,7 +178,7 @@ private slots:
                 sum += outline[static_cast<std::size_t>((static_cast<int>(degrees) + k + kAngles) % kAngles)];
             return sum / 17.0;
         };
-        const double radius = core::drilling::burs()[1].headRadiusMm;
+        const double radius = core::bur::burs()[1].headRadiusMm;
         for (const double z : {-2.0, -3.0, -5.0, -7.0})
             for (const double depth : {0.1, 0.3, 0.5}) {
                 const auto contact = core::contact::makeContactMethod("continuous").value();

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/base/Bytes.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/grading/Deviation.h"
 #include "core/guidance/Fixture.h"
 #include "core/guidance/Margin.h"
@@ -75,7 +75,7 @@ void markBy(CapturedIdeal ideal)
     for (const double z : {-20.0, -1.0, 0.4}) {
         const glm::dvec3 force = fixture.forceN({middle.x, middle.y, z}, 1);
         promise(std::abs(force.x) + std::abs(force.y) <= 2.0 * guidance::Fixture::kMostN);  // false for NaN
-        const auto margin = guidance::marginMm(*anatomy, *made->top, drilling::burs()[1], {middle.x, middle.y, z});
+        const auto margin = guidance::marginMm(*anatomy, *made->top, bur::burs()[1], {middle.x, middle.y, z});
         promise(!margin || std::isfinite(*margin));
     }
 }

@@ -15,7 +15,7 @@ namespace fuzz {
 namespace {
 
 using namespace core::recording;
-using core::session::ServoEvent;
+using core::servo::ServoEvent;
 
 constexpr std::uint64_t kMostTicks = 4000;
 constexpr int kMostRestores = 20;

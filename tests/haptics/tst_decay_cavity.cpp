@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "haptics/simulated/DecayCavity.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
-using core::drilling::Bur;
+using core::bur::Bur;
 using core::terrain::ToothAnatomy;
 
 namespace {
 
 const Bur& pear()
 {
-    return core::drilling::burs()[core::drilling::findBur("330").value()];
+    return core::bur::burs()[core::bur::findBur("330").value()];
 }
 
 /// Decay between two heights, within a radius of a place.

@@ -4,7 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/session/ServoTick.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/DeviceSwitch.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "tests/support/Allocations.h"
@@ -148,8 +150,8 @@ private slots:
     /// A bur that a device held deep in the tooth is above it after the change, and no force was felt.
     void theHandOfThePointerHoversAfterADeviceIsLost()
     {
-        rt::TripleBuffer<session::PointerInput> input;
-        session::PointerInput want;
+        rt::TripleBuffer<core::servo::PointerInput> input;
+        core::servo::PointerInput want;
         want.targetMm = {1.0, 0.0};
         want.hoverMm = 2.5;
         want.feedMmPerS = 1.0;
@@ -161,7 +163,7 @@ private slots:
         arm.tipMm = {0.0F, 0.0F, 1.0F};
         haptics::DeviceSwitch devices(arm, 1ms);
         contact::LiveTooth tooth(terrain::Tooth(support::makeBlock({})));
-        const auto servo = session::makeServoTick({}).value();
+        const auto servo = core::servo::makeServoTick({}).value();
         servo->swapTooth(&tooth, true);
         const auto tick = [&] {
             devices.seeBur(servo->state().anchorMm);

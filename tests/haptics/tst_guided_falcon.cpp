@@ -4,7 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/session/ServoTick.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/simulated/GuidedFalcon.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
@@ -17,12 +19,12 @@ namespace {
 /// The simulated handpiece over a block of enamel.
 struct GuidedFalcon
 {
-    rt::TripleBuffer<session::PointerInput> input;
+    rt::TripleBuffer<core::servo::PointerInput> input;
     std::unique_ptr<contact::LiveTooth> tooth =
         std::make_unique<contact::LiveTooth>(terrain::Tooth(support::makeBlock({})));
-    std::unique_ptr<session::ServoTick> servo = session::makeServoTick({}).value();
+    std::unique_ptr<core::servo::ServoTick> servo = core::servo::makeServoTick({}).value();
     haptics::GuidedFalcon device{input, contact::ForceSettings{}.stiffnessNPerMm, 0.001};
-    session::PointerInput want;
+    core::servo::PointerInput want;
 
     GuidedFalcon() { servo->swapTooth(tooth.get(), true); }
     glm::vec3 tick()

@@ -18,7 +18,9 @@
 #include <unistd.h>
 
 #include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
 #include "core/session/JournalLoop.h"
+#include "core/session/Links.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
@@ -26,6 +28,7 @@
 
 using namespace core;
 using namespace core::session;
+using namespace core::servo;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 

@@ -5,8 +5,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Feed.h"
-#include "core/session/ServoTick.h"
+#include "core/cutting/Feed.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
@@ -20,11 +22,11 @@ namespace {
 /// The pointer's hand against a servo tick.
 struct Bench
 {
-    rt::TripleBuffer<session::PointerInput> input;
+    rt::TripleBuffer<core::servo::PointerInput> input;
     std::unique_ptr<contact::LiveTooth> tooth;
-    std::unique_ptr<session::ServoTick> servo = session::makeServoTick({}).value();
+    std::unique_ptr<core::servo::ServoTick> servo = core::servo::makeServoTick({}).value();
     haptics::PointerDevice device{input, contact::ForceSettings{}.stiffnessNPerMm, 0.001};
-    session::PointerInput want;
+    core::servo::PointerInput want;
     glm::vec3 tipMm{0.0F};
     std::optional<bool> pedal;
 
@@ -166,7 +168,7 @@ private slots:
         bench.want.pushing = true;
         bench.run(5000);
         // The block's top is at 0: the bur sticks out of its chuck by so much, and the hand goes on leaning.
-        QCOMPARE(bench.servo->state().anchorMm.z, -drilling::kChuckMm);
+        QCOMPARE(bench.servo->state().anchorMm.z, -core::bur::kChuckMm);
         const float resting = bench.tipMm.z;
         bench.run(1000);
         QVERIFY(std::abs(bench.tipMm.z - resting) < 1.0e-3F);
@@ -230,8 +232,8 @@ private slots:
         const double before = bench.servo->state().anchorMm.z;
         bench.run(1000);
         const core::settings::HardnessPreset preset;
-        const double pace = core::drilling::feedMmPerS(preset, preset.material[1], core::settings::Handpiece{},
-                                                       core::drilling::burs()[1], 3.0);
+        const double pace = core::cutting::feedMmPerS(preset, preset.material[1], core::settings::Handpiece{},
+                                                      core::bur::burs()[1], 3.0);
         const double sunk = before - bench.servo->state().anchorMm.z;
         QVERIFY2(std::abs(sunk / pace - 1.0) < 0.05,
                  qPrintable(QString("%1 mm, %2 mm/s, %3 N").arg(sunk).arg(pace).arg(bench.force())));
@@ -371,7 +373,7 @@ private slots:
         bench.want.targetMm = {1.0, 0.5};
         bench.want.pushing = true;
         bench.run(1000);
-        const session::PointerInput sound = bench.want;
+        const core::servo::PointerInput sound = bench.want;
         const auto bad = [&](auto&& spoil) {
             bench.want = sound;
             spoil(bench.want);

@@ -6,9 +6,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/guidance/Fixture.h"
 #include "core/history/TiledHeights.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "tests/support/Allocations.h"
@@ -19,7 +21,7 @@
 #include "tests/support/Trials.h"
 
 using namespace core;
-using namespace core::session;
+using namespace core::servo;
 using namespace std::chrono_literals;
 
 namespace {
@@ -1106,7 +1108,7 @@ private slots:
     void unknownBurIsIgnored()
     {
         Bare bare(block(64));
-        bare.send(SetBur{static_cast<std::uint8_t>(core::drilling::burs().size())});
+        bare.send(SetBur{static_cast<std::uint8_t>(core::bur::burs().size())});
         bare.send(SetBur{255});
         bare.tick();
         QCOMPARE(bare.servo.state().burIndex, 0);

@@ -5,12 +5,15 @@
 #include <thread>
 
 #include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
 #include "core/session/JournalLoop.h"
+#include "core/session/Links.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
 using namespace core::session;
+using namespace core::servo;
 using namespace std::chrono_literals;
 
 namespace {
@@ -100,7 +103,7 @@ private slots:
             }
             const auto anyMoment = [&] {
                 return history.empty()
-                           ? MomentId{}
+                           ? history::MomentId{}
                            : history[static_cast<std::size_t>(rng.below(static_cast<int>(history.size())))].id;
             };
             const int what = rng.below(40);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "lab/ContactScene.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
@@ -19,7 +19,7 @@ const lab::ContactFamily& familyOf(const char* bur, const QString& name)
     static std::map<std::string, std::vector<lab::ContactFamily>> known;
     auto& families = known[bur];
     if (families.empty())
-        families = lab::contactFamilies(150, core::drilling::findBur(bur).value());
+        families = lab::contactFamilies(150, core::bur::findBur(bur).value());
     return *std::find_if(families.begin(), families.end(),
                          [&](const lab::ContactFamily& family) { return family.name == name.toStdString(); });
 }

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
+#include "core/servo/ServoState.h"
 #include "lab/Block.h"
 #include "lab/CuttingTrials.h"
 #include "tests/support/Tables.h"
@@ -57,8 +58,8 @@ void press(const std::function<core::terrain::ColumnLayers(glm::dvec2)>& layers,
            See&& see)
 {
     core::contact::LiveTooth tooth{core::terrain::Tooth(lab::layeredBlock([](glm::dvec2) { return 0.0; }, layers))};
-    const core::session::ServoSettings settings;
-    const auto servo = core::session::makeServoTick(settings).value();
+    const core::servo::ServoSettings settings;
+    const auto servo = core::servo::makeServoTick(settings).value();
     servo->setBur(bur);
     servo->swapTooth(&tooth, true);
     servo->setDrill(true);
@@ -75,7 +76,7 @@ std::vector<double> depthsThroughTheJunction(std::size_t bur, double pastMm)
 {
     std::vector<double> depth;
     press([](glm::dvec2) { return enamelAbove(kDejMm); }, bur, 1.0,
-          [&](const core::session::ServoState& state) {
+          [&](const core::servo::ServoState& state) {
               depth.push_back(-state.anchorMm.z);
               return depth.back() < -kDejMm + pastMm;
           });
@@ -223,7 +224,7 @@ private slots:
     /// All of a flat end meets the junction at the same time, so half of the change is within one cell.
     void flatEndFeelsTheJunctionWithinACell()
     {
-        const std::vector<double> depth = depthsThroughTheJunction(core::drilling::findBur("57").value(), 0.5);
+        const std::vector<double> depth = depthsThroughTheJunction(core::bur::findBur("57").value(), 0.5);
         const auto feedAt = [&](std::size_t tick) { return (depth[tick] - depth[tick - 10]) / 0.01; };
         const auto tickAt = [&](double mm) {
             return static_cast<std::size_t>(std::lower_bound(depth.begin(), depth.end(), mm) - depth.begin());
@@ -239,12 +240,12 @@ private slots:
     {
         // Enamel under one half of the bur and dentin under the other: the time is sum V_m / rate_m, whatever comes
         // first.
-        for (std::size_t bur = 0; bur < core::drilling::kCommonBurs; ++bur) {
+        for (std::size_t bur = 0; bur < core::bur::kCommonBurs; ++bur) {
             constexpr int kTicks = 1500;
             int ticks = 0;
             core::terrain::PerMaterial removed{};
             press([](glm::dvec2 p) { return enamelAbove(p.x < 0.0 ? -50.0 : 50.0); }, bur, 1.0,
-                  [&](const core::session::ServoState& state) {
+                  [&](const core::servo::ServoState& state) {
                       removed = state.removedMm3;
                       return ++ticks < kTicks;
                   });

@@ -75,7 +75,7 @@ private slots:
 
     void badSettingsAreRefused()
     {
-        core::session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.method = "magic";
         const auto flat = lab::enamelBlock([](glm::dvec2) { return 0.0; });
         QCOMPARE(lab::forceChanges(flat, 0.0, settings).error().code, core::ErrorCode::UnknownName);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "lab/SweepVolume.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
@@ -24,7 +24,7 @@ private slots:
     {
         // haptics.md 8.4: a ball along a line, A = R^2 acos(1 - d/R) - (R - d) sqrt(2 R d - d^2), and a cap of the
         // ball.
-        const std::size_t ball = core::drilling::findBur("2").value();
+        const std::size_t ball = core::bur::findBur("2").value();
         constexpr double kRadius = 0.5;
         constexpr double kDeep = 0.3;
         const double area = kRadius * kRadius * std::acos(1.0 - kDeep / kRadius) -
@@ -37,8 +37,8 @@ private slots:
     void closedFormIsTheIntegralOfTheUnderside()
     {
         constexpr int kRings = 200000;
-        for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
-            const core::drilling::Bur& shape = core::drilling::burs()[bur];
+        for (std::size_t bur = 0; bur < core::bur::burs().size(); ++bur) {
+            const core::bur::Bur& shape = core::bur::burs()[bur];
             for (const double depth : {0.05, 0.4, 1.2}) {
                 double volume = 0.0;
                 const double width = shape.headRadiusMm / kRings;
@@ -80,7 +80,7 @@ private slots:
 
     void finerGridStraysLess()
     {
-        const std::size_t pear = core::drilling::findBur("330").value();
+        const std::size_t pear = core::bur::findBur("330").value();
         for (const lab::Sweep sweep : kSweeps) {
             const lab::SweepErrors coarse = lab::measureSweep(sweep, 100, pear);
             const lab::SweepErrors fine = lab::measureSweep(sweep, 300, pear);

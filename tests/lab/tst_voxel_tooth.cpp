@@ -21,9 +21,9 @@ double sum(const core::terrain::PerMaterial& mm3)
     return std::accumulate(mm3.begin(), mm3.end(), 0.0);
 }
 
-const core::drilling::Bur& bur(const char* id)
+const core::bur::Bur& burNamed(const char* id)
 {
-    return core::drilling::burs()[core::drilling::findBur(id).value()];
+    return core::bur::burs()[core::bur::findBur(id).value()];
 }
 
 std::shared_ptr<const core::terrain::ToothAnatomy> tooth36(int side)
@@ -41,7 +41,7 @@ class TestVoxelTooth : public QObject
 private slots:
     void aBallSunkByItsRadiusTakesHalfASphere()
     {
-        const lab::VoxelBur ball(bur("2"));
+        const lab::VoxelBur ball(burNamed("2"));
         constexpr int kLies = 16;
         constexpr double kCellMm = lab::kBlockExtentMm / 150;
         const double radius = ball.radiusMm();
@@ -66,7 +66,7 @@ private slots:
     {
         const auto block = lab::enamelBlock([](glm::dvec2) { return 0.0; }, 150);
         lab::VoxelTooth tooth(*block);
-        const lab::VoxelBur fissure(bur("57"));
+        const lab::VoxelBur fissure(burNamed("57"));
         const double before = tooth.volumeMm3();
         QCOMPARE(tooth.overlap(fissure, {0.0, 0.0, 0.001}), std::size_t{0});
         const std::size_t there = tooth.overlap(fissure, {0.0, 0.0, -0.3});
@@ -83,12 +83,12 @@ private slots:
         // Sunk 2 mm and moved aside by more than its radius, a ball leaves a roof over its way; a height map does not.
         const auto block = lab::enamelBlock([](glm::dvec2) { return 0.0; }, 150);
         lab::VoxelTooth tooth(*block);
-        const lab::VoxelBur ball(bur("2"));
+        const lab::VoxelBur ball(burNamed("2"));
         for (double z = 0.0; z > -2.0; z -= 0.02)
             static_cast<void>(tooth.remove(ball, {0.0, 0.0, z}));
         for (double x = 0.0; x < 1.0; x += 0.02)
             static_cast<void>(tooth.remove(ball, {x, 0.0, -2.0}));
-        const lab::VoxelBur fissure(bur("57"));
+        const lab::VoxelBur fissure(burNamed("57"));
         QVERIFY(tooth.overlap(fissure, {1.0, 0.0, -0.9}) > 0);
         QCOMPARE(tooth.overlap(ball, {0.7, 0.0, -2.0}), std::size_t{0});
     }
@@ -105,7 +105,7 @@ private slots:
     void slotsTakeWhatTheHeightStackLoses()
     {
         const auto anatomy = tooth36(150);
-        const std::size_t fissure = core::drilling::findBur("57").value();
+        const std::size_t fissure = core::bur::findBur("57").value();
         const lab::ModelCost heights = lab::millHeightStack(anatomy, fissure);
         const lab::ModelCost voxels = lab::millVoxels(*anatomy, fissure);
         for (std::size_t k = 0; k < lab::kSlots; ++k)

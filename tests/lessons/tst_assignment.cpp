@@ -12,12 +12,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Reach.h"
+#include "core/bur/Reach.h"
 #include "core/grading/IdealCavity.h"
 #include "core/grading/MeasureTable.h"
 #include "core/grading/Referee.h"
 #include "core/guidance/Landmarks.h"
 #include "core/preparation/ToothDesign.h"
+#include "core/servo/ServoState.h"
 #include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
@@ -76,7 +77,7 @@ core::terrain::Tooth cutTo(const Assignment& assignment, const std::vector<float
 core::terrain::Tooth cutAsFarAsCanBe(const Assignment& assignment, std::vector<float> top)
 {
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
-    const auto lowest = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    const auto lowest = static_cast<float>(core::bur::lowestTipMm(anatomy));
     for (std::size_t k = 0; k < top.size(); ++k) {
         top[k] = std::min(anatomy.top[k], std::max(top[k], lowest));
         if (!(top[k] > anatomy.bottom[k]))
@@ -380,9 +381,9 @@ private slots:
         rules.neighbours = assignment.neighbours;
         const core::terrain::Tooth tooth(assignment.anatomy);
         core::grading::Referee referee(rules, assignment.anatomy, nullptr);
-        core::session::ServoState state;
+        core::servo::ServoState state;
         state.drillOn = true;
-        state.burIndex = static_cast<std::uint8_t>(core::drilling::findBur("330").value());
+        state.burIndex = static_cast<std::uint8_t>(core::bur::findBur("330").value());
         const auto hitsAt = [&](double beyondMm) {
             state.anchorMm = {edge.x + outwards * beyondMm, edge.y, -3.0};
             const auto found = referee.look(state, {}, tooth, std::chrono::milliseconds(1));
@@ -564,9 +565,9 @@ private slots:
             // The recording holds all that is needed to ask the same, and to mark it.
             core::recording::Recording recording({}, asked.anatomy, lesson.json);
             for (std::size_t pad = 0; pad < kPads; ++pad)
-                recording.append({core::session::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
+                recording.append({core::servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
                                   answerNote(pad, pads.madeOf[pad == 2 ? 0 : pad])});
-            recording.append({core::session::ServoEvent::Kind::NoDevice, 1000, glm::vec3(0.0F), 0});
+            recording.append({core::servo::ServoEvent::Kind::NoDevice, 1000, glm::vec3(0.0F), 0});
             const auto read = core::recording::Recording::fromBytes(recording.toBytes());
             QVERIFY(read.has_value());
             QVERIFY(assignmentOf(read->anatomy(), read->lesson()).value().exercise == asked.exercise);
@@ -675,7 +676,7 @@ private slots:
             return of["properties"].toObject()[key].toObject();
         };
         QJsonArray burs;
-        for (const core::drilling::Bur& bur : core::drilling::burs())
+        for (const core::bur::Bur& bur : core::bur::burs())
             burs << QString::fromUtf8(bur.id.data(), static_cast<qsizetype>(bur.id.size()));
         QCOMPARE(keys["burs"].toObject()["items"].toObject()["enum"].toArray(), burs);
         QJsonArray measures;

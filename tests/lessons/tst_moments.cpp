@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/recording/Player.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/Moments.h"
 #include "tests/support/Rig.h"
@@ -12,7 +14,7 @@
 
 using namespace lessons;
 using core::recording::Recording;
-using core::session::ServoEvent;
+using core::servo::ServoEvent;
 using support::Rig;
 
 namespace {
@@ -58,7 +60,7 @@ struct ReadyRig : support::Rig
     explicit ReadyRig(const Assignment& assignment)
     {
         open(assignment.anatomy);
-        send(core::session::SetDrill{true});
+        send(core::servo::SetDrill{true});
         run(1500);  // up to speed, in the air
     }
     [[nodiscard]] Recording recording() const { return session->recordingSoFar().value(); }

@@ -374,7 +374,7 @@ private slots:
         const auto settingsOf = [&](const lessons::Lesson* lesson) {
             return lessons::servoSettings(lesson, {}, preset);
         };
-        const auto rate = [](const core::session::ServoSettings& settings, Material material) {
+        const auto rate = [](const core::servo::ServoSettings& settings, Material material) {
             return settings.hardness.material.at(static_cast<std::size_t>(material)).rateMm3PerNs;
         };
         QCOMPARE(rate(settingsOf(nullptr), Material::Caries), preset.softCariesRate);
@@ -404,7 +404,7 @@ private slots:
                                                      {false, core::settings::DecayKind::Graded}}) {
             lesson = {};
             lesson.kind = kind;
-            const core::session::ServoSettings set = settingsOf(&lesson);
+            const core::servo::ServoSettings set = settingsOf(&lesson);
             const FeelPreset felt = core::settings::feltAs(FeelPreset{}, set.hardness, set.force, kind);
             QVERIFY(lessons::servoSettings(&lesson, {}, felt).hardness.material == set.hardness.material);
             QVERIFY(lessons::servoSettings(&lesson, {}, felt).hardness.decayZones == set.hardness.decayZones);

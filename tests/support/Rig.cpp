@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/Rig.h"
+#include "core/session/Links.h"
 
 #include <cassert>
 #include <cstdlib>
 
 #include <glm/common.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 
 namespace support {
 namespace {
 
 using namespace core::session;
+using namespace core::servo;
 
 constexpr std::uint64_t kTicksPerSession = 10;
 
@@ -28,7 +30,7 @@ void begin(Rig& rig)
 Bench::Bench(const core::terrain::Tooth& begun, const char* bur, const ServoSettings& settings)
     : tooth(std::make_unique<core::contact::LiveTooth>(begun)), servo(makeServoTick(settings).value())
 {
-    servo->setBur(core::drilling::findBur(bur).value());
+    servo->setBur(core::bur::findBur(bur).value());
     servo->swapTooth(tooth.get(), true);
     servo->setDrill(true);
 }

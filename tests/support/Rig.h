@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "core/base/Rng.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "core/session/SessionLoop.h"
 #include "haptics/ServoLoop.h"
 
@@ -31,17 +33,17 @@ public:
 struct Bench
 {
     std::unique_ptr<core::contact::LiveTooth> tooth;
-    std::unique_ptr<core::session::ServoTick> servo;
+    std::unique_ptr<core::servo::ServoTick> servo;
 
-    Bench(const core::terrain::Tooth& begun, const char* bur, const core::session::ServoSettings& settings = {});
-    const core::session::ServoState& step(const glm::dvec3& device, int dtUs = 1000) const;
-    [[nodiscard]] const core::session::ServoState& state() const { return servo->state(); }
+    Bench(const core::terrain::Tooth& begun, const char* bur, const core::servo::ServoSettings& settings = {});
+    const core::servo::ServoState& step(const glm::dvec3& device, int dtUs = 1000) const;
+    [[nodiscard]] const core::servo::ServoState& state() const { return servo->state(); }
 };
 
 /// Servo and session loop joined as the program joins them, but beaten by hand in one thread.
 struct Rig
 {
-    explicit Rig(const core::session::ServoSettings& settings = {},
+    explicit Rig(const core::servo::ServoSettings& settings = {},
                  std::chrono::microseconds period = std::chrono::milliseconds(1),
                  const core::session::SessionMemory& memory = {});
 
@@ -71,9 +73,9 @@ struct Rig
     [[nodiscard]] std::uint64_t liveHash() const { return core::terrain::stateHash(live()); }
     [[nodiscard]] std::uint64_t mirrorHash() const { return core::terrain::stateHash(session->toothSoFar().value()); }
 
-    core::session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     std::chrono::microseconds period;
-    std::unique_ptr<core::session::ServoLinks> servoLinks;
+    std::unique_ptr<core::servo::ServoLinks> servoLinks;
     std::unique_ptr<core::session::UiLinks> uiLinks;
     HeldDevice device;
     std::unique_ptr<core::session::SessionLoop> session;

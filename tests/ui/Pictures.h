@@ -10,7 +10,7 @@
 #include <QString>
 #include <QtGlobal>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 
 /// Pictures as tests look at them: statistics instead of golden bytes, for no two drivers draw the same bytes.
 namespace pictures {
@@ -91,12 +91,12 @@ int count(const QImage& image, const Fits& fits)
 }
 
 /// The tile of the grid that holds a point, every height in it above `floorMm` lowered to that.
-inline core::session::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth, glm::dvec2 pointMm, float floorMm,
-                                        std::uint64_t generation = 1, bool last = true)
+inline core::servo::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth, glm::dvec2 pointMm, float floorMm,
+                                      std::uint64_t generation = 1, bool last = true)
 {
-    constexpr int kSide = core::session::kTileSide;
+    constexpr int kSide = core::servo::kTileSide;
     const glm::ivec2 tile = glm::ivec2(tooth.grid.latticeOf(pointMm)) / kSide;
-    core::session::TilePatch patch;
+    core::servo::TilePatch patch;
     patch.toothGeneration = generation;
     patch.tileX = static_cast<std::uint16_t>(tile.x);
     patch.tileY = static_cast<std::uint16_t>(tile.y);
@@ -113,7 +113,7 @@ inline core::session::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth
 /// Middle of the tile that holds a point.
 inline glm::dvec2 tileMiddle(const core::terrain::Grid& grid, glm::dvec2 pointMm)
 {
-    constexpr int kSide = core::session::kTileSide;
+    constexpr int kSide = core::servo::kTileSide;
     const glm::ivec2 first = glm::ivec2(grid.latticeOf(pointMm)) / kSide * kSide;
     return grid.nodeMm(first.x, first.y) + glm::dvec2(0.5 * (kSide - 1) * grid.cellMm);
 }

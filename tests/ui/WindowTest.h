@@ -17,6 +17,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/Rubric.h"
 #include "tests/database/SchoolRig.h"
@@ -245,7 +247,7 @@ protected:
         m_window->setAids(aids);
     }
     /// The threads say this, and the window has taken it when the call returns.
-    void take(const core::session::ServoState& servo, const core::session::SessionState& session) const
+    void take(const core::servo::ServoState& servo, const core::session::SessionState& session) const
     {
         m_links->servo.publish(servo);
         m_links->session.publish(session);
@@ -287,14 +289,14 @@ protected:
     [[nodiscard]] static bool isRest(const core::session::SessionCommand& command)
     {
         const auto* note = std::get_if<core::session::AddNote>(&command);
-        return note != nullptr && (note->code == core::session::kRestNote || note->code == core::session::kWorkNote);
+        return note != nullptr && (note->code == core::servo::kRestNote || note->code == core::servo::kWorkNote);
     }
     /// What was asked of the drill since the last call.
     [[nodiscard]] QList<bool> drillSent() const
     {
         QList<bool> all;
         for (const core::session::SessionCommand& command : allSent())
-            if (const auto* drill = std::get_if<core::session::SetDrill>(&command))
+            if (const auto* drill = std::get_if<core::servo::SetDrill>(&command))
                 all << drill->on;
         return all;
     }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/servo/ServoState.h"
 #include "tests/support/Suite.h"
 #include "ui/console/Console.h"
 #include "ui/console/Registration.h"
@@ -41,7 +42,7 @@ struct Room
     std::string refusal;
     QAction wet;
     console::Told told;
-    core::session::ServoState servo;
+    core::servo::ServoState servo;
     console::PeriodMeter meter;
     core::settings::Parameters parameters;
     console::WatchPanel panel{parameters, &window};
@@ -312,7 +313,7 @@ private slots:
     {
         console::PeriodMeter meter;
         QVERIFY(std::isnan(meter.percentileUs(0.5)));
-        core::session::ServoState state;
+        core::servo::ServoState state;
         std::int64_t now = 1'000'000'000;
         std::size_t next = 0;
         // 16 poses at a time, of which half have been seen before; one period in fifty is three times as long.

@@ -6,8 +6,8 @@
 #include "tests/support/Suite.h"
 #include "ui/replay/HistoryGraph.h"
 
+using core::history::MomentId;
 using core::history::MomentInfo;
-using core::session::MomentId;
 using ui::replay::HistoryRow;
 using ui::replay::historyRows;
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/servo/ServoState.h"
 #include "core/teeth/Laid.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
@@ -142,7 +143,7 @@ private slots:
     void theBurHasItsTrueSize()
     {
         const Tooth tooth(block());
-        const core::drilling::Bur& fissure = core::drilling::burs()[3];
+        const core::bur::Bur& fissure = core::bur::burs()[3];
         inside::SectionScene scene = sceneOf(tooth, {{0.4, 0.0}, 0.0});
         const QImage without = painted(scene);
         scene.bur = &fissure;
@@ -298,7 +299,7 @@ private slots:
         inside::SectionView view(nullptr);
         view.resize(344, 600);
         view.show();
-        core::session::ServoState servo;
+        core::servo::ServoState servo;
         servo.tick = 1;
         servo.anchorMm = {0.5, 0.5, -1.0};
         const auto figure = [&](const char* name) {

@@ -12,6 +12,7 @@
 #include <QSet>
 #include <QStackedWidget>
 
+#include "core/session/Links.h"
 #include "lessons/PresetShelf.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/ui/Pictures.h"

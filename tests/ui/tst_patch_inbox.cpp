@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include "core/servo/ServoState.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "ui/tooth/PatchInbox.h"
 
-using core::session::TilePatch;
+using core::servo::TilePatch;
 using ui::tooth::PatchInbox;
 
 namespace {
@@ -84,7 +85,7 @@ private slots:
     void aPatchIsWrittenIntoATooth()
     {
         core::terrain::Tooth tooth(support::makeBlock({.side = 70}));
-        core::session::TilePatch last = patch(1, 4, true, -1.5F);
+        core::servo::TilePatch last = patch(1, 4, true, -1.5F);
         last.tileY = 1;
         last.top[0] = core::terrain::kEmptyTop;
         ui::tooth::write(last, tooth);

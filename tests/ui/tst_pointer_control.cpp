@@ -5,13 +5,14 @@
 
 #include <QTest>
 
+#include "core/servo/ServoState.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/Tables.h"
 #include "ui/tooth/Camera.h"
 #include "ui/tooth/PointerControl.h"
 
-using core::session::PointerInput;
+using core::servo::PointerInput;
 using ui::render::Ray;
 using ui::render::ToothSurface;
 using ui::tooth::Camera;
@@ -237,7 +238,7 @@ private:
     /// The bur touches the tooth with its tip so far below the original surface.
     void touch(glm::dvec3 burMm, double depthMm)
     {
-        core::session::ServoState servo;
+        core::servo::ServoState servo;
         servo.anchorMm = burMm;
         servo.depthMm = depthMm;
         servo.hasDepth = true;

@@ -6,11 +6,12 @@
 
 #include <QTest>
 
+#include "core/servo/ServoState.h"
 #include "tests/support/Suite.h"
 #include "ui/tooth/PoseTrack.h"
 
-using core::session::Pose;
-using core::session::ServoState;
+using core::servo::Pose;
+using core::servo::ServoState;
 using ui::tooth::FrameClock;
 using ui::tooth::poseAt;
 

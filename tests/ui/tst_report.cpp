@@ -20,6 +20,7 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
+#include "core/servo/ServoState.h"
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
@@ -292,7 +293,7 @@ private slots:
              "Automatic score: 100.0"});
         card = m_card;
         card.work->measured.process.emplace().totalS = 133.0;
-        card.work->aids = core::session::kSectionAid | core::session::kIdealAid;
+        card.work->aids = core::servo::kSectionAid | core::servo::kIdealAid;
         card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
         card.sheet.criteria.front().critical = true;
         card.sheet.criteria.front().share = 1.0;

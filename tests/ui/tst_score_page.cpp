@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 
+#include "core/servo/ServoState.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
@@ -347,7 +348,7 @@ private slots:
         QVERIFY2(facts->text().contains("2:13") && facts->text().contains("1:02") && facts->text().contains("3 step") &&
                      facts->text().contains("No aid"),
                  qPrintable(facts->text()));
-        made.work.aids = core::session::kSectionAid;
+        made.work.aids = core::servo::kSectionAid;
         for (int n = 0; n < 7; ++n)
             made.work.infractions.push_back({n == 5 ? Breach::PulpExposed : Breach::BurInAir,
                                              static_cast<std::uint64_t>(1000 * n),
@@ -469,7 +470,7 @@ private slots:
         m_page->resize(1280, 760);  // a screen of 1280 x 800 with a task bar
         Faulty made = faulty("decay-36-moderate");
         made.work.measured.process = conducted();
-        made.work.aids = core::session::kSectionAid | core::session::kIdealAid | core::session::kRadiographAid;
+        made.work.aids = core::servo::kSectionAid | core::servo::kIdealAid | core::servo::kRadiographAid;
         for (int n = 0; n < 9; ++n)
             made.work.infractions.push_back(
                 {core::grading::Breach::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});

@@ -10,10 +10,10 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothDesign.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/LessonReader.h"
@@ -320,7 +320,7 @@ private slots:
             if (!result)
                 errors.push_back(result.error());
         };
-        refused(core::drilling::findBur("x"));
+        refused(core::bur::findBur("x"));
         refused(core::settings::findHandpiece("x"));
         refused(core::settings::findHardnessPreset("x"));
         refused(*core::teeth::findBlock("block:x"));
@@ -355,7 +355,7 @@ private slots:
 
     void theGravestTroubleIsTold()
     {
-        using namespace core::session;
+        using namespace core::servo;
         QCOMPARE(ui::text::healthText(0), QString());
         QVERIFY(ui::text::healthText(kDeviceLost | kForceClamped | kRecordGap).contains("handpiece"));
         QVERIFY(ui::text::healthText(kPatchQueueFull | kRecordGap).contains("recording"));
@@ -447,7 +447,7 @@ private slots:
         QCOMPARE(ui::text::toothName(36), QString("lower left first molar"));
         for (const int fdi : {0, -1, 9, 19, 20, 29, 49, 50, 51, 111})
             QVERIFY2(ui::text::toothName(fdi).isEmpty(), qPrintable(QString::number(fdi)));
-        for (const core::drilling::Bur& bur : core::drilling::burs()) {
+        for (const core::bur::Bur& bur : core::bur::burs()) {
             const QString id = QString::fromUtf8(bur.id.data(), static_cast<qsizetype>(bur.id.size()));
             const QString name = ui::text::burName(bur.id);
             QVERIFY2(name != id && name.endsWith(id), qPrintable(name));

@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/Tables.h"
 #include "tests/ui/CanvasTest.h"
@@ -136,8 +136,8 @@ private slots:
     void burStandsOnItsTip_data()
     {
         QTest::addColumn<std::size_t>("bur");
-        for (std::size_t k = 0; k < core::drilling::burs().size(); ++k)
-            QTest::newRow(core::drilling::burs()[k].id.data()) << k;
+        for (std::size_t k = 0; k < core::bur::burs().size(); ++k)
+            QTest::newRow(core::bur::burs()[k].id.data()) << k;
     }
 
     void burStandsOnItsTip()
@@ -153,7 +153,7 @@ private slots:
         const QImage without = draw(scene());
         with.instrumentShown = true;
         const QImage image = draw(with);
-        const core::drilling::Bur& shape = core::drilling::burs()[bur];
+        const core::bur::Bur& shape = core::bur::burs()[bur];
         // Half way up the head, or where it leaves the picture, there is steel, as wide as the bur and not wider.
         const glm::dvec3 middle = with.tipMm + glm::dvec3(0.0, 0.0, std::min(0.6 * shape.headLengthMm, 2.5));
         const glm::dvec3 beside((shape.headRadiusMm + 0.12) * m_camera.rightOnTooth(), 0.0);

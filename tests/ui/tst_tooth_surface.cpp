@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include "core/servo/ServoState.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Suite.h"
@@ -21,8 +22,8 @@
 #include "ui/tooth/Camera.h"
 #include "ui/tooth/Viewpoint.h"
 
-using core::session::kTileSide;
-using core::session::TilePatch;
+using core::servo::kTileSide;
+using core::servo::TilePatch;
 using core::terrain::NodeRect;
 using core::terrain::ToothAnatomy;
 using pictures::cutTile;
@@ -330,7 +331,7 @@ private slots:
         surface.write(cutTile(*tooth, middle, static_cast<float>(whole - 1.5)));
         surface.refresh();
         // A ray that comes in flatly meets the wall on the far side half way down.
-        const double half = 0.5 * (core::session::kTileSide - 1) * tooth->grid.cellMm;
+        const double half = 0.5 * (core::servo::kTileSide - 1) * tooth->grid.cellMm;
         const glm::dvec3 wall(middle.x + half + 0.5 * tooth->grid.cellMm, middle.y, whole - 0.7);
         const glm::dvec3 from = wall + glm::dvec3(-1.0, 0.0, 1.2) * 8.0;
         const auto met = surface.meetTooth({from, glm::normalize(wall - from)});
@@ -377,7 +378,7 @@ private slots:
     void metalMeshesAreWholeAndFaceOutwards()
     {
         std::vector<ui::render::SolidMesh> meshes{ui::render::handpieceMesh()};
-        for (const core::drilling::Bur& bur : core::drilling::burs()) {
+        for (const core::bur::Bur& bur : core::bur::burs()) {
             meshes.push_back(ui::render::shankMesh(bur));
             constexpr float kRing = 5.0F;
             const auto& shank = meshes.back().vertices;

@@ -13,13 +13,15 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Checks.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/Pictures.h"
 #include "ui/tooth/ToothView.h"
 
-using core::session::PointerInput;
-using core::session::ServoState;
+using core::servo::PointerInput;
+using core::servo::ServoState;
 using core::session::UiLinks;
 using core::terrain::ToothAnatomy;
 using support::near;

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/shell/Actions.h"
@@ -65,7 +67,7 @@ private slots:
         view.setCamera(10.0, 40.0, 30.0);
         view.setPushForce(2.0);
         QCOMPARE(links.pointer.latest().pushForceN, 2.0);
-        core::session::TilePatch patch;
+        core::servo::TilePatch patch;
         patch.toothGeneration = 1;
         patch.last = true;
         patch.top.fill(-4.0F);

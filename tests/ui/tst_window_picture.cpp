@@ -6,6 +6,8 @@
 #include <QPushButton>
 #include <QSlider>
 
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "core/teeth/Block.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/ui/WindowTest.h"
@@ -18,6 +20,7 @@
 #include "ui/study/LessonsPage.h"
 
 using namespace core::session;
+using namespace core::servo;
 using namespace ui::shell;
 using core::terrain::Material;
 
@@ -98,7 +101,7 @@ private slots:
         const auto* card = child<ui::study::InfractionCard>();
         SessionState session;
         session.toothGeneration = m_generation;
-        const auto openPulp = [&](const core::session::ServoState& servo) {
+        const auto openPulp = [&](const core::servo::ServoState& servo) {
             session.removedMm3[3] = 0.0;
             take(servo, session);
             session.removedMm3[3] = 0.01;
@@ -107,7 +110,7 @@ private slots:
         const auto burUnder = [&](const QWidget& overlay) {
             const QPoint at = overlay.geometry().center() - view.pos();
             const ui::render::Ray ray = view.camera().rayThrough({at.x(), at.y()});
-            core::session::ServoState servo;
+            core::servo::ServoState servo;
             servo.tick = 1;
             servo.anchorMm = ray.originMm + ray.direction * view.camera().distanceMm();
             return servo;

@@ -9,7 +9,9 @@
 #include <QSlider>
 #include <QToolButton>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/console/Console.h"
@@ -23,6 +25,7 @@
 #include "ui/shell/ToothChooser.h"
 
 using namespace core::session;
+using namespace core::servo;
 using namespace ui::shell;
 using core::terrain::Material;
 using ui::inside::SectionView;
@@ -54,7 +57,7 @@ private slots:
             if (const auto* bur = std::get_if<SetBur>(&command))
                 QCOMPARE(std::get<SetBur>(got[0]).index, bur->index);
         }
-        QCOMPARE(actions().burs.size(), static_cast<qsizetype>(core::drilling::burs().size()));
+        QCOMPARE(actions().burs.size(), static_cast<qsizetype>(core::bur::burs().size()));
     }
 
     void onlyHandpiecesAtHandCanBeTaken()
@@ -353,13 +356,12 @@ private slots:
         const auto named = [&](QAction* bur) {
             const auto& ids = lesson.lesson->burs;
             return std::find(ids.begin(), ids.end(),
-                             core::drilling::burs()[static_cast<std::size_t>(actions().burs.indexOf(bur))].id) !=
-                   ids.end();
+                             core::bur::burs()[static_cast<std::size_t>(actions().burs.indexOf(bur))].id) != ids.end();
         };
         const auto tiles = child<BurChooser>()->findChildren<BurTile*>();  // in the panel, and in the picker
         beginLesson(lesson);
         for (qsizetype k = 0; k < tiles.size(); ++k) {
-            QAction* bur = actions().burs[static_cast<qsizetype>(core::drilling::findBur(tiles[k]->bur().id).value())];
+            QAction* bur = actions().burs[static_cast<qsizetype>(core::bur::findBur(tiles[k]->bur().id).value())];
             QCOMPARE(tiles[k]->isEnabled(), named(bur));
             QCOMPARE(tiles[k]->toolTip().contains("does not allow"), !named(bur));
         }
@@ -383,7 +385,7 @@ private slots:
         QCOMPARE(lesson.lesson->burs.front(), std::string("329"));
         beginLesson(lesson);
         QCOMPARE(inPanel(), (QStringList{"1", "2", "329", "330"}));
-        const auto first = static_cast<qsizetype>(core::drilling::findBur("329").value());
+        const auto first = static_cast<qsizetype>(core::bur::findBur("329").value());
         QCOMPARE(actions().burs[first]->shortcut(), QKeySequence(Qt::Key_1));
         QVERIFY(!actions().burs[first]->toolTip().contains("does not allow"));
         QCOMPARE(actions().favouriteBurs(), (QList<int>{0, 1, 2, 3}));
@@ -398,7 +400,7 @@ private slots:
         for (const char* id : {"1", "2", "4", "33-1/2", "l"}) {
             press(Qt::Key_0);
             QTRY_VERIFY(search->hasFocus());
-            const auto index = core::drilling::findBur(id);
+            const auto index = core::bur::findBur(id);
             QTest::keyClicks(search, id);
             spoil();
             QTest::keyClick(search, Qt::Key_Return);
@@ -426,7 +428,7 @@ private slots:
         QTest::keyClick(search, Qt::Key_Return);
         QVERIFY(picker->isVisible());
         // The lesson gives its own first bur.
-        const std::size_t index = core::drilling::findBur((*refused)->bur().id).value();
+        const std::size_t index = core::bur::findBur((*refused)->bur().id).value();
         for (const auto& command : sent())
             QVERIFY(!std::holds_alternative<SetBur>(command) || std::get<SetBur>(command).index != index);
         QVERIFY(picker->findChild<QLabel*>("burNone")->isVisible());
@@ -436,7 +438,7 @@ private slots:
 
     void anyBurIsFoundByItsNumber()
     {
-        const auto index = core::drilling::findBur("856").value();
+        const auto index = core::bur::findBur("856").value();
         press(Qt::Key_0);
         auto* picker = m_window->findChild<BurPicker*>();
         QTRY_VERIFY(picker->isVisible());
@@ -450,7 +452,7 @@ private slots:
             ids.sort();
             return ids;
         };
-        QCOMPARE(shown().size(), static_cast<qsizetype>(core::drilling::burs().size()));
+        QCOMPARE(shown().size(), static_cast<qsizetype>(core::bur::burs().size()));
         QTest::keyClicks(search, "nothing like it");
         QVERIFY(shown().isEmpty());
         search->clear();

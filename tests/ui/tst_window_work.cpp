@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/ui/WindowTest.h"
@@ -19,6 +21,7 @@
 #include "ui/study/ScorePage.h"
 
 using namespace core::session;
+using namespace core::servo;
 using namespace ui::shell;
 using core::grading::Breach;
 using core::terrain::Material;

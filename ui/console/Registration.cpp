@@ -44,10 +44,10 @@ std::string nameOf(const core::NumberField<FeelPreset>& field)
 
 }  // namespace
 
-void PeriodMeter::take(const core::session::ServoState& state)
+void PeriodMeter::take(const core::servo::ServoState& state)
 {
     std::vector<std::int64_t> taken;
-    for (const core::session::Pose& pose : state.trail)
+    for (const core::servo::Pose& pose : state.trail)
         if (pose.takenNs > 0)
             taken.push_back(pose.takenNs);
     std::sort(taken.begin(), taken.end());
@@ -151,7 +151,7 @@ void registerHand(Parameters& parameters, const tooth::PointerControl& hand,
          }});
 }
 
-void registerLive(Parameters& parameters, const std::function<core::session::ServoState()>& servo,
+void registerLive(Parameters& parameters, const std::function<core::servo::ServoState()>& servo,
                   const PeriodMeter& meter, const std::function<Told()>& told)
 {
     const auto add = [&](const char* name, const char* unit, const std::function<double()>& read,
@@ -179,7 +179,7 @@ void registerLive(Parameters& parameters, const std::function<core::session::Ser
     add(
         "live.depth", "mm",
         [servo] {
-            const core::session::ServoState state = servo();
+            const core::servo::ServoState state = servo();
             return state.hasDepth ? state.depthMm : std::numeric_limits<double>::quiet_NaN();
         },
         [] { return RegistrationWords::tr("Depth of the bur's tip below the uncut surface."); }, &Told::depth);

@@ -7,7 +7,7 @@
 
 #include <QAction>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/settings/FeelPreset.h"
 #include "core/settings/Parameters.h"
 
@@ -23,7 +23,7 @@ class PeriodMeter
 {
 public:
     /// The newest state; call it often, each holds the last 16 ticks only.
-    void take(const core::session::ServoState& state);
+    void take(const core::servo::ServoState& state);
     /// The time that a share of the periods stays under, µs; NaN before there are any.
     [[nodiscard]] double percentileUs(double share) const;
 
@@ -65,7 +65,7 @@ struct Told
 /// "live.force", "live.depth" and so on.
 /// @param meter  must outlive the registry
 /// @param told   here and now
-void registerLive(core::settings::Parameters& parameters, const std::function<core::session::ServoState()>& servo,
+void registerLive(core::settings::Parameters& parameters, const std::function<core::servo::ServoState()>& servo,
                   const PeriodMeter& meter, const std::function<Told()>& told);
 
 }  // namespace ui::console

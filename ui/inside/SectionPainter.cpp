@@ -300,9 +300,9 @@ void paintBur(QPainter& painter, const Frame& frame, const SectionScene& scene)
     }
     const double shankTop = frame.topMm - scene.tipMm.z + 1.0;
     QPolygonF outline;
-    for (const core::drilling::Bur::Point& point : scene.bur->outline)
+    for (const core::bur::Bur::Point& point : scene.bur->outline)
         outline << at(point.radiusMm, point.heightMm);
-    const core::drilling::Bur::Point last = scene.bur->outline.back();
+    const core::bur::Bur::Point last = scene.bur->outline.back();
     outline << at(scene.bur->shankRadiusMm, last.heightMm);
     if (shankTop > last.heightMm)
         outline << at(scene.bur->shankRadiusMm, shankTop) << at(-scene.bur->shankRadiusMm, shankTop);

@@ -7,7 +7,7 @@
 
 #include <QRectF>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/preparation/ToleranceBand.h"
@@ -26,7 +26,7 @@ struct SectionScene
     /// What may be cut at no cost, drawn as a band around the ideal; null: none.
     const core::preparation::ToleranceBand* band = nullptr;
     /// A bur whose axis lies in the plane, drawn at its true size; null: none.
-    const core::drilling::Bur* bur = nullptr;
+    const core::bur::Bur* bur = nullptr;
     glm::dvec3 tipMm{0.0};
     std::optional<double> downToPulpMm;  ///< from the tip: a dotted line is drawn so far down
     std::optional<glm::dvec3> markMm;    ///< a place in the plane that is ringed

@@ -15,7 +15,7 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
@@ -232,7 +232,7 @@ void SectionView::nameSides()
 }
 
 void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revision,
-                         const core::session::ServoState& servo, const core::imaging::DepthReading& reading)
+                         const core::servo::ServoState& servo, const core::imaging::DepthReading& reading)
 {
     SectionScene& scene = m_canvas->scene;
     // The address may be that of a tooth that has gone: it is replaced whatever else happens.
@@ -241,7 +241,7 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
         return;
     const bool otherTooth = tooth->anatomy != m_anatomy;
     const glm::dvec3 tipMm = m_held.value_or(servo.anchorMm);
-    const bool hasBur = servo.tick > 0 && servo.burIndex < core::drilling::burs().size();
+    const bool hasBur = servo.tick > 0 && servo.burIndex < core::bur::burs().size();
     const bool stirred = otherTooth || revision != m_revision || hasBur != m_hasBur || servo.burIndex != m_bur ||
                          (hasBur && glm::length(tipMm - m_tipMm) > kStirMm);
     if (!m_sinceFigures.isValid() || m_sinceFigures.elapsed() >= kFiguresEveryMs) {
@@ -263,7 +263,7 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
     m_hasBur = hasBur;
     m_bur = servo.burIndex;
     m_tipMm = tipMm;
-    scene.bur = hasBur ? &core::drilling::burs()[servo.burIndex] : nullptr;
+    scene.bur = hasBur ? &core::bur::burs()[servo.burIndex] : nullptr;
     scene.tipMm = tipMm;
     // Without a hand the cut goes through the middle of the tooth.
     scene.plane.throughMm = hasBur ? glm::dvec2(tipMm) : tooth->grid().middleMm();
@@ -271,7 +271,7 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
     m_canvas->update();
 }
 
-void SectionView::showFigures(const core::session::ServoState& servo, const core::imaging::DepthReading& reading)
+void SectionView::showFigures(const core::servo::ServoState& servo, const core::imaging::DepthReading& reading)
 {
     const QColor quiet = palette().color(QPalette::PlaceholderText);
     const auto show = [&](TabularLabel* label, const std::optional<double>& mm) {

@@ -9,7 +9,7 @@
 
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "ui/shell/MaterialLook.h"
 
 class QPushButton;
@@ -35,7 +35,7 @@ public:
     /// most, 30 times a second, and only when something that shows has changed.
     /// @param tooth     borrowed until the next call; null: none
     /// @param revision  another number whenever the tooth has changed
-    void follow(const core::terrain::Tooth* tooth, std::uint64_t revision, const core::session::ServoState& servo,
+    void follow(const core::terrain::Tooth* tooth, std::uint64_t revision, const core::servo::ServoState& servo,
                 const core::imaging::DepthReading& reading);
     void setColours(render::Palette colours);
     /// What the lesson asks for, over the grid of the tooth followed next; null: nothing.
@@ -55,7 +55,7 @@ public:
 private:
     void setAngle(int degrees);
     void nameSides();
-    void showFigures(const core::session::ServoState& servo, const core::imaging::DepthReading& reading);
+    void showFigures(const core::servo::ServoState& servo, const core::imaging::DepthReading& reading);
 
     SectionCanvas* m_canvas;
     QWidget* m_figures;

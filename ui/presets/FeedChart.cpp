@@ -11,7 +11,7 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 
-#include "core/drilling/Feed.h"
+#include "core/cutting/Feed.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/shell/Announce.h"
@@ -95,7 +95,7 @@ void FeedChart::setPreset(const FeelPreset& preset, const FeelPreset& was)
 
 void FeedChart::setTool(std::size_t bur, std::size_t handpiece)
 {
-    bur = std::min(bur, core::drilling::burs().size() - 1);
+    bur = std::min(bur, core::bur::burs().size() - 1);
     handpiece = std::min(handpiece, core::settings::handpieces().size() - 1);
     const bool isOther = bur != m_bur || handpiece != m_handpiece;
     m_bur = bur;
@@ -106,9 +106,9 @@ void FeedChart::setTool(std::size_t bur, std::size_t handpiece)
 
 double FeedChart::feed(const FeelPreset& preset, Substance substance, double newtons) const
 {
-    return core::drilling::feedMmPerS(
-        core::settings::hardnessFor(preset, {}), core::settings::hardnessOf(preset, substance),
-        core::settings::handpieces()[m_handpiece], core::drilling::burs()[m_bur], newtons);
+    return core::cutting::feedMmPerS(core::settings::hardnessFor(preset, {}),
+                                     core::settings::hardnessOf(preset, substance),
+                                     core::settings::handpieces()[m_handpiece], core::bur::burs()[m_bur], newtons);
 }
 
 bool FeedChart::differsIn(Substance substance) const

@@ -19,7 +19,7 @@ public:
     explicit FeedChart(QWidget* parent);
 
     void setPreset(const core::settings::FeelPreset& preset, const core::settings::FeelPreset& was);
-    /// @param bur        into core::drilling::burs()
+    /// @param bur        into core::bur::burs()
     /// @param handpiece  into core::settings::handpieces()
     void setTool(std::size_t bur, std::size_t handpiece = 0);
     /// "At 1.0 N: enamel 0.8 mm/s, ...".

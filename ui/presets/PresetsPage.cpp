@@ -17,7 +17,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "ui/presets/FeedChart.h"
 #include "ui/presets/PresetTable.h"
 #include "ui/presets/PresetWords.h"
@@ -294,7 +294,7 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
         const int at = std::max(0, bur->currentIndex() < 0 ? 1 : bur->currentIndex());
         const QSignalBlocker quiet(bur);
         bur->clear();
-        for (const core::drilling::Bur& one : core::drilling::burs())
+        for (const core::bur::Bur& one : core::bur::burs())
             bur->addItem(text::burName(one.id));
         bur->setCurrentIndex(at);
         m_use->setText(tr("Use for practice"));

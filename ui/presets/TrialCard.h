@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool isComparing() const { return m_trial && !m_trial->isOver(); }
     /// The version that it is made of.
     [[nodiscard]] const core::settings::FeelPreset& base() const { return m_base; }
-    /// @param bur        that is in hand, into core::drilling::burs()
+    /// @param bur        that is in hand, into core::bur::burs()
     /// @param handpiece  into core::settings::handpieces()
     /// @param cutMm3     of the block so far: who has cut with both may say which is better
     void follow(std::size_t bur, std::size_t handpiece, double cutMm3);

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "ui/render/Shaders.h"
 #include "ui/render/SolidMesh.h"
 
@@ -36,9 +36,9 @@ struct Rod
 constexpr std::size_t kRods = 5;
 
 /// Bur, shank, head of the handpiece, its neck and its handle: those of SolidMesh, rounded off. The first is the bur's.
-std::array<Rod, kRods> rodsOf(const core::drilling::Bur& bur)
+std::array<Rod, kRods> rodsOf(const core::bur::Bur& bur)
 {
-    const double chuck = core::drilling::kChuckMm;
+    const double chuck = core::bur::kChuckMm;
     const double head = bur.headLengthMm;
     const double round = std::min(bur.headRadiusMm, 0.5 * head);
     return {{{{0.0, 0.0, round}, {0.0, 0.0, head - 0.5 * round}, bur.headRadiusMm, kTold},
@@ -100,7 +100,7 @@ void BurLight::find(ToothMaps& maps, const Pose& pose)
     m_pose = pose;
     m_uploadedBytes = maps.uploadedBytes();
     const glm::vec3 tip(pose.toothFromBur[3]);
-    std::array<Rod, kRods> rods = rodsOf(core::drilling::burs()[pose.burIndex]);
+    std::array<Rod, kRods> rods = rodsOf(core::bur::burs()[pose.burIndex]);
     std::array<glm::vec4, kRods> from{};
     std::array<glm::vec4, kRods> to{};
     for (std::size_t k = 0; k < kRods; ++k) {
@@ -141,7 +141,7 @@ void BurLight::find(ToothMaps& maps, const Pose& pose)
     glUniform4fv(m_program.uniformLocation("castTo"), kRods, glm::value_ptr(to[0]));
     setVector(m_program, "tipMm", tip);
     // The lamp stays upright over the bur: what it lights must not depend on where the eye is.
-    const double headMm = core::drilling::kChuckMm + pose.liftMm;
+    const double headMm = core::bur::kChuckMm + pose.liftMm;
     const glm::dvec3 lampMm = glm::dvec3(pose.toothFromBur * glm::dvec4(kLampAsideMm, 0.0, headMm, 1.0));
     setVector(m_program, "burLampMm", glm::vec3(lampMm));
     m_program.setUniformValue("penumbra", static_cast<float>(kSpotPenumbra));

@@ -91,9 +91,9 @@ void turn(SolidMesh& mesh, std::span<const glm::vec3> radiusHeightFinish)
     sweep(mesh, rings);
 }
 
-float finishOf(const core::drilling::Bur& bur)
+float finishOf(const core::bur::Bur& bur)
 {
-    using Shape = core::drilling::BurShape;
+    using Shape = core::bur::BurShape;
     if (bur.isDiamond())
         return kDiamond;
     const bool isCrosscut = bur.shape == Shape::StraightCrosscut || bur.shape == Shape::DomedCrosscut ||
@@ -122,7 +122,7 @@ std::vector<glm::vec3> withRing(const std::vector<glm::vec3>& profile, float fro
 
 }  // namespace
 
-SolidMesh burMesh(const core::drilling::Bur& bur)
+SolidMesh burMesh(const core::bur::Bur& bur)
 {
     std::vector<glm::vec3> profile;
     for (const auto& point : bur.outline)
@@ -138,12 +138,12 @@ SolidMesh burMesh(const core::drilling::Bur& bur)
     return mesh;
 }
 
-SolidMesh shankMesh(const core::drilling::Bur& bur)
+SolidMesh shankMesh(const core::bur::Bur& bur)
 {
     const auto neck = static_cast<float>(bur.shankRadiusMm);
     const auto head = static_cast<float>(bur.headLengthMm);
     const float from = head + static_cast<float>(kNeckMm);
-    const auto chuck = static_cast<float>(core::drilling::kChuckMm);
+    const auto chuck = static_cast<float>(core::bur::kChuckMm);
     constexpr float kShankMm = 0.8F;
     constexpr float kWidensMm = 3.2F;  // over this length, or what a long head leaves of it
     const float inChuck = chuck + 4.0F;
@@ -169,7 +169,7 @@ SolidMesh shankMesh(const core::drilling::Bur& bur)
 SolidMesh handpieceMesh()
 {
     SolidMesh mesh;
-    const auto chuck = static_cast<float>(core::drilling::kChuckMm);
+    const auto chuck = static_cast<float>(core::bur::kChuckMm);
     // The head: chuck, cap below, barrel, push button on top.
     const std::vector<glm::vec3> head{
         {0.9F, chuck, kGrip},         {1.7F, chuck, kSteel},        {2.0F, chuck + 0.3F, kSteel},

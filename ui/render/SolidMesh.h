@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 
 namespace ui::render {
 
@@ -34,10 +34,10 @@ inline constexpr double kMostLiftMm = 6.0;
 inline constexpr double kNeckMm = 1.0;
 
 /// The bur from its tip up: head by its outline, and a neck long enough for any lift of the shank.
-[[nodiscard]] SolidMesh burMesh(const core::drilling::Bur& bur);
+[[nodiscard]] SolidMesh burMesh(const core::bur::Bur& bur);
 /// The neck, from the top of the head, and the shank (1.6 mm, friction grip) up into the chuck. Its lower end is round,
 /// so that it meets the neck of burMesh() at any angle. That of a diamond has a ring below the chuck.
-[[nodiscard]] SolidMesh shankMesh(const core::drilling::Bur& bur);
+[[nodiscard]] SolidMesh shankMesh(const core::bur::Bur& bur);
 
 /// A turbine handpiece above the chuck: head, neck and handle at the natural angle.
 [[nodiscard]] SolidMesh handpieceMesh();

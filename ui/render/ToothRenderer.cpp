@@ -93,7 +93,7 @@ bool ToothRenderer::initialize(QString& reason)
         !m_burLight.initialize(reason) || !m_maps.initialize())
         return false;
     m_nothing.create();
-    for (const core::drilling::Bur& bur : core::drilling::burs()) {
+    for (const core::bur::Bur& bur : core::bur::burs()) {
         m_burs.push_back(std::make_unique<Part>());
         upload(*m_burs.back(), burMesh(bur));
         m_shanks.push_back(std::make_unique<Part>());
@@ -355,7 +355,7 @@ glm::dmat4 ToothRenderer::toothFromBur(const Scene& scene, const glm::dvec3& tip
 /// left the tooth.
 glm::dmat4 ToothRenderer::toothFromHand(const Scene& scene)
 {
-    const double headMm = core::drilling::burs()[scene.burIndex].headLengthMm;
+    const double headMm = core::bur::burs()[scene.burIndex].headLengthMm;
     const glm::dvec3 axis(-std::sin(scene.leanAzimuthRad), std::cos(scene.leanAzimuthRad), 0.0);
     const glm::dmat4 atNeck =
         glm::translate(glm::dmat4(1.0), scene.tipMm + glm::dvec3(0.0, 0.0, headMm + scene.liftMm));
@@ -379,7 +379,7 @@ void ToothRenderer::useMetal(const Scene& scene, const glm::dmat4& toothFromPart
     m_metalProgram.setUniformValue("tint", QVector4D());
     m_metalProgram.setUniformValue("workRadius", 0.0F);
     m_metalProgram.setUniformValue("topMm", kWholeMesh);
-    const core::drilling::Bur& bur = core::drilling::burs()[scene.burIndex];
+    const core::bur::Bur& bur = core::bur::burs()[scene.burIndex];
     const double grainMm = grainOf(bur.grit);
     m_metalProgram.setUniformValue("grains",
                                    static_cast<float>(std::ceil(2.0 * std::numbers::pi * bur.headRadiusMm / grainMm)),
@@ -494,8 +494,8 @@ void ToothRenderer::drawInstrument(const Scene& scene)
     useMetal(scene, toothFromBur(scene, scene.tipMm));
     const glm::vec4& tint = scene.burTint;
     m_metalProgram.setUniformValue("tint", QVector4D(tint.r, tint.g, tint.b, tint.a));
-    m_metalProgram.setUniformValue(
-        "topMm", static_cast<float>(core::drilling::burs()[scene.burIndex].headLengthMm + scene.liftMm));
+    m_metalProgram.setUniformValue("topMm",
+                                   static_cast<float>(core::bur::burs()[scene.burIndex].headLengthMm + scene.liftMm));
     drawPart(*m_burs[scene.burIndex]);
     m_metalProgram.setUniformValue("tint", QVector4D());
     m_metalProgram.setUniformValue("topMm", kWholeMesh);
@@ -517,7 +517,7 @@ void ToothRenderer::fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFr
 {
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
     const glm::dvec2 half = 0.5 * glm::dvec2(scene.sizePx);
-    const double upright = core::drilling::burs()[scene.burIndex].headLengthMm + scene.liftMm;
+    const double upright = core::bur::burs()[scene.burIndex].headLengthMm + scene.liftMm;
     const glm::dvec4 top = upright < kWorkMm ? toothFromHand * glm::dvec4(0.0, 0.0, kWorkMm - scene.liftMm, 1.0)
                                              : glm::dvec4(scene.tipMm + glm::dvec3(0.0, 0.0, kWorkMm), 1.0);
     const glm::dvec4 from = clipFromTooth * glm::dvec4(scene.tipMm, 1.0);

@@ -468,19 +468,19 @@ void ToothSurface::softenDecay(const std::vector<std::uint8_t>& caries)
     }
 }
 
-void ToothSurface::write(const core::session::TilePatch& patch)
+void ToothSurface::write(const core::servo::TilePatch& patch)
 {
-    const int x = patch.tileX * core::session::kTileSide;
-    const int y = patch.tileY * core::session::kTileSide;
+    const int x = patch.tileX * core::servo::kTileSide;
+    const int y = patch.tileY * core::servo::kTileSide;
     const int first = (x + m_stride - 1) / m_stride;
-    const int last = std::min((x + core::session::kTileSide - 1) / m_stride, m_lattice.side - 1);
+    const int last = std::min((x + core::servo::kTileSide - 1) / m_stride, m_lattice.side - 1);
     const int firstRow = (y + m_stride - 1) / m_stride;
-    const int lastRow = std::min((y + core::session::kTileSide - 1) / m_stride, m_lattice.side - 1);
+    const int lastRow = std::min((y + core::servo::kTileSide - 1) / m_stride, m_lattice.side - 1);
     for (int j = firstRow; j <= lastRow; ++j) {
         for (int i = first; i <= last; ++i) {
             float& here = m_top[m_lattice.index(i, j)];
             const float now =
-                patch.top[static_cast<std::size_t>((j * m_stride - y) * core::session::kTileSide + (i * m_stride - x))];
+                patch.top[static_cast<std::size_t>((j * m_stride - y) * core::servo::kTileSide + (i * m_stride - x))];
             if (here != now)
                 m_written = united(m_written, {i, j, i + 1, j + 1});
             here = now;

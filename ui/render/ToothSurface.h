@@ -12,7 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/grading/IdealCavity.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/terrain/NodeRect.h"
 #include "core/terrain/Tooth.h"
 #include "ui/render/Flanks.h"
@@ -62,7 +62,7 @@ public:
     ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, glm::vec3 towardsLight);
 
     /// Takes over the heights of one tile. Nothing derived moves until refresh().
-    void write(const core::session::TilePatch& patch);
+    void write(const core::servo::TilePatch& patch);
     /// The same for the whole top map, over the anatomy's grid.
     void write(const std::vector<float>& top);
     /// Brings everything derived up to date and says what that was. Hurried, the light further than half a millimetre

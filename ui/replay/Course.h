@@ -32,7 +32,7 @@ struct Mark
         StartAgain,
         Bur,        ///< value: index of the bur taken
         Handpiece,  ///< name: of the handpiece taken
-        Aids,       ///< value: those in use from now on, bits of core::session::Aid
+        Aids,       ///< value: those in use from now on, bits of core::servo::Aid
         Note,       ///< value: its code
         Home,       ///< the hand was led home
         Resumed,    ///< the attempt was taken up again

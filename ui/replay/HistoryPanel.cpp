@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/replay/HistoryPanel.h"
+#include "core/history/MomentId.h"
 
 #include <algorithm>
 #include <numeric>
@@ -48,7 +49,7 @@ private:
 namespace {
 
 using namespace ui::shell;
-using core::session::MomentId;
+using core::history::MomentId;
 
 constexpr int kPanelPx = 248;
 constexpr int kRowPx = HistoryPanel::kPicturePx + kSpace2;

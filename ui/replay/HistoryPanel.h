@@ -10,6 +10,8 @@
 #include <QImage>
 #include <QSet>
 
+#include "core/history/MomentId.h"
+#include "core/session/Links.h"
 #include "ui/render/Look.h"
 #include "ui/replay/HistoryGraph.h"
 
@@ -25,7 +27,7 @@ struct HistorySource
 {
     std::function<std::vector<core::history::MomentInfo>()> moments;
     /// The top map at a moment; empty if it is not known any more.
-    std::function<std::vector<float>(core::session::MomentId)> heights;
+    std::function<std::vector<float>(core::history::MomentId)> heights;
 };
 
 /// The undo history over the tooth: each moment a small picture with when it was and what came off, branches beside
@@ -48,7 +50,7 @@ public:
 
     [[nodiscard]] QListView& list() { return *m_list; }
     /// The picture of a moment; null until it is drawn.
-    [[nodiscard]] const QImage* picture(core::session::MomentId id);
+    [[nodiscard]] const QImage* picture(core::history::MomentId id);
 
     static constexpr int kPicturePx = 56;
     static constexpr int kMostPictures = 512;
@@ -62,7 +64,7 @@ protected:
 
 private:
     void reload();
-    void draw(core::session::MomentId id);
+    void draw(core::history::MomentId id);
     void jumpTo(int row);
 
     HistorySource m_source;

@@ -12,7 +12,8 @@
 #include <QPainterPath>
 #include <QToolTip>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Links.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/ExerciseCard.h"
@@ -36,13 +37,13 @@ constexpr double kMostLabelsPx = 72.0;  ///< from one time on the scale to the n
 constexpr double kSignPx = 6.0;         ///< half a sign
 constexpr int kMostWords = 280;         ///< characters of a remark; all of it stands on the score card
 
-/// After Okabe and Ito, in the order of core::drilling::burs().
+/// After Okabe and Ito, in the order of core::bur::burs().
 constexpr std::array<QRgb, 4> kBurs{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
 
 /// The number that a bur is sold under: "330".
 QString burNumber(std::uint64_t index)
 {
-    const auto burs = core::drilling::burs();
+    const auto burs = core::bur::burs();
     return index < burs.size() ? QString::fromStdString(burs[index].id) : QStringLiteral("?");
 }
 
@@ -139,14 +140,14 @@ QString noteWords(std::uint64_t code)
         //: %1 is "Left", "Middle" or "Right", %2 a tissue
         return QCoreApplication::translate("TimeLine", "%1 pad: answer %2")
             .arg(study::padName(answer->pad), text::materialName(answer->said));
-    if (code == core::session::kGradedNote)
+    if (code == core::servo::kGradedNote)
         return QCoreApplication::translate("TimeLine", "Graded");
     return QCoreApplication::translate("TimeLine", "Note %1").arg(code);
 }
 
 QString burWords(std::uint64_t index)
 {
-    const auto burs = core::drilling::burs();
+    const auto burs = core::bur::burs();
     return index < burs.size() ? text::burName(burs[index].id) : QString::number(index + 1);
 }
 

@@ -11,7 +11,7 @@
 #include <QShortcut>
 #include <QToolButton>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/settings/Handpiece.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Memory.h"
@@ -37,10 +37,10 @@ QList<int> rememberedBurs()
     QList<int> favourites;
     const QSettings kept = memory();
     for (const QString& id : kept.value(kFavouriteBurs).toStringList())
-        if (const auto bur = core::drilling::findBur(id.toStdString()))
+        if (const auto bur = core::bur::findBur(id.toStdString()))
             favourites << static_cast<int>(*bur);
     if (!kept.contains(kFavouriteBurs))
-        for (std::size_t k = 0; k < core::drilling::kCommonBurs; ++k)
+        for (std::size_t k = 0; k < core::bur::kCommonBurs; ++k)
             favourites << static_cast<int>(k);
     return favourites;
 }
@@ -66,7 +66,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
 
     m_groups.push_back({QT_TR_NOOP("Handpiece"), {}});
     auto* oneBur = new QActionGroup(this);
-    for (const core::drilling::Bur& bur : core::drilling::burs()) {
+    for (const core::bur::Bur& bur : core::bur::burs()) {
         QAction* action = add({}, [&bur] { return text::burName(bur.id); }, QT_TR_NOOP("Use this bur"), {});
         action->setCheckable(true);
         oneBur->addAction(action);
@@ -310,7 +310,7 @@ void Actions::setFavouriteBurs(const QList<int>& favourites)
             m_favouriteBurs << bur;
     QStringList ids;
     for (const int bur : std::as_const(m_favouriteBurs))
-        ids << QString::fromStdString(core::drilling::burs()[static_cast<std::size_t>(bur)].id);
+        ids << QString::fromStdString(core::bur::burs()[static_cast<std::size_t>(bur)].id);
     if (QSettings kept = memory(); kept.value(kFavouriteBurs).toStringList() != ids)
         kept.setValue(kFavouriteBurs, ids);
     giveKeysToBurs();
@@ -331,12 +331,12 @@ void Actions::giveKeysToBurs()
 void Actions::allowBurs(const std::vector<std::string>& ids)
 {
     for (qsizetype k = 0; k < burs.size(); ++k) {
-        const std::string_view id = core::drilling::burs()[static_cast<std::size_t>(k)].id;
+        const std::string_view id = core::bur::burs()[static_cast<std::size_t>(k)].id;
         setAllowed(burs[k], ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end());
     }
     m_lessonBurs.clear();
     for (const std::string& id : ids)
-        if (const auto bur = core::drilling::findBur(id); bur && m_lessonBurs.size() < kMostFavouriteBurs)
+        if (const auto bur = core::bur::findBur(id); bur && m_lessonBurs.size() < kMostFavouriteBurs)
             m_lessonBurs << static_cast<int>(*bur);
     giveKeysToBurs();
 }

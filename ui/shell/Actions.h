@@ -73,7 +73,7 @@ public:
     QAction* resetView = nullptr;
     QAction* recentreHead = nullptr;  ///< hidden while the view does not follow the head
     QList<QAction*> handpieces;       ///< the same, of core::settings::handpieces(); visible where at hand
-    QList<QAction*> burs;             ///< checkable, one of them; in the order of core::drilling::burs()
+    QList<QAction*> burs;             ///< checkable, one of them; in the order of core::bur::burs()
     QAction* allBurs = nullptr;       ///< opens the picker of burs
     QAction* undo = nullptr;
     QAction* redo = nullptr;

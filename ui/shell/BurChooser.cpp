@@ -32,7 +32,7 @@ constexpr double kBladeSlope = 0.6;  ///< of a groove: horizontal pixels per ver
 constexpr double kGrainPx = 2.0;
 
 /// Both halves of the head, tip at the origin, y upwards negative.
-QPainterPath headOf(const core::drilling::Bur& bur)
+QPainterPath headOf(const core::bur::Bur& bur)
 {
     QPainterPath path;
     path.moveTo(0, 0);
@@ -44,9 +44,9 @@ QPainterPath headOf(const core::drilling::Bur& bur)
     return path;
 }
 
-bool isCrosscut(core::drilling::BurShape shape)
+bool isCrosscut(core::bur::BurShape shape)
 {
-    using Shape = core::drilling::BurShape;
+    using Shape = core::bur::BurShape;
     return shape == Shape::StraightCrosscut || shape == Shape::DomedCrosscut || shape == Shape::TaperedCrosscut;
 }
 
@@ -74,7 +74,7 @@ void drawGrains(QPainter& painter, const QRectF& head, const QColor& grain)
 
 }  // namespace
 
-BurTile::BurTile(const core::drilling::Bur& bur, QAction* action, int heightPx, QWidget* parent)
+BurTile::BurTile(const core::bur::Bur& bur, QAction* action, int heightPx, QWidget* parent)
     : QAbstractButton(parent), m_bur(bur), m_heightPx(heightPx)
 {
     setCheckable(true);
@@ -166,8 +166,7 @@ BurChooser::BurChooser(Actions& actions, QWidget* parent)
     connect(actions.allBurs, &QAction::triggered, this, [this] { m_picker->open(*this); });
     connect(&actions, &Actions::bursAtHandChanged, this, &BurChooser::arrange);
     for (int k = 0; k < actions.burs.size(); ++k)
-        m_tiles << new BurTile(core::drilling::burs()[static_cast<std::size_t>(k)], actions.burs[k], kPanelTilePx,
-                               this);
+        m_tiles << new BurTile(core::bur::burs()[static_cast<std::size_t>(k)], actions.burs[k], kPanelTilePx, this);
     for (QAction* bur : std::as_const(actions.burs))
         connect(bur, &QAction::toggled, this, [this](bool on) {
             if (on)

@@ -5,7 +5,7 @@
 #include <QList>
 #include <QWidget>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 
 class QAction;
 class QHBoxLayout;
@@ -22,15 +22,15 @@ class BurTile : public QAbstractButton
     Q_OBJECT
 public:
     /// @param heightPx  a head that would not fit is drawn smaller
-    BurTile(const core::drilling::Bur& bur, QAction* action, int heightPx, QWidget* parent);
+    BurTile(const core::bur::Bur& bur, QAction* action, int heightPx, QWidget* parent);
     [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] const core::drilling::Bur& bur() const { return m_bur; }
+    [[nodiscard]] const core::bur::Bur& bur() const { return m_bur; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    const core::drilling::Bur& m_bur;
+    const core::bur::Bur& m_bur;
     int m_heightPx;
 };
 

@@ -15,7 +15,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BurChooser.h"
 #include "ui/shell/ScrollPane.h"
@@ -26,8 +26,8 @@
 namespace ui::shell {
 namespace {
 
-using core::drilling::Bur;
-using Shape = core::drilling::BurShape;
+using core::bur::Bur;
+using Shape = core::bur::BurShape;
 
 constexpr int kPickerTilePx = 118;
 constexpr int kCellPx = 104;
@@ -74,7 +74,7 @@ int kindOf(const Bur& bur)
 
 const Bur& thatBur(int index)
 {
-    return core::drilling::burs()[static_cast<std::size_t>(index)];
+    return core::bur::burs()[static_cast<std::size_t>(index)];
 }
 
 /// "1.0 × 3.8 mm", the ISO size, and the grit of a diamond.
@@ -153,7 +153,7 @@ BurPicker::Group BurPicker::makeGroup(int kind, QWidget* parent)
     grid->setSpacing(0);
     grid->setColumnStretch(kColumns, 1);
     QList<int> burs;
-    for (int k = 0; k < static_cast<int>(core::drilling::burs().size()); ++k)
+    for (int k = 0; k < static_cast<int>(core::bur::burs().size()); ++k)
         if (kindOf(thatBur(k)) == kind)
             burs << k;
     std::stable_sort(burs.begin(), burs.end(), [](int a, int b) {

@@ -116,7 +116,7 @@ void HandControls::begin(bool stopIsAllowed, double depthMm)
     m_depthMm = depthMm;
 }
 
-bool HandControls::isDeep(const core::session::ServoState& servo) const
+bool HandControls::isDeep(const core::servo::ServoState& servo) const
 {
     constexpr double kNearlyMm = 0.1;
     const double belowSurfaceMm = servo.hasDepth ? servo.depthMm : 0.0;

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 
 class QCheckBox;
 class QLabel;
@@ -29,7 +29,7 @@ public:
     /// disabled.
     void begin(bool stopIsAllowed, double depthMm);
     /// Returns whether the bur touches the tooth at the depth of the lesson.
-    [[nodiscard]] bool isDeep(const core::session::ServoState& servo) const;
+    [[nodiscard]] bool isDeep(const core::servo::ServoState& servo) const;
     /// Sets the feed, and stores it for the next run of the program.
     void setFeed(double mmPerS);
     /// Restores the default feed and force.

@@ -31,7 +31,7 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
@@ -316,7 +316,7 @@ void MainWindow::connectActions()
         m_view->setLeftHanded(left);
         memory().setValue(kLeftHanded, left);
     });
-    on(m_actions->bringHome, [this] { send(core::session::BringHome{}); });
+    on(m_actions->bringHome, [this] { send(core::servo::BringHome{}); });
     on(m_actions->turnRound, [this] { m_view->turnRound(); });
     on(m_actions->resetView, [this] { m_view->resetCamera(); });
     on(m_actions->undo, [this] {
@@ -1420,7 +1420,7 @@ void MainWindow::connectView()
     });
 }
 
-void MainWindow::takeFrame(const core::session::ServoState& servo)
+void MainWindow::takeFrame(const core::servo::ServoState& servo)
 {
     if (servo.touching)
         m_sinceTouch.start();
@@ -1430,8 +1430,7 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     const core::terrain::Tooth* tooth = m_view->tooth();
     core::imaging::DepthReading reading =
         tooth != nullptr && m_pulp && servo.tick > 0
-            ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm,
-                                       core::drilling::burs()[servo.burIndex].headRadiusMm)
+            ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm, core::bur::burs()[servo.burIndex].headRadiusMm)
             : core::imaging::DepthReading{};
     // One depth, wherever it is told: that of the servo, who knows the flanks. Above the old surface there is none.
     reading.overTooth = servo.hasDepth && (servo.touching || reading.depthMm >= 0.0);
@@ -1471,7 +1470,7 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
 }
 
 /// How near the bur is to what is to be kept, and how far the work has come, ten times a second.
-void MainWindow::guide(const core::session::ServoState& servo)
+void MainWindow::guide(const core::servo::ServoState& servo)
 {
     const core::terrain::Tooth* tooth = m_view->tooth();
     if (tooth == nullptr || m_ideal == nullptr || !m_aids.ideal || servo.tick == 0) {
@@ -1480,9 +1479,9 @@ void MainWindow::guide(const core::session::ServoState& servo)
         return;
     }
     std::optional<double> marginMm;
-    if (m_viewMenu->settings().showsMargin && servo.burIndex < core::drilling::burs().size())
+    if (m_viewMenu->settings().showsMargin && servo.burIndex < core::bur::burs().size())
         marginMm =
-            core::guidance::marginMm(*tooth->anatomy, *m_ideal, core::drilling::burs()[servo.burIndex], servo.anchorMm);
+            core::guidance::marginMm(*tooth->anatomy, *m_ideal, core::bur::burs()[servo.burIndex], servo.anchorMm);
     m_view->setBurTint(study::limitColour(marginMm));
     if (m_sinceGuide.isValid() && m_sinceGuide.elapsed() < kGuideEveryMs)
         return;
@@ -1523,6 +1522,7 @@ void MainWindow::takeSession()
 void MainWindow::tellAids()
 {
     using namespace core::session;
+    using namespace core::servo;
     if (m_replaying || m_tooth == nullptr)
         return;
     const auto inUse = [](bool used, Aid aid) { return static_cast<std::uint8_t>(used ? aid : 0); };
@@ -1555,7 +1555,7 @@ void MainWindow::tellRest()
     const bool rests = m_pages->currentWidget() != m_room && !isExam();
     const bool isTold = m_restTold.first == m_ownGeneration && m_restTold.second;
     if (rests != isTold &&
-        m_links.commands.tryPush(core::session::AddNote{rests ? core::session::kRestNote : core::session::kWorkNote}))
+        m_links.commands.tryPush(core::session::AddNote{rests ? core::servo::kRestNote : core::servo::kWorkNote}))
         m_restTold = {m_ownGeneration, rests};
 }
 
@@ -1588,7 +1588,7 @@ bool MainWindow::send(const core::session::SessionCommand& command)
 
 void MainWindow::wishDrill(bool on)
 {
-    if (!send(core::session::SetDrill{on})) {
+    if (!send(core::servo::SetDrill{on})) {
         m_actions->drill->setChecked(!on);
         return;
     }
@@ -1598,7 +1598,7 @@ void MainWindow::wishDrill(bool on)
 
 void MainWindow::wishBur(int index)
 {
-    if (!send(core::session::SetBur{static_cast<std::uint8_t>(index)}))
+    if (!send(core::servo::SetBur{static_cast<std::uint8_t>(index)}))
         return;
     m_burWish.value = index;
     m_burWish.since.start();
@@ -1616,7 +1616,7 @@ void MainWindow::wishHandpiece(int shipped)
 {
     const auto found = std::find(m_handpieces.begin(), m_handpieces.end(), shipped);
     const auto index = static_cast<std::uint8_t>(found - m_handpieces.begin());
-    if (found == m_handpieces.end() || !send(core::session::SetHandpiece{index}))
+    if (found == m_handpieces.end() || !send(core::servo::SetHandpiece{index}))
         return;
     m_handpieceWish.value = index;
     m_handpieceWish.since.start();
@@ -2264,7 +2264,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_viewMenu->colourAgainstIdeal(assignment.lesson->task == lessons::Task::TraceShape);
     m_room->lesson().setLesson(*assignment.lesson);
     if (!assignment.lesson->burs.empty())
-        if (const auto bur = core::drilling::findBur(assignment.lesson->burs.front()))
+        if (const auto bur = core::bur::findBur(assignment.lesson->burs.front()))
             wishBur(static_cast<int>(*bur));
 }
 

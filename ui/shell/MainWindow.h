@@ -21,6 +21,7 @@
 #include "core/base/Result.h"
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Links.h"
 #include "core/settings/Parameters.h"
 #include "database/people.h"
@@ -445,11 +446,11 @@ private:
     void recallLayout();
     void connectActions();
     void connectView();
-    void takeFrame(const core::session::ServoState& servo);
+    void takeFrame(const core::servo::ServoState& servo);
     void takeSession();
     void tellAids();
     void tellRest();
-    void guide(const core::session::ServoState& servo);
+    void guide(const core::servo::ServoState& servo);
     void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
@@ -553,7 +554,7 @@ private:
     devices::DevicesPage* m_devicesPage;
     core::settings::FeelPreset m_feel;       ///< of what lies on the table
     core::settings::FeelPreset m_usualFeel;  ///< of it, if nobody had turned anything
-    core::session::ServoState m_servo;       ///< of the last frame
+    core::servo::ServoState m_servo;         ///< of the last frame
     inside::XrayPage* m_xray;
     MessageBar* m_messages;
     BusyCard* m_busy;

@@ -293,12 +293,12 @@ QString SidePanel::nameOf(Material material) const
     return text::capitalised(text::materialName(material));
 }
 
-void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
+void SidePanel::setFigures(const core::servo::ServoState& servo, const core::session::SessionState& session,
                            const core::imaging::DepthReading& reading)
 {
     const double feltN = glm::length(servo.forceN);
     const double forceN = servo.touching || feltN > kTrembleN ? feltN : 0.0;
-    const bool limited = (servo.health & core::session::kForceClamped) != 0;
+    const bool limited = (servo.health & core::servo::kForceClamped) != 0;
     m_forceBar->setForce(forceN, m_hand->pushForce(), limited);
     if (m_sinceWords.isValid() && m_sinceWords.elapsed() < kWordsEveryMs)
         return;
@@ -363,10 +363,10 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 
     // The figure tells of a clamped force; a sentence would come and go many times a second.
-    QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
+    QString health = text::healthText(servo.health & ~std::uint32_t{core::servo::kForceClamped});
     if (health.isEmpty() && servo.handpieceOnCrown && !servo.touching)
         health = tr("The handpiece touches the crown, so the bur cannot go deeper.");
-    const bool lost = (servo.health & core::session::kDeviceLost) != 0;
+    const bool lost = (servo.health & core::servo::kDeviceLost) != 0;
     QPalette words = palette();
     words.setColor(QPalette::WindowText, lost ? tone.harmText : tone.attentionText);
     if (m_health->text() != health) {

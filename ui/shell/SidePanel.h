@@ -8,6 +8,7 @@
 
 #include "core/guidance/Margin.h"
 #include "core/imaging/Section.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Links.h"
 #include "lessons/Lesson.h"
 #include "ui/render/Look.h"
@@ -37,7 +38,7 @@ public:
     SidePanel(Actions& actions, tooth::ToothView& view, QWidget* parent);
 
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
-    void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
+    void setFigures(const core::servo::ServoState& servo, const core::session::SessionState& session,
                     const core::imaging::DepthReading& reading);
     /// Sets the lesson, which decides what is shown about the work.
     /// @param lesson  null: practice without a lesson

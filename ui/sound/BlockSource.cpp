@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/audio/Audition.h"
+#include "core/rt/TripleBuffer.h"
 
 namespace ui::sound {
 namespace {

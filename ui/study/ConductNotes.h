@@ -22,7 +22,7 @@ class ConductNotes final : public QWidget
 public:
     explicit ConductNotes(QWidget* parent);
 
-    /// @param aids  bits of core::session::Aid that were in use
+    /// @param aids  bits of core::servo::Aid that were in use
     void setConduct(const core::grading::Process& process, const std::vector<core::grading::Infraction>& infractions,
                     std::uint8_t aids);
 

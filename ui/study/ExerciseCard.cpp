@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/ExerciseCard.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 
@@ -210,7 +211,7 @@ void ExerciseCard::setPractised(const Practised& practised)
     showProgress();
 }
 
-void ExerciseCard::setServo(const core::session::ServoState& servo)
+void ExerciseCard::setServo(const core::servo::ServoState& servo)
 {
     if (std::holds_alternative<ForceToHold>(m_exercise)) {
         const double newtons = servo.touching ? glm::length(servo.forceN) : 0.0;

@@ -7,6 +7,7 @@
 #include <QFrame>
 
 #include "core/grading/Exercise.h"
+#include "core/servo/ServoState.h"
 
 class QAction;
 class QButtonGroup;
@@ -36,7 +37,7 @@ public:
     /// What the examiner has seen so far.
     void setPractised(const core::grading::Practised& practised);
     /// Once a frame.
-    void setServo(const core::session::ServoState& servo);
+    void setServo(const core::servo::ServoState& servo);
     /// It has been graded: choices rest, and the right ones are told.
     void conclude();
     [[nodiscard]] bool isConcluded() const { return m_isConcluded; }

@@ -21,7 +21,7 @@ struct ScoredWork
     core::grading::IdealTop ideal;  ///< what was asked for; null: that nothing be cut
     core::grading::Measured measured;
     std::vector<core::grading::Infraction> infractions{};
-    std::uint8_t aids = 0;                              ///< bits of core::session::Aid that were in use
+    std::uint8_t aids = 0;                              ///< bits of core::servo::Aid that were in use
     std::optional<::lessons::PresetUsed> preset{};      ///< that it was made with; nothing where that is not known
     std::optional<core::grading::Exercise> exercise{};  ///< what was practised; nothing where something was to be cut
 };

@@ -14,8 +14,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 
-#include "core/drilling/Bur.h"
-#include "core/session/Links.h"
+#include "core/bur/Bur.h"
+#include "core/servo/ServoState.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothTable.h"
 
@@ -573,9 +573,9 @@ QString planeAlongY(const core::terrain::ToothAnatomy& tooth)
 namespace {
 
 /// "%1" stands for the number of a carbide bur.
-const char* carbideWords(core::drilling::BurShape shape)
+const char* carbideWords(core::bur::BurShape shape)
 {
-    using Shape = core::drilling::BurShape;
+    using Shape = core::bur::BurShape;
     switch (shape) {
     case Shape::Round:
         return QT_TRANSLATE_NOOP("Bur", "Round, No. %1");
@@ -610,9 +610,9 @@ const char* carbideWords(core::drilling::BurShape shape)
 }
 
 /// "%1" stands for the number of a diamond.
-const char* diamondWords(core::drilling::BurShape shape)
+const char* diamondWords(core::bur::BurShape shape)
 {
-    using Shape = core::drilling::BurShape;
+    using Shape = core::bur::BurShape;
     switch (shape) {
     case Shape::Round:
         return QT_TRANSLATE_NOOP("Bur", "Diamond, round, No. %1");
@@ -639,10 +639,10 @@ const char* diamondWords(core::drilling::BurShape shape)
 QString burName(std::string_view id)
 {
     QString number = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
-    const auto index = core::drilling::findBur(id);
+    const auto index = core::bur::findBur(id);
     if (!index)
         return number;
-    const core::drilling::Bur& bur = core::drilling::burs()[*index];
+    const core::bur::Bur& bur = core::bur::burs()[*index];
     if (bur.isDiamond())
         return QCoreApplication::translate("Bur", diamondWords(bur.shape)).arg(number);
     return QCoreApplication::translate("Bur", carbideWords(bur.shape)).arg(number);
@@ -662,22 +662,22 @@ QString handpieceName(std::string_view name)
 
 QString healthText(std::uint32_t health)
 {
-    if ((health & core::session::kDeviceLost) != 0)
+    if ((health & core::servo::kDeviceLost) != 0)
         return QCoreApplication::translate("Health", "The handpiece is disconnected: no force. Plug it in again.");
-    if ((health & core::session::kRecordGap) != 0)
+    if ((health & core::servo::kRecordGap) != 0)
         return QCoreApplication::translate("Health", "The computer was too slow: the recording has a gap.");
-    if ((health & core::session::kPatchQueueFull) != 0)
+    if ((health & core::servo::kPatchQueueFull) != 0)
         return QCoreApplication::translate("Health", "The computer is slow: the picture lags behind.");
-    if ((health & core::session::kBegunInside) != 0)
+    if ((health & core::servo::kBegunInside) != 0)
         return QCoreApplication::translate("Health", "The bur is inside the tooth. Lift it out to continue.");
-    if ((health & core::session::kHeldInside) != 0)
+    if ((health & core::servo::kHeldInside) != 0)
         return QCoreApplication::translate("Health", "The outline holds your hand. Press Q to release it.");
-    if ((health & core::session::kLedHome) != 0)
+    if ((health & core::servo::kLedHome) != 0)
         return QCoreApplication::translate(
             "Health", "The handpiece guides your hand back over the tooth. Push against it to stop.");
-    if ((health & core::session::kLoopIsSlow) != 0)
+    if ((health & core::servo::kLoopIsSlow) != 0)
         return QCoreApplication::translate("Health", "The handpiece responds late: the tooth feels softer.");
-    if ((health & core::session::kForceClamped) != 0)
+    if ((health & core::servo::kForceClamped) != 0)
         return QCoreApplication::translate("Health", "Force at its limit");
     return {};
 }
@@ -861,7 +861,7 @@ QString duration(double seconds)
 
 QString aidWords(std::uint64_t aids)
 {
-    using namespace core::session;
+    using namespace core::servo;
     QStringList used;
     const auto add = [&](Aid aid, const QString& words) {
         if ((aids & aid) != 0)

@@ -79,7 +79,7 @@ enum class Failed {
 /// What a handpiece is called, by its name in settings; a name that is not known is said as it is.
 [[nodiscard]] QString handpieceName(std::string_view name);
 
-/// What a bit pattern of core::session::Health means for the person drilling, the gravest first; empty when well.
+/// What a bit pattern of core::servo::Health means for the person drilling, the gravest first; empty when well.
 [[nodiscard]] QString healthText(std::uint32_t health);
 
 /// "Decay left": what the rubric calls it in the user's language; the measure's own name where it says nothing.
@@ -109,7 +109,7 @@ enum class Failed {
 [[nodiscard]] QString dayFormat(const QString& translated);
 
 /// Which aids were in use, or that none was.
-/// @param aids  bits of core::session::Aid
+/// @param aids  bits of core::servo::Aid
 [[nodiscard]] QString aidWords(std::uint64_t aids);
 
 }  // namespace ui::text

@@ -21,7 +21,7 @@ void PatchInbox::setGeneration(std::uint64_t generation)
     }
 }
 
-void PatchInbox::take(const core::session::TilePatch& patch)
+void PatchInbox::take(const core::servo::TilePatch& patch)
 {
     if (patch.toothGeneration > m_generation) {
         keepEarly(patch);
@@ -36,7 +36,7 @@ void PatchInbox::take(const core::session::TilePatch& patch)
     }
 }
 
-void PatchInbox::keepEarly(const core::session::TilePatch& patch)
+void PatchInbox::keepEarly(const core::servo::TilePatch& patch)
 {
     if (patch.toothGeneration < m_earlyGeneration)
         return;
@@ -48,8 +48,8 @@ void PatchInbox::keepEarly(const core::session::TilePatch& patch)
     m_earlyGroup.push_back(patch);
     if (!patch.last)
         return;
-    for (const core::session::TilePatch& one : m_earlyGroup) {
-        const auto same = std::find_if(m_early.begin(), m_early.end(), [&](const core::session::TilePatch& other) {
+    for (const core::servo::TilePatch& one : m_earlyGroup) {
+        const auto same = std::find_if(m_early.begin(), m_early.end(), [&](const core::servo::TilePatch& other) {
             return other.tileX == one.tileX && other.tileY == one.tileY;
         });
         if (same == m_early.end())
@@ -60,9 +60,9 @@ void PatchInbox::keepEarly(const core::session::TilePatch& patch)
     m_earlyGroup.clear();
 }
 
-void write(const core::session::TilePatch& patch, core::terrain::Tooth& tooth)
+void write(const core::servo::TilePatch& patch, core::terrain::Tooth& tooth)
 {
-    using core::session::kTileSide;
+    using core::servo::kTileSide;
     const core::terrain::Grid& grid = tooth.grid();
     for (int j = 0; j < kTileSide; ++j) {
         for (int i = 0; i < kTileSide; ++i) {

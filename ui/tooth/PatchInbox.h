@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 
 namespace ui::tooth {
 
@@ -15,23 +15,23 @@ class PatchInbox
 public:
     /// The tooth that is now shown; what waited for it is in complete() afterwards.
     void setGeneration(std::uint64_t generation);
-    void take(const core::session::TilePatch& patch);
+    void take(const core::servo::TilePatch& patch);
 
     /// Patches of whole groups, in order; the reader clears them.
-    [[nodiscard]] std::vector<core::session::TilePatch>& complete() { return m_complete; }
+    [[nodiscard]] std::vector<core::servo::TilePatch>& complete() { return m_complete; }
 
 private:
-    void keepEarly(const core::session::TilePatch& patch);
+    void keepEarly(const core::servo::TilePatch& patch);
 
     std::uint64_t m_generation = 0;
-    std::vector<core::session::TilePatch> m_group;     ///< of the tooth shown, not closed yet
-    std::vector<core::session::TilePatch> m_complete;  ///< of the tooth shown
+    std::vector<core::servo::TilePatch> m_group;     ///< of the tooth shown, not closed yet
+    std::vector<core::servo::TilePatch> m_complete;  ///< of the tooth shown
     std::uint64_t m_earlyGeneration = 0;
-    std::vector<core::session::TilePatch> m_earlyGroup;
-    std::vector<core::session::TilePatch> m_early;  ///< whole groups of a tooth to come, one patch a tile
+    std::vector<core::servo::TilePatch> m_earlyGroup;
+    std::vector<core::servo::TilePatch> m_early;  ///< whole groups of a tooth to come, one patch a tile
 };
 
 /// Writes the heights of a tile into a tooth: the bottom of a column that is gone is empty as well.
-void write(const core::session::TilePatch& patch, core::terrain::Tooth& tooth);
+void write(const core::servo::TilePatch& patch, core::terrain::Tooth& tooth);
 
 }  // namespace ui::tooth

@@ -63,7 +63,7 @@ void PointerControl::moveTo(const render::Ray& ray, glm::dvec3 anchorMm)
     m_hasRay = true;
 }
 
-void PointerControl::follow(const core::session::ServoState& servo)
+void PointerControl::follow(const core::servo::ServoState& servo)
 {
     if (!m_pushing || !servo.touching || m_hasTouched)
         return;
@@ -121,9 +121,9 @@ void PointerControl::setStopDepth(double depthMm)
     m_stopDepthMm = std::clamp(depthMm, kShallowestMm, kDeepestMm);
 }
 
-core::session::PointerInput PointerControl::input(std::optional<glm::dvec3> anchorMm) const
+core::servo::PointerInput PointerControl::input(std::optional<glm::dvec3> anchorMm) const
 {
-    core::session::PointerInput wish;
+    core::servo::PointerInput wish;
     wish.targetMm = m_targetMm;
     // The bur does not come down before it has arrived under the pointer.
     const bool isThere = m_hasTouched || !anchorMm || glm::distance(glm::dvec2(*anchorMm), m_targetMm) < kThereMm;

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/terrain/Tooth.h"
 #include "ui/render/ToothSurface.h"
 
@@ -56,7 +56,7 @@ public:
     /// Call this when the view has moved: the next ray then does not move a pressed bur.
     void forgetRay() { m_hasRay = false; }
     /// Takes the newest state of the bur, once a frame. The first contact of a press places the depth stop.
-    void follow(const core::session::ServoState& servo);
+    void follow(const core::servo::ServoState& servo);
     /// Moves the target by a step in the x, y plane of the tooth, for keys.
     void moveBy(glm::dvec2 stepMm);
     void push(bool pushing);
@@ -83,7 +83,7 @@ public:
     /// Returns the input of the pointer device, with heights over the tooth as it is cut now. A bur that does not push
     /// is lifted over what lies between it and its target before it goes there.
     /// @param anchorMm  position of the bur; empty if it is not known
-    [[nodiscard]] core::session::PointerInput input(std::optional<glm::dvec3> anchorMm = {}) const;
+    [[nodiscard]] core::servo::PointerInput input(std::optional<glm::dvec3> anchorMm = {}) const;
     /// Returns whether a ray meets the occlusal surface, and not the space beside it.
     [[nodiscard]] bool meetsTooth(const render::Ray& ray) const;
 

@@ -19,11 +19,11 @@ constexpr std::int64_t kFollowPeriod = 32;  ///< and how long it is
 
 }  // namespace
 
-core::session::Pose poseAt(const core::session::ServoState& state, std::int64_t momentNs)
+core::servo::Pose poseAt(const core::servo::ServoState& state, std::int64_t momentNs)
 {
-    const core::session::Pose* before = nullptr;
-    const core::session::Pose* after = nullptr;
-    for (const core::session::Pose& pose : state.trail) {
+    const core::servo::Pose* before = nullptr;
+    const core::servo::Pose* after = nullptr;
+    for (const core::servo::Pose& pose : state.trail) {
         if (pose.takenNs == 0)
             continue;
         if (pose.takenNs <= momentNs && (before == nullptr || pose.takenNs > before->takenNs))

@@ -3,14 +3,14 @@
 
 #include <cstdint>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 
 namespace ui::tooth {
 
 /// Where the bur was at a moment of the steady clock, between the two readings around it. Never where it has not been:
 /// before the trail its oldest pose, after it the newest. Without a trail what the state holds, as taken at that
 /// moment.
-[[nodiscard]] core::session::Pose poseAt(const core::session::ServoState& state, std::int64_t momentNs);
+[[nodiscard]] core::servo::Pose poseAt(const core::servo::ServoState& state, std::int64_t momentNs);
 
 /// Chooses the moments for which pictures are drawn. They are painted now a little early, now a little late, and shown
 /// at a steady beat: drawn for when they are painted, what moves evenly would tremble.

@@ -21,7 +21,7 @@
 #include <QTouchEvent>
 #include <QWheelEvent>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/teeth/ToothBuilder.h"
 #include "ui/render/SharedArch.h"
 #include "ui/render/WholeSurface.h"
@@ -100,7 +100,7 @@ ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
         setAccessibleName(tr("Tooth"));
         setAccessibleDescription(tr("Arrow keys move the bur, page down pushes, page up lifts."));
     });
-    m_control.setBurRadius(core::drilling::burs()[0].headRadiusMm);
+    m_control.setBurRadius(core::bur::burs()[0].headRadiusMm);
     m_frame.setTimerType(Qt::PreciseTimer);
     connect(&m_frame, &QTimer::timeout, this, &ToothView::advanceFrame);
     m_sinceFrame.start();
@@ -680,10 +680,10 @@ void ToothView::advanceFrame()
 {
     const double seconds = std::min(0.1, static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1.0e-9);
     m_sinceFrame.start();
-    const core::session::ServoState before = m_servo;
+    const core::servo::ServoState before = m_servo;
     m_servo = m_links.servo.latest();
-    if (m_servo.burIndex < core::drilling::burs().size())
-        m_control.setBurRadius(core::drilling::burs()[m_servo.burIndex].headRadiusMm);
+    if (m_servo.burIndex < core::bur::burs().size())
+        m_control.setBurRadius(core::bur::burs()[m_servo.burIndex].headRadiusMm);
     takePatches();
     if (m_surface && (m_surface->isSweeping() ||
                       (m_surface->isBehind() && (!m_sinceLight.isValid() || m_sinceLight.elapsed() >= kLightLagMs)))) {
@@ -758,11 +758,11 @@ void ToothView::followHead(double seconds)
 
 void ToothView::takePatches()
 {
-    for (core::session::TilePatch patch; m_links.patches.tryPop(patch);)
+    for (core::servo::TilePatch patch; m_links.patches.tryPop(patch);)
         m_inbox.take(patch);
     if (m_inbox.complete().empty() || !m_surface)
         return;
-    for (const core::session::TilePatch& patch : m_inbox.complete()) {
+    for (const core::servo::TilePatch& patch : m_inbox.complete()) {
         m_surface->write(patch);
         write(patch, *m_tooth);
     }
@@ -789,7 +789,7 @@ void ToothView::takeChanges(const render::ToothSurface::Changes& changes)
 void ToothView::publishPointer()
 {
     updatePressed();
-    const core::session::PointerInput wish =
+    const core::servo::PointerInput wish =
         m_control.input(m_servo.tick > 0 ? std::optional(m_servo.anchorMm) : std::nullopt);
     if (wish == m_published)
         return;

@@ -15,6 +15,7 @@
 #include <QPointF>
 #include <QTimer>
 
+#include "core/servo/ServoState.h"
 #include "core/session/Links.h"
 #include "core/settings/PenSettings.h"
 #include "core/teeth/Arch.h"
@@ -149,7 +150,7 @@ public:
 
 signals:
     /// Once a frame, with the newest state of the servo.
-    void frameAdvanced(const core::session::ServoState& state);
+    void frameAdvanced(const core::servo::ServoState& state);
     /// Emitted when feed, depth stop or force of hand() have changed.
     void handChanged();
     /// Emitted when isPressed() has changed.
@@ -241,11 +242,11 @@ private:
     PointerControl m_control;
     PointerKind m_pushedWith = PointerKind::Mouse;
     TouchGesture m_gesture;
-    core::session::PointerInput m_published;
-    core::session::ServoState m_servo;
+    core::servo::PointerInput m_published;
+    core::servo::ServoState m_servo;
     QPixmap m_gizmo;                        ///< as it was painted last,
     std::optional<glm::dmat3> m_gizmoTurn;  ///< turned so
-    core::session::Pose m_pose;             ///< of the bur as it is drawn
+    core::servo::Pose m_pose;               ///< of the bur as it is drawn
     FrameClock m_clock;
 
     QElapsedTimer m_sinceTurn;                ///< of the bur was shown

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 
 namespace ui::tooth {
 namespace {
@@ -148,11 +148,11 @@ void showWhole(Camera& camera, const render::ToothSurface& surface)
 
 double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm)
 {
-    if (burIndex >= core::drilling::burs().size())
+    if (burIndex >= core::bur::burs().size())
         return 0.0;
     const glm::dvec2 at(tipMm);
-    const double shank = tipMm.z + core::drilling::burs()[burIndex].headLengthMm + render::kNeckMm;
-    const double chuck = tipMm.z + core::drilling::kChuckMm;
+    const double shank = tipMm.z + core::bur::burs()[burIndex].headLengthMm + render::kNeckMm;
+    const double chuck = tipMm.z + core::bur::kChuckMm;
     const double lift =
         std::max(surface.highestWithinMm(at, kShankClearMm) - shank, surface.highestWithinMm(at, kHandClearMm) - chuck);
     return std::clamp(lift, 0.0, render::kMostLiftMm);

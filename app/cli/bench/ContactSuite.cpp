@@ -5,7 +5,7 @@
 #include "app/cli/bench/ContactAverage.h"
 #include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/Suites.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/terrain/Grid.h"
 #include "lab/Block.h"
 #include "lab/ContactScene.h"
@@ -132,7 +132,7 @@ core::Result<Figures> contactSuite(const Context& context)
         }
     };
     for (const char* bur : {"2", "330"}) {
-        const auto index = core::drilling::findBur(bur);
+        const auto index = core::bur::findBur(bur);
         if (!index)
             return tl::unexpected(index.error());
         const bool isCharted = qstrcmp(bur, "2") == 0;

@@ -15,7 +15,7 @@ std::vector<Contestant> everyone()
 {
     std::vector<Contestant> list;
     for (const std::string_view name : lab::contestants()) {
-        core::session::ServoSettings settings;
+        core::servo::ServoSettings settings;
         settings.method = name;
         list.push_back({std::string(name), settings, static_cast<LookIndex>(list.size())});
     }

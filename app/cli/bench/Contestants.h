@@ -6,7 +6,7 @@
 
 #include <QString>
 
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoTick.h"
 #include "ui/charts/Chart.h"
 
 namespace app::cli::bench {
@@ -24,7 +24,7 @@ using LookIndex = int;
 struct Contestant
 {
     std::string name;  ///< in tables and charts
-    core::session::ServoSettings settings;
+    core::servo::ServoSettings settings;
     LookIndex look = 0;
 
     [[nodiscard]] QString text() const { return QString::fromStdString(name); }

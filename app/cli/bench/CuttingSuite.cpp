@@ -5,7 +5,7 @@
 
 #include "app/cli/bench/Suites.h"
 #include "app/cli/bench/Sweeps.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "lab/CuttingTrials.h"
 
 namespace app::cli::bench {
@@ -99,14 +99,14 @@ void addPlunges(Figures& figures)
     constexpr double kGivesUpS = 60.0;
     for (const auto& [tissue, material] :
          {std::pair("enamel", core::terrain::Material::Enamel), std::pair("dentin", core::terrain::Material::Dentin)})
-        for (std::size_t bur = 0; bur < core::drilling::kCommonBurs; ++bur)
+        for (std::size_t bur = 0; bur < core::bur::kCommonBurs; ++bur)
             for (const double newtons : {0.5, 1.0, 1.5, 2.0, 3.0}) {
                 lab::PaceTrial trial;
                 trial.bur = bur;
                 trial.material = material;
                 trial.newtons = newtons;
                 trial.seconds = kGivesUpS;
-                const QString id = QString::fromStdString(core::drilling::burs()[bur].id);
+                const QString id = QString::fromStdString(core::bur::burs()[bur].id);
                 const bool isSaid = id == u"330" && newtons == 1.0 && material == core::terrain::Material::Enamel;
                 figures << Figure{
                     QStringLiteral("cutting_plunge_%1_%2_%3_s").arg(QLatin1String(tissue), id).arg(newtons),
@@ -122,7 +122,7 @@ void addRipple(Figures& figures, const Context& context)
     for (const auto& [key, feeder] : kFeeders) {
         context.progress(QStringLiteral("ripple at constant ") + QLatin1String(key), done++, kSteps);
         double most = 0.0;
-        for (std::size_t bur = 0; bur < core::drilling::kCommonBurs; ++bur)
+        for (std::size_t bur = 0; bur < core::bur::kCommonBurs; ++bur)
             for (const double down : {0.0, 90.0}) {
                 lab::PaceTrial trial;
                 trial.bur = bur;

@@ -15,6 +15,8 @@
 #include "app/cli/bench/Wander.h"
 #include "core/base/Rng.h"
 #include "core/recording/Player.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/Simulation.h"
@@ -105,14 +107,14 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const std::stri
     haptics::SimulationOptions options;
     options.settings.method = method;
     options.record = true;  // as the window does
-    core::rt::TripleBuffer<core::session::PointerInput> pointer;
+    core::rt::TripleBuffer<core::servo::PointerInput> pointer;
     haptics::PointerDevice device(pointer, options.settings.force.stiffnessNPerMm, 1.0 / options.rateHz);
     const auto ticks = static_cast<std::uint64_t>(seconds * options.rateHz);
     DrillingRun run;
     std::uint64_t cutting = 0;
     auto outcome = haptics::simulate(
         molar(gridSide), device, ticks, options,
-        [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) -> std::optional<bool> {
+        [&](std::uint64_t tick, const core::servo::ServoState&, const core::terrain::Tooth&) -> std::optional<bool> {
             if (tick % 16 == 0)
                 pointer.publish(wander(static_cast<double>(tick) / options.rateHz, 4.0));
             if (tick % kTicksAMinute == 0 && minute)
@@ -122,7 +124,7 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const std::stri
                 run.firstMiB = residentMiB();
             return drill;
         },
-        [&](std::uint64_t, const core::session::ServoState& state) { cutting += state.cutting ? 1 : 0; });
+        [&](std::uint64_t, const core::servo::ServoState& state) { cutting += state.cutting ? 1 : 0; });
     if (!outcome)
         return tl::unexpected(outcome.error());
     run.lastMiB = residentMiB();
@@ -142,7 +144,7 @@ core::Result<DrillingRun> roundTheCrownFor(double seconds, int gridSide, bool dr
     options.record = true;
     DrillingRun run;
     auto outcome = haptics::simulate(anatomy, hand, static_cast<std::uint64_t>(seconds * options.rateHz), options,
-                                     [&](std::uint64_t, const core::session::ServoState&,
+                                     [&](std::uint64_t, const core::servo::ServoState&,
                                          const core::terrain::Tooth&) -> std::optional<bool> { return drill; },
                                      {});
     if (!outcome)
@@ -288,7 +290,7 @@ core::Result<haptics::TickTimes> seekTimes(const core::recording::Recording& rec
         for (bool more = true; more;) {
             (*track)->show(seconds);
             more = false;
-            for (core::session::TilePatch patch; links->patches.tryPop(patch);)
+            for (core::servo::TilePatch patch; links->patches.tryPop(patch);)
                 more = true;
         }
         times.add(haptics::threadCpuUs() - start);

@@ -6,6 +6,8 @@
 #include "app/cli/bench/Suites.h"
 #include "core/base/Rng.h"
 #include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/ServoLoop.h"
@@ -15,6 +17,7 @@ namespace app::cli::bench {
 namespace {
 
 using namespace core::session;
+using namespace core::servo;
 using namespace std::chrono_literals;
 
 constexpr int kTooth = 36;

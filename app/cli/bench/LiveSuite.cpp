@@ -9,7 +9,9 @@
 #include "app/cli/bench/Suites.h"
 #include "app/cli/bench/Wander.h"
 #include "core/guidance/Margin.h"
+#include "core/servo/ServoState.h"
 #include "core/session/Follower.h"
+#include "core/session/Links.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/Simulation.h"
@@ -21,6 +23,7 @@ namespace app::cli::bench {
 namespace {
 
 using namespace core::session;
+using namespace core::servo;
 using namespace std::chrono_literals;
 
 constexpr auto kLesson = "class1-36";
@@ -108,8 +111,8 @@ public:
         const bool timed = m_pass == Pass::Measured;
         const ServoState& servo = m_links.servo.latest();
         const double before = haptics::threadCpuUs();
-        static_cast<void>(core::guidance::marginMm(*m_tooth.anatomy, *m_ideal, core::drilling::burs()[servo.burIndex],
-                                                   servo.anchorMm));
+        static_cast<void>(
+            core::guidance::marginMm(*m_tooth.anatomy, *m_ideal, core::bur::burs()[servo.burIndex], servo.anchorMm));
         if (timed)
             m_margins.add(haptics::threadCpuUs() - before);
         if (++m_pictures % kPicturesAProgress != 0)

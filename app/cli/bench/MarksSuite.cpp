@@ -168,9 +168,9 @@ std::vector<Attempt> attemptsAt(std::size_t lesson, const lessons::Assignment& a
 void take(Attempt& attempt, const lessons::Assignment& assignment)
 {
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
-    const auto bur = core::drilling::findBur(assignment.lesson->burs.front());
+    const auto bur = core::bur::findBur(assignment.lesson->burs.front());
     Spoiling work(anatomy, assignment.ideal ? *assignment.ideal->top
-                                            : haptics::decayCavity(anatomy, core::drilling::burs()[bur.value()]));
+                                            : haptics::decayCavity(anatomy, core::bur::burs()[bur.value()]));
     attempt.fault.spoil(work);
     const auto cut = cutInstead(assignment, work.wanted());
     const auto marked = cut ? lessons::mark(assignment, cut->tooth, lessons::Conduct{}) : tl::unexpected(cut.error());

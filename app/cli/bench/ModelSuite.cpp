@@ -4,7 +4,7 @@
 
 #include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/Suites.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lab/ModelCost.h"
 
@@ -70,7 +70,7 @@ NamedChart chartOf(const QString& name, const QString& title, const ui::charts::
 /// What a height map takes although the bur was not there: the material over a wide head with a narrow neck.
 core::Status addUndercut(Figures& figures, const char* name)
 {
-    const auto bur = core::drilling::findBur(name);
+    const auto bur = core::bur::findBur(name);
     const auto tooth = toothAt(kUndercutSide);
     if (!bur || !tooth)
         return tl::unexpected(bur ? tooth.error() : bur.error());
@@ -86,7 +86,7 @@ core::Status addUndercut(Figures& figures, const char* name)
 core::Result<Figures> modelSuite(const Context& context)
 {
     constexpr int kSteps = 2 + static_cast<int>(kSides.size());
-    const auto bur = core::drilling::findBur("57");
+    const auto bur = core::bur::findBur("57");
     if (!bur)
         return tl::unexpected(bur.error());
     context.progress(QStringLiteral("the true volumes, grid %1").arg(kReferenceSide), 0, kSteps);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench/MousePerson.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/servo/ServoState.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/Simulation.h"
 #include "ui/render/WholeSurface.h"
@@ -27,18 +29,18 @@ constexpr double kLeapPx = 20.0;       ///< a longer step of the pointer in one 
 }  // namespace
 
 core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
-                         const core::session::ServoSettings& settings, std::size_t bur, const MouseHand& hand,
+                         const core::servo::ServoSettings& settings, std::size_t bur, const MouseHand& hand,
                          const ui::tooth::Camera& camera, double mostSeconds,
                          const std::function<Deed(const Sight&)>& decide)
 {
     const auto surface = ui::render::wholeSurface(anatomy, ui::tooth::operatingLight(false));
     ui::tooth::PointerControl control;
     control.setSurface(surface.get());
-    control.setBurRadius(core::drilling::burs()[bur].headRadiusMm);
+    control.setBurRadius(core::bur::burs()[bur].headRadiusMm);
     control.setForce(hand.forceN);
     control.setFeed(hand.feedMmPerS);
     control.setStopOn(hand.stopMm.has_value());
-    core::rt::TripleBuffer<core::session::PointerInput> input;
+    core::rt::TripleBuffer<core::servo::PointerInput> input;
     haptics::PointerDevice device(input, settings.force.stiffnessNPerMm, 1.0e-3);
 
     auto shown = std::make_shared<const std::vector<float>>(anatomy->top);
@@ -50,7 +52,7 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
     double mostOffRayPx = 0.0;
     double mostForceN = 0.0;
     double seconds = 0.0;
-    const auto before = [&](std::uint64_t tick, const core::session::ServoState& state,
+    const auto before = [&](std::uint64_t tick, const core::servo::ServoState& state,
                             const core::terrain::Tooth& tooth) -> std::optional<bool> {
         if (tick % kTicksPerPicture != 0)
             return true;
@@ -79,7 +81,7 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
         control.setStopDepth(deed.stopMm);
         control.push(deed.pressed);
         control.moveTo(camera.rayThrough(pointer), state.anchorMm);
-        core::session::PointerInput wish = control.input(state.anchorMm);
+        core::servo::PointerInput wish = control.input(state.anchorMm);
         wish.feedMmPerS = hand.feedMmPerS > 0.0 ? wish.feedMmPerS : 0.0;
         input.publish(wish);
         return true;
@@ -87,8 +89,8 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
     haptics::SimulationOptions options;
     options.settings = settings;
     options.burIndex = bur;
-    options.onPatch = [&](const core::session::TilePatch& patch) { surface->write(patch); };
-    const auto after = [&](std::uint64_t, const core::session::ServoState& state) {
+    options.onPatch = [&](const core::servo::TilePatch& patch) { surface->write(patch); };
+    const auto after = [&](std::uint64_t, const core::servo::ServoState& state) {
         mostForceN = std::max(mostForceN, glm::length(state.forceN));
         if (surfaceMm && state.cutting)
             deepestMm = std::max(deepestMm, *surfaceMm - state.anchorMm.z);

@@ -8,7 +8,8 @@
 
 #include "core/base/Result.h"
 #include "core/base/Rng.h"
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
 #include "core/terrain/Tooth.h"
 #include "ui/tooth/Camera.h"
 
@@ -46,7 +47,7 @@ struct Deed
 struct Doing
 {
     core::terrain::Tooth tooth;
-    core::session::ServoState last;
+    core::servo::ServoState last;
     double seconds = 0.0;
     double deepestMm = 0.0;     ///< largest depth of the tip below the original surface at the first contact
     double mostOffRayPx = 0.0;  ///< largest distance of the tip from the pointer, button up
@@ -56,7 +57,7 @@ struct Doing
 /// Runs a task with the program's own camera, PointerControl, PointerDevice and servo, at 60 pictures a second.
 /// @param decide  called once for each picture; returns what the hand does until the next one
 [[nodiscard]] core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
-                                       const core::session::ServoSettings& settings, std::size_t bur,
+                                       const core::servo::ServoSettings& settings, std::size_t bur,
                                        const MouseHand& hand, const ui::tooth::Camera& camera, double mostSeconds,
                                        const std::function<Deed(const Sight&)>& decide);
 

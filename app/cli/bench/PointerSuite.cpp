@@ -11,7 +11,7 @@
 #include "app/cli/bench/InParallel.h"
 #include "app/cli/bench/MousePerson.h"
 #include "app/cli/bench/Suites.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
@@ -247,7 +247,7 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
         return tl::unexpected(assigned.error());
     const Anatomy& anatomy = assigned->assignment.anatomy;
     const core::terrain::Grid& grid = anatomy->grid;
-    const std::size_t bur = lesson->burs.empty() ? 1 : core::drilling::findBur(lesson->burs.front()).value_or(1);
+    const std::size_t bur = lesson->burs.empty() ? 1 : core::bur::findBur(lesson->burs.front()).value_or(1);
     const ui::tooth::Camera camera = cameraOver(kAboveDeg);
     Person person(seed);
     double stopMm = kFirstLayerMm;

@@ -12,6 +12,8 @@
 #include "app/cli/bench/InParallel.h"
 #include "app/cli/bench/Suites.h"
 #include "app/cli/bench/Wander.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "core/tracking/TrackerLoop.h"
@@ -26,6 +28,7 @@ namespace app::cli::bench {
 namespace {
 
 using namespace core::session;
+using namespace core::servo;
 using namespace std::chrono_literals;
 
 constexpr std::array kRatesHz{1000, 2000, 4000};

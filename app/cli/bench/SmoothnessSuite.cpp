@@ -45,7 +45,7 @@ core::Result<Figures> smoothnessSuite(const Context& context)
         printText(QStringLiteral("smoothness: the scan dundee_36 is not there, so there are no figures of it\n"),
                   stderr);
 
-    const core::session::ServoSettings settings;
+    const core::servo::ServoSettings settings;
     const auto lines = static_cast<int>(lab::kSmoothnessLinesMm.size());
     Figures figures;
     ui::charts::Curve chart;

@@ -6,6 +6,7 @@
 #include "app/cli/bench/Suites.h"
 #include "core/audio/Synthesizer.h"
 #include "core/base/Rng.h"
+#include "core/rt/TripleBuffer.h"
 #include "core/settings/Handpiece.h"
 #include "haptics/simulated/Simulation.h"
 #include "lab/Spectrum.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/cli/bench/Contestants.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "lab/Block.h"
 #include "lab/SweepVolume.h"
 
@@ -27,7 +27,7 @@ QLatin1String latin(std::string_view text)
 
 void addSweeps(Figures& figures, const Context& context, int steps)
 {
-    const auto burs = core::drilling::burs().first(core::drilling::kCommonBurs);
+    const auto burs = core::bur::burs().first(core::bur::kCommonBurs);
     ui::charts::Curve chart;
     chart.x = {QStringLiteral("columns a side of the grid over 10.5 mm, and their cell"), -0.2, 3.2};
     for (const int side : kSides)

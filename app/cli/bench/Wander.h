@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 
 namespace app::cli::bench {
 
 /// Strokes that wander over the whole crown: slow figure of eight in a slowly turning direction, with 1 N.
-[[nodiscard]] inline core::session::PointerInput wander(double seconds, double radiusMm)
+[[nodiscard]] inline core::servo::PointerInput wander(double seconds, double radiusMm)
 {
-    core::session::PointerInput want;
+    core::servo::PointerInput want;
     const double stroke = radiusMm * std::sin(2.0 * std::numbers::pi * 0.8 * seconds);
     const double drift = 0.5 * radiusMm * std::sin(2.0 * std::numbers::pi * 0.031 * seconds);
     const double turn = 2.0 * std::numbers::pi * 0.013 * seconds;

@@ -10,7 +10,7 @@
 #include <QPainter>
 
 #include "core/base/WholeFile.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/imaging/Bitewing.h"
 #include "core/imaging/Radiograph.h"
 #include "core/teeth/Arch.h"
@@ -52,7 +52,7 @@ QImage sectionPicture(const RenderSubject& subject, double degrees, QSize size, 
     scene.palette = palette;
     scene.ideal = subject.ideal;
     if (subject.bur) {
-        scene.bur = &core::drilling::burs()[subject.bur->burIndex];
+        scene.bur = &core::bur::burs()[subject.bur->burIndex];
         scene.tipMm = subject.bur->anchorMm;
         scene.plane.throughMm = glm::dvec2(scene.tipMm);
     }

@@ -10,7 +10,7 @@
 #include "app/cli/render/Wishes.h"
 #include "core/base/Result.h"
 #include "core/grading/IdealCavity.h"
-#include "core/session/Links.h"
+#include "core/servo/ServoState.h"
 #include "core/terrain/Tooth.h"
 
 namespace app::cli {
@@ -20,7 +20,7 @@ namespace app::cli {
 struct RenderSubject
 {
     core::terrain::Tooth tooth;
-    std::optional<core::session::ServoState> bur;
+    std::optional<core::servo::ServoState> bur;
     core::grading::IdealTop ideal;  ///< null: nothing is asked for
 };
 

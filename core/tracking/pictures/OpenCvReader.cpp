@@ -17,7 +17,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "core/tracking/pictures/Reader.h"
+#include "core/tracking/PictureLibrary.h"
 
 namespace core::tracking::pictures {
 namespace {
@@ -48,7 +48,7 @@ bool take(const cv::Mat& image, Picture& picture)
     }
 }
 
-class VideoReader final : public Reader
+class VideoReader final : public PictureReader
 {
 public:
     VideoReader(const cv::VideoCapture& capture, bool isCamera) : m_capture(capture), m_isCamera(isCamera) {}
@@ -85,7 +85,7 @@ private:
     bool m_isCamera;
 };
 
-Reader* openCamera(int number, int width, int height, double hz)
+PictureReader* openCamera(int number, int width, int height, double hz)
 {
     try {
         cv::VideoCapture capture(number, cv::CAP_V4L2);
@@ -106,7 +106,7 @@ Reader* openCamera(int number, int width, int height, double hz)
     }
 }
 
-Reader* openVideo(const char* path)
+PictureReader* openVideo(const char* path)
 {
     try {
         cv::VideoCapture capture(path, cv::CAP_ANY);
@@ -146,12 +146,12 @@ bool readImage(const char* path, Picture& picture)
     }
 }
 
-constexpr Library kLibrary{&openCamera, &openVideo, &readImage};
+constexpr PictureLibrary kLibrary{&openCamera, &openVideo, &readImage};
 
 }  // namespace
 }  // namespace core::tracking::pictures
 
-extern "C" __attribute__((visibility("default"))) const core::tracking::pictures::Library* cuspPictures()
+extern "C" __attribute__((visibility("default"))) const core::tracking::PictureLibrary* cuspPictures()
 {
     // What goes wrong is said by Cusp.
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoTick.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "core/drilling/BreakOff.h"
-#include "core/session/ServoNumbers.h"
+#include "core/cutting/BreakOff.h"
+#include "core/servo/ServoNumbers.h"
 
-namespace core::session {
+namespace core::servo {
 namespace {
 
 /// Penetration below which the bur is said to hover: a nanometre is rounding, not touch.
@@ -214,7 +214,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
 
     if (m_state.drillOn && m_state.touching) {
         const double pull = m_force.springN(stretch);
-        const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), pull, seconds);
+        const cutting::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), pull, seconds);
         m_changed = cut.changed;
         m_state.burRpm = m_drill.rpmUnder(pull, static_cast<double>(m_tooth->mask().radiusMm));
         m_state.cutting = !cut.changed.isEmpty();
@@ -227,8 +227,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
             }
         }
         if (m_state.cutting && m_settings.breakOff.on) {
-            const terrain::PerMaterial broken =
-                drilling::breakOff(*m_tooth, m_settings.breakOff.slenderness, m_changed);
+            const terrain::PerMaterial broken = cutting::breakOff(*m_tooth, m_settings.breakOff.slenderness, m_changed);
             for (std::size_t m = 0; m < broken.size(); ++m) {
                 m_state.brokenMm3[m] += broken[m];
                 m_state.removedMm3[m] += broken[m];
@@ -309,4 +308,4 @@ void ServoTick::describe() noexcept
         m_state.materialUnderBur = terrain::materialAt(anatomy.layers[k], tooth.top[k]);
 }
 
-}  // namespace core::session
+}  // namespace core::servo

@@ -9,7 +9,7 @@
 
 #include "core/base/Result.h"
 
-namespace core::drilling {
+namespace core::bur {
 
 /// Above the head there is only the shank; inside its radius the upper side of the bur never ends.
 inline constexpr double kShankTopMm = 1.0e3;
@@ -90,7 +90,7 @@ struct Bur
     [[nodiscard]] double upperSideMm(double radiusMm) const;
 };
 
-/// The burs that exist: those of core/drilling/burs.txt, in its order, and the user's own behind them. Recordings name
+/// The burs that exist: those of core/bur/burs.txt, in its order, and the user's own behind them. Recordings name
 /// a bur by its index.
 [[nodiscard]] std::span<const Bur> burs();
 
@@ -104,4 +104,4 @@ struct Bur
 /// knows the burs there were. At most one can be added (Busy), and with an id of its own (BadStructure).
 [[nodiscard]] Result<std::size_t> addOwnBur(Bur bur);
 
-}  // namespace core::drilling
+}  // namespace core::bur

@@ -10,7 +10,7 @@
 #include "core/settings/Handpiece.h"
 #include "core/settings/HardnessPreset.h"
 
-namespace core::drilling {
+namespace core::cutting {
 
 /// Tangential over normal force of a bur that cuts: 0.24 to 1.77 N over 0.60 to 2.93 N in glass ceramic (teeth.md
 /// section 5), 0.3 assumed in haptics.md 8.1.
@@ -109,4 +109,4 @@ private:
     double m_pressedNS = 0.0;   ///< impulse of this touch, as far as it counts
 };
 
-}  // namespace core::drilling
+}  // namespace core::cutting

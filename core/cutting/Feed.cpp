@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drilling/Feed.h"
+#include "core/cutting/Feed.h"
 
 #include <numbers>
 
-#include "core/drilling/Drill.h"
+#include "core/cutting/Drill.h"
 
-namespace core::drilling {
+namespace core::cutting {
 
 double feedMmPerS(const settings::HardnessPreset& preset, const settings::MaterialHardness& hardness,
-                  const settings::Handpiece& handpiece, const Bur& bur, double forceN) noexcept
+                  const settings::Handpiece& handpiece, const bur::Bur& bur, double forceN) noexcept
 {
     const double radius = bur.headRadiusMm;
     const auto speedAt = [&](double newtons) {
@@ -18,4 +18,4 @@ double feedMmPerS(const settings::HardnessPreset& preset, const settings::Materi
            (std::numbers::pi * radius * radius);
 }
 
-}  // namespace core::drilling
+}  // namespace core::cutting

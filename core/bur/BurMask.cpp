@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drilling/BurMask.h"
+#include "core/bur/BurMask.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace core::drilling {
+namespace core::bur {
 namespace {
 
 /// Cells: a head of a whole number of cells must not lose its rim to rounding.
@@ -46,4 +46,4 @@ double BurMask::upperAt(double radius) const noexcept
     return static_cast<double>(upperOfR2[static_cast<std::size_t>(std::min(step, static_cast<double>(kTableSteps)))]);
 }
 
-}  // namespace core::drilling
+}  // namespace core::bur

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drilling/BurFile.h"
+#include "core/bur/BurFile.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace core::drilling {
+namespace core::bur {
 namespace {
 
 constexpr std::size_t kMostBytes = 65536;
@@ -458,4 +458,4 @@ Result<Bur> readBur(const std::filesystem::path& path)
     return std::move(burs->front());
 }
 
-}  // namespace core::drilling
+}  // namespace core::bur

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "core/drilling/BurFile.h"
-#include "core/drilling/BurTable.h"
+#include "core/bur/BurFile.h"
+#include "core/bur/BurTable.h"
 
-namespace core::drilling {
+namespace core::bur {
 namespace {
 
 constexpr std::array<std::string_view, kBurShapes> kShapeWords{"round",
@@ -120,4 +120,4 @@ Result<std::size_t> addOwnBur(Bur bur)
     return all.own;
 }
 
-}  // namespace core::drilling
+}  // namespace core::bur

@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/session/ServoTick.h"
+#include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
 #include "core/settings/FeelPreset.h"
 
-namespace core::session {
+namespace core::servo {
 
 /// What of a servo's settings may change while it works: rate and threshold of caries, enamel, dentin and pulp, the
 /// axial share, stiffness, damping, damping of fast motion, friction, force limit, the share of flat ends, the full
@@ -31,4 +32,4 @@ void setServoNumber(ServoSettings& settings, const SetNumber& number) noexcept;
 /// True if the packed number is one of those up to the force limit, which recordings had first.
 [[nodiscard]] bool isOfFirstNumbers(std::uint64_t packed) noexcept;
 
-}  // namespace core::session
+}  // namespace core::servo

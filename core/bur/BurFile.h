@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/base/Result.h"
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 
-namespace core::drilling {
+namespace core::bur {
 
 inline constexpr double kWidestHeadMm = 1.5;       ///< radius of the thickest head of a file
 inline constexpr double kThinnestHeadMm = 0.2;     ///< of the thinnest: some columns of any tooth are under it
@@ -38,4 +38,4 @@ inline constexpr double kSharpestCornerMm = 0.02;  ///< radius of the sharpest r
 /// The one bur of a user's file, which has at most 64 KiB.
 [[nodiscard]] Result<Bur> readBur(const std::filesystem::path& path);
 
-}  // namespace core::drilling
+}  // namespace core::bur

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/ServoNumbers.h"
+#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoState.h"
 
 #include <bit>
 
-namespace core::session {
+namespace core::servo {
 namespace {
 
 using settings::FeelPreset;
@@ -96,4 +97,4 @@ bool isOfFirstNumbers(std::uint64_t packed) noexcept
     return packed >> 32U < kFirstNumbers;
 }
 
-}  // namespace core::session
+}  // namespace core::servo

@@ -7,16 +7,16 @@
 
 /// What the library `cusp_pictures` offers. It is loaded when the first camera, video or image is opened: OpenCV's
 /// videoio brings some 220 libraries along, which cost each start of Cusp 0.1 s and 60 MB.
-namespace core::tracking::pictures {
+namespace core::tracking {
 
 /// A camera or a video file. One thread at a time.
-class Reader
+class PictureReader
 {
 public:
-    Reader() = default;
-    virtual ~Reader() = default;
-    Reader(const Reader&) = delete;
-    Reader& operator=(const Reader&) = delete;
+    PictureReader() = default;
+    virtual ~PictureReader() = default;
+    PictureReader(const PictureReader&) = delete;
+    PictureReader& operator=(const PictureReader&) = delete;
 
     /// Reads the next picture; false if there is none. Leaves the name alone.
     [[nodiscard]] virtual bool read(Picture& picture) = 0;
@@ -30,18 +30,18 @@ public:
 };
 
 /// Functions of the library; none throws.
-struct Library
+struct PictureLibrary
 {
     /// Null if the camera gives no picture.
-    Reader* (*openCamera)(int number, int width, int height, double hz);
+    PictureReader* (*openCamera)(int number, int width, int height, double hz);
     /// Null if the file is no video.
-    Reader* (*openVideo)(const char* path);
+    PictureReader* (*openVideo)(const char* path);
     /// False if the file is no image, or is cut off.
     bool (*readImage)(const char* path, Picture& picture);
 };
 
 /// Name of the function that returns the library's functions.
 inline constexpr const char* kEntry = "cuspPictures";
-using Entry = const Library* (*)();
+using Entry = const PictureLibrary* (*)();
 
-}  // namespace core::tracking::pictures
+}  // namespace core::tracking

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 
-namespace core::drilling {
+namespace core::bur {
 
 /// A bur made ready for one lattice.
 ///
@@ -72,4 +72,4 @@ struct BurMask
     [[nodiscard]] double upperAt(double radius) const noexcept;
 };
 
-}  // namespace core::drilling
+}  // namespace core::bur

@@ -10,11 +10,11 @@
 #include "core/contact/ForceLaw.h"
 #include "core/contact/LiveTooth.h"
 #include "core/contact/WorkArea.h"
-#include "core/drilling/Drill.h"
-#include "core/session/Links.h"
+#include "core/cutting/Drill.h"
+#include "core/servo/ServoState.h"
 #include "core/settings/BreakOff.h"
 
-namespace core::session {
+namespace core::servo {
 
 inline constexpr std::size_t kMostHandpieces = 8;
 
@@ -70,7 +70,7 @@ public:
     /// As of the last step. `tick` counts steps of the attempt; links' fields are not filled here.
     [[nodiscard]] const ServoState& state() const noexcept { return m_state; }
     /// Columns that the last step lowered.
-    [[nodiscard]] const drilling::CutRect& changed() const noexcept { return m_changed; }
+    [[nodiscard]] const cutting::CutRect& changed() const noexcept { return m_changed; }
     [[nodiscard]] const contact::LiveTooth* tooth() const noexcept { return m_tooth; }
     [[nodiscard]] const ServoSettings& settings() const noexcept { return m_settings; }
 
@@ -89,10 +89,10 @@ private:
     contact::ForceLaw m_force;
     contact::WorkArea m_workArea;
     contact::BurVibration m_vibration;
-    drilling::Drill m_drill;
+    cutting::Drill m_drill;
     contact::LiveTooth* m_tooth = nullptr;
     ServoState m_state;
-    drilling::CutRect m_changed;
+    cutting::CutRect m_changed;
     std::chrono::microseconds m_unread{0};  ///< for so long no reading could be used
     bool m_restart = true;
     bool m_wasLost = false;
@@ -103,4 +103,4 @@ private:
 /// Checks the settings, then builds. The error names the first thing wrong.
 [[nodiscard]] Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings);
 
-}  // namespace core::session
+}  // namespace core::servo

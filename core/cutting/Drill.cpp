@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drilling/Drill.h"
+#include "core/cutting/Drill.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@
 
 #include "core/contact/Head.h"
 
-namespace core::drilling {
+namespace core::cutting {
 namespace {
 
 /// Tries at finding the advance. It is found when removal uses from 95 to 100 % of the time granted; what is left goes
@@ -120,7 +120,7 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     const glm::dvec3 towards = pull / gap;
 
     const double sideways = std::sqrt(towards.x * towards.x + towards.y * towards.y);
-    const double share = m_preset.shareOfEnd(isFlatEnd(tooth.mask().flatMm));
+    const double share = m_preset.shareOfEnd(bur::isFlatEnd(tooth.mask().flatMm));
     const double direction = share + (1.0 - share) * sideways;
     const auto radiusMm = static_cast<double>(tooth.mask().radiusMm);
     const auto speedAt = [&](double newtons) { return rpmUnder(newtons, radiusMm) * radiusMm / kReferenceRpmMm; };
@@ -204,4 +204,4 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     return done;
 }
 
-}  // namespace core::drilling
+}  // namespace core::cutting

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/settings/Handpiece.h"
 #include "core/settings/HardnessPreset.h"
 
-namespace core::drilling {
+namespace core::cutting {
 
 /// How fast a bur sinks straight down into a material that it is pressed into with `forceN`, once its whole
 /// cross-section cuts, mm/s: Drill's law, solved for the advance.
 /// @param hardness  of the material; the preset gives the shares of the bur's end and the full load
 [[nodiscard]] double feedMmPerS(const settings::HardnessPreset& preset, const settings::MaterialHardness& hardness,
-                                const settings::Handpiece& handpiece, const Bur& bur, double forceN) noexcept;
+                                const settings::Handpiece& handpiece, const bur::Bur& bur, double forceN) noexcept;
 
-}  // namespace core::drilling
+}  // namespace core::cutting

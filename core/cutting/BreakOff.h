@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drilling/Drill.h"
+#include "core/cutting/Drill.h"
 
-namespace core::drilling {
+namespace core::cutting {
 
 /// Takes off what the columns that were just lowered have left standing and no tooth could keep: a column or a fin
 /// between a lowered column and other ground, higher above both than `slenderness` times its width. It goes down to the
@@ -15,4 +15,4 @@ namespace core::drilling {
 /// @return what broke, mm3 of each material
 terrain::PerMaterial breakOff(contact::LiveTooth& tooth, double slenderness, CutRect& changed) noexcept;
 
-}  // namespace core::drilling
+}  // namespace core::cutting

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/terrain/Tooth.h"
 
-namespace core::drilling {
+namespace core::bur {
 
 /// How low the tip of any bur comes on a tooth, mm in its frame: then the head of the handpiece lies on the highest
 /// cusp.
@@ -15,4 +15,4 @@ namespace core::drilling {
     return static_cast<double>(*std::max_element(anatomy.top.begin(), anatomy.top.end())) - kChuckMm;
 }
 
-}  // namespace core::drilling
+}  // namespace core::bur

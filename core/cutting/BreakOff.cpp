@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drilling/BreakOff.h"
+#include "core/cutting/BreakOff.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace core::drilling {
+namespace core::cutting {
 namespace {
 
 struct Direction
@@ -124,4 +124,4 @@ terrain::PerMaterial breakOff(contact::LiveTooth& live, double slenderness, CutR
     return broken;
 }
 
-}  // namespace core::drilling
+}  // namespace core::cutting

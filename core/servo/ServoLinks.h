@@ -7,9 +7,12 @@
 #include <glm/vec3.hpp>
 
 #include "core/contact/LiveTooth.h"
-#include "core/session/Links.h"
+#include "core/rt/SpscQueue.h"
+#include "core/servo/ServoState.h"
 
-namespace core::session {
+namespace core::servo {
+
+class ServoTick;
 
 /// Another tooth for the servo; the pointer owns. Undo and reload hand over a restored copy of the same tooth.
 struct SwapTooth
@@ -39,7 +42,7 @@ struct ServoEvent
         Spring,     ///< value: per cent of the stiffness that the force law has from now on
         Restore,    ///< value: the tick after which the tooth stood that is put back
         Home,       ///< the hand is to be led home from now on
-        Aids,       ///< value: the aids in use from now on, bits of session::Aid. Nothing to the servo
+        Aids,       ///< value: the aids in use from now on, bits of servo::Aid. Nothing to the servo
         Note,       ///< value: what the ui wants remembered of this moment. Nothing to the servo
         Resume,     ///< taken up again after the program had ended: with a new servo, on the tooth as it stands
         Handpiece,  ///< value: index into the settings' handpieces
@@ -68,4 +71,4 @@ struct ServoLinks
     rt::SpscQueue<ServoEvent, 16384> events;  ///< servo -> session: 16 s at 1 kHz before anything is lost
 };
 
-}  // namespace core::session
+}  // namespace core::servo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace core::session {
+namespace core::servo {
 
 /// Tells where a stroke ends, and so an undo step: with a pause in cutting. Tick by tick; no allocation.
 class StrokeWatch
@@ -34,4 +34,4 @@ private:
     int m_ticksSinceCut = 0;
 };
 
-}  // namespace core::session
+}  // namespace core::servo

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace core::history {
+
+/// Identifies a moment of the tooth that the user can go back to (UndoTree). No moment has the number 0.
+enum class MomentId : std::uint64_t {};
+
+}  // namespace core::history
