@@ -11,9 +11,9 @@
 #include <QLocale>
 #include <QTimer>
 
-#include "app/Background.h"
-#include "app/Backups.h"
-#include "app/SchoolSettings.h"
+#include "app/school/Backups.h"
+#include "app/school/SchoolSettings.h"
+#include "app/threads/Background.h"
 #include "database/Outbox.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
@@ -110,7 +110,7 @@ QString classListFault(core::ErrorCode code, const QString& file)
 
 }  // namespace
 
-AdminDesk::AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place place, std::function<Session()> who)
+AdminDesk::AdminDesk(ui::window::MainWindow& window, SchoolDesk& desk, Place place, std::function<Session()> who)
     : m_window(window), m_desk(desk), m_place(std::move(place)), m_who(std::move(who)),
       m_isStopped(std::make_shared<std::atomic<bool>>(false))
 {

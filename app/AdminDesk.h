@@ -8,10 +8,10 @@
 #include <QObject>
 #include <QString>
 
-#include "app/SchoolDesk.h"
+#include "app/school/SchoolDesk.h"
 #include "database/people.h"
 #include "database/sql/Check.h"
-#include "ui/shell/MainWindow.h"
+#include "ui/window/MainWindow.h"
 
 namespace app {
 
@@ -30,7 +30,7 @@ public:
         std::function<QString()> hand;  ///< that moves the bur, in the user's language
         double servoHz = 0.0;
     };
-    AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place place, std::function<database::Session()> who);
+    AdminDesk(ui::window::MainWindow& window, SchoolDesk& desk, Place place, std::function<database::Session()> who);
     ~AdminDesk() override;
 
     /// Why a backup was not put in the place of the school.
@@ -65,7 +65,7 @@ private:
     template <class Job, class Done>
     void beside(const QString& what, Job job, Done done);
 
-    ui::shell::MainWindow& m_window;
+    ui::window::MainWindow& m_window;
     SchoolDesk& m_desk;
     Place m_place;
     std::function<database::Session()> m_who;

@@ -18,12 +18,11 @@
 #include <QThreadPool>
 #include <QUrl>
 
-#include "app/Background.h"
-#include "app/Backups.h"
-#include "app/Demonstration.h"
-#include "app/PenSetup.h"
-#include "app/SchoolSettings.h"
-#include "app/cli/Arguments.h"
+#include "app/attempt/Demonstration.h"
+#include "app/devices/PenSetup.h"
+#include "app/school/Backups.h"
+#include "app/school/SchoolSettings.h"
+#include "app/threads/Background.h"
 #include "core/grading/Measures.h"
 #include "core/guidance/Fixture.h"
 #include "core/preparation/CapturedIdeal.h"
@@ -44,11 +43,11 @@
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/devices/DevicesPage.h"
+#include "ui/kit/Memory.h"
 #include "ui/render/WholeSurface.h"
-#include "ui/shell/Memory.h"
-#include "ui/study/LessonWords.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/text/FaultWords.h"
+#include "ui/text/LessonWords.h"
 #include "ui/tooth/ToothView.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -60,7 +59,7 @@ using core::session::UiLinks;
 using database::sql::Logins;
 using database::sql::School;
 using ui::text::Failed;
-using Keeping = ui::study::ScorePage::Keeping;
+using Keeping = ui::scoring::ScorePage::Keeping;
 
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
@@ -130,11 +129,11 @@ bool isAway(core::ErrorCode code)
 }
 
 /// What had been expected of an old attempt; what was to cost most is not kept.
-std::optional<ui::study::Expectation> expectationOf(const database::AttemptRecord& attempt)
+std::optional<ui::scoring::Expectation> expectationOf(const database::AttemptRecord& attempt)
 {
     if (!attempt.expectedTenths)
         return std::nullopt;
-    return ui::study::Expectation{*attempt.expectedTenths, {}};
+    return ui::scoring::Expectation{*attempt.expectedTenths, {}};
 }
 
 constexpr double kStiffnessNPerMm = core::contact::ForceSettings{}.stiffnessNPerMm;
@@ -166,9 +165,9 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
       m_bur(options.simulatedDevice ? static_cast<haptics::HapticDevice&>(m_simulatedHand) : m_pointer, kServoPeriod),
       m_servo(m_bur, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
       m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)), m_follower(m_session),
-      m_window(std::make_unique<ui::shell::MainWindow>(m_links)), m_presets(*m_window, [this] { return m_who; })
+      m_window(std::make_unique<ui::window::MainWindow>(m_links)), m_presets(*m_window, [this] { return m_who; })
 {
-    using ui::shell::MainWindow;
+    using ui::window::MainWindow;
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
     connect(m_window.get(), &MainWindow::lessonChosen, this, &Application::openLesson);
     connect(m_window.get(), &MainWindow::lessonsWanted, this, &Application::showLessons);
@@ -183,7 +182,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
     });
     connectPresets();
     connect(m_window.get(), &MainWindow::forecastGiven, this,
-            [this](const ui::study::Expectation& expected) { finish(expected); });
+            [this](const ui::scoring::Expectation& expected) { finish(expected); });
     connect(m_window.get(), &MainWindow::scanChosen, this,
             [this](const QString& path) { openTooth({std::filesystem::path(path.toStdU16String())}); });
     connect(m_window.get(), &MainWindow::scanUnitChosen, this, [this](const QString& unit) {
@@ -220,10 +219,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
     });
     connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
     connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
-    ui::study::ScorePage& page = m_window->scorePage();
+    ui::scoring::ScorePage& page = m_window->scorePage();
     for (Explainer* explainer : {&m_explainer, &m_openedExplainer})
         connectExplainer(*explainer);
-    connect(&page, &ui::study::ScorePage::replayWanted, this, [this] {
+    connect(&page, &ui::scoring::ScorePage::replayWanted, this, [this] {
         if (m_opened)
             playOpened({});
     });
@@ -346,8 +345,8 @@ void Application::openDatabase()
     });
     connect(m_desk.get(), &SchoolDesk::damaged, this,
             [this](const core::Error& error) { m_window->showError(error, Failed::SendingAttempt); });
-    connect(m_desk.get(), &SchoolDesk::unanswered, m_window.get(), &ui::shell::MainWindow::showUnanswered);
-    connect(m_desk.get(), &SchoolDesk::answered, m_window.get(), &ui::shell::MainWindow::forgetUnanswered);
+    connect(m_desk.get(), &SchoolDesk::unanswered, m_window.get(), &ui::window::MainWindow::showUnanswered);
+    connect(m_desk.get(), &SchoolDesk::answered, m_window.get(), &ui::window::MainWindow::forgetUnanswered);
     connect(m_desk.get(), &SchoolDesk::isBack, this, [this] {
         if (m_who.isGuest())
             return;
@@ -428,8 +427,8 @@ void Application::openDatabase()
     connect(&m_backupWatch, &QTimer::timeout, this, &Application::backUpToday);
     m_openWatch.setInterval(m_options.retry);
     connect(&m_openWatch, &QTimer::timeout, this, &Application::openSchool);
-    connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, &Application::openSchool);
-    connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, [this] { restore(m_who); });
+    connect(m_window.get(), &ui::window::MainWindow::openAgainWanted, this, &Application::openSchool);
+    connect(m_window.get(), &ui::window::MainWindow::restoreWanted, this, [this] { restore(m_who); });
     tellMayEdit();  // nobody is known yet
     openSchool();
     if (m_options.asksWho)
@@ -568,7 +567,7 @@ void Application::changePassword(const QString& old, const QString& password)
 
 void Application::connectDoor()
 {
-    using ui::shell::MainWindow;
+    using ui::window::MainWindow;
     connect(m_window.get(), &MainWindow::loginWanted, this, [this](const QString& name, const QString& password) {
         askAtDoor([name = name.toStdString(), password = password.toStdString()](
                       const School& school) { return Logins::login(school, name, password); },
@@ -841,7 +840,7 @@ void Application::clearTable()
 
 void Application::connectPresets()
 {
-    using ui::shell::MainWindow;
+    using ui::window::MainWindow;
     connect(m_window.get(), &MainWindow::presetFelt, this, &Application::feel);
     connect(m_window.get(), &MainWindow::feelWanted, this, &Application::feelByHand);
     connect(m_window.get(), &MainWindow::presetTrialWanted, this, [this](const core::settings::FeelPreset& preset) {
@@ -1032,7 +1031,7 @@ void Application::showLessons()
             for (const database::ClassAssignment& one : *given) {
                 const auto ofClass = std::find_if(classes->begin(), classes->end(),
                                                   [&](const auto& other) { return other.id == one.classId; });
-                ui::study::Given& here = found.given[one.lessonId];
+                ui::catalog::Given& here = found.given[one.lessonId];
                 if (ofClass != classes->end())
                     here.className += (here.className.isEmpty() ? QString() : QStringLiteral(", ")) +
                                       QString::fromStdString(ofClass->name);
@@ -1093,7 +1092,7 @@ void Application::whereAllowed(const std::string& lessonId, const std::function<
         }
         refuse();
         m_window->stopBusy();
-        m_window->showMessage(ui::study::usedUpWords());
+        m_window->showMessage(ui::text::usedUpWords());
     });
 }
 
@@ -1135,19 +1134,25 @@ void Application::tellKnownAttempts(const lessons::Lesson& lesson)
             return database::sql::sheetsOfLesson(school, who, id, hash, kMostKnownAttempts);
         },
         [this](const core::Result<std::vector<database::sql::KeptSheet>>& sheets) {
-            std::vector<ui::study::MeasuredAttempt> known;
+            std::vector<ui::lessoneditor::MeasuredAttempt> known;
             for (const database::sql::KeptSheet& sheet : sheets.value_or(std::vector<database::sql::KeptSheet>{}))
                 known.push_back({QString::fromStdString(sheet.finishedUtc), lessons::measuredIn(sheet.json)});
             m_window->setKnownAttempts(std::move(known));
         });
 }
 
+void Application::endWith(const core::Error& error)
+{
+    m_endedBy = error;
+    QCoreApplication::exit(EXIT_FAILURE);
+}
+
 /// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
-/// wanted, said on stderr, and that is the end.
+/// requested, the program ends.
 void Application::refuse(const core::Error& error, Failed failed, const QString& file)
 {
     if (!m_options.picture.isEmpty()) {
-        QCoreApplication::exit(cli::failed(error));
+        endWith(error);
         return;
     }
     m_window->showError(error, failed, file);
@@ -1328,7 +1333,7 @@ void Application::watchAttempt()
 void Application::connectExplainer(Explainer& explainer)
 {
     const auto isShown = [this, isOfOpened = &explainer == &m_openedExplainer] { return isOldShown() == isOfOpened; };
-    ui::study::ScorePage& page = m_window->scorePage();
+    ui::scoring::ScorePage& page = m_window->scorePage();
     connect(&explainer, &Explainer::noiseFound, &page, [&page, isShown](const lessons::GridNoise& noise) {
         if (isShown())
             page.setNoise(noise);
@@ -1482,7 +1487,7 @@ void Application::gradeNow()
     if (!m_assignment.lesson)
         finish({});
     else if (m_seenBefore && !isAnother)  // nobody expects what he has seen
-        finish(m_seenBefore->expectedTenths ? std::optional(ui::study::Expectation{*m_seenBefore->expectedTenths, {}})
+        finish(m_seenBefore->expectedTenths ? std::optional(ui::scoring::Expectation{*m_seenBefore->expectedTenths, {}})
                                             : std::nullopt);
     else if (m_assignment.lesson->exam && isCounted && !isAnother)
         m_window->askForecast();
@@ -1491,7 +1496,7 @@ void Application::gradeNow()
 }
 
 /// Marks the work as it was when the grade was asked for, keeps the grade and shows it.
-void Application::finish(const std::optional<ui::study::Expectation>& expected)
+void Application::finish(const std::optional<ui::scoring::Expectation>& expected)
 {
     const auto done = std::exchange(m_toMark, {});
     if (!done || done->findings.generation != m_ownGeneration)
@@ -1530,7 +1535,7 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
 }
 
 database::AttemptRecord Application::recordOf(const core::session::Concluded& done, const lessons::ScoreSheet& sheet,
-                                              const std::optional<ui::study::Expectation>& expected) const
+                                              const std::optional<ui::scoring::Expectation>& expected) const
 {
     const auto preset = lessons::presetUsed(done.recording);
     database::AttemptRecord record;
@@ -1717,7 +1722,7 @@ void Application::tellKeeping()
 {
     if (isOldShown())
         return;
-    ui::study::ScorePage& page = m_window->scorePage();
+    ui::scoring::ScorePage& page = m_window->scorePage();
     page.setHistory(m_graded->history);
     page.setKeeping(m_graded->keeping);
     if (m_graded->generation == m_ownGeneration &&
@@ -1817,16 +1822,16 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
                 return;
             }
             const auto assignment = lessons::assignmentOf(recording.anatomy(), recording.lesson());
-            const ui::study::ScoredWork work{std::make_shared<const core::terrain::Tooth>(marked->outcome.tooth),
-                                             assignment ? assignment->shownIdeal() : nullptr,
-                                             marked->mark.measured,
-                                             marked->conduct.infractions,
-                                             marked->conduct.aids,
-                                             lessons::presetUsed(recording),
-                                             assignment ? assignment->exercise : std::nullopt};
+            const ui::scoring::ScoredWork work{std::make_shared<const core::terrain::Tooth>(marked->outcome.tooth),
+                                               assignment ? assignment->shownIdeal() : nullptr,
+                                               marked->mark.measured,
+                                               marked->conduct.infractions,
+                                               marked->conduct.aids,
+                                               lessons::presetUsed(recording),
+                                               assignment ? assignment->exercise : std::nullopt};
             m_window->showOldScore(
                 [lesson = assignment ? assignment->lesson : std::nullopt, tooth = recording.anatomy()] {
-                    return lesson ? ui::study::said(lesson->title) : ui::text::toothTitle(*tooth);
+                    return lesson ? ui::text::said(lesson->title) : ui::text::toothTitle(*tooth);
                 },
                 marked->mark.sheet, {attempt}, expectationOf(attempt), work);
             m_opened = recording;
@@ -2124,7 +2129,7 @@ void Application::tellUnfinished()
         lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
     m_window->offerUnfinished(
         [read, anatomy = recording.anatomy()] {
-            return read.lesson ? ui::study::said(read.lesson->title) : ui::text::toothTitle(*anatomy);
+            return read.lesson ? ui::text::said(read.lesson->title) : ui::text::toothTitle(*anatomy);
         },
         QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs), read.lesson && read.lesson->exam);
 }
@@ -2301,13 +2306,12 @@ void Application::drawPicture()
         return;
     }
     if (!m_window->view().isUsable())
-        QCoreApplication::exit(cli::failed({core::ErrorCode::FileUnwritable,
-                                            "the picture could not be drawn, because this display has no OpenGL 3.3; "
-                                            "use another display or xvfb-run"}));
+        endWith({core::ErrorCode::FileUnwritable, "the picture could not be drawn, because this display has no OpenGL "
+                                                  "3.3; use another display or xvfb-run"});
     else if (!m_window->view().picture().save(m_options.picture))
-        QCoreApplication::exit(cli::failed(
-            {core::ErrorCode::FileUnwritable, "the picture could not be written to " + m_options.picture.toStdString() +
-                                                  "; check the folder and that the name ends in .png"}));
+        endWith({core::ErrorCode::FileUnwritable, "the picture could not be written to " +
+                                                      m_options.picture.toStdString() +
+                                                      "; check the folder and that the name ends in .png"});
     else
         QCoreApplication::exit(EXIT_SUCCESS);
 }

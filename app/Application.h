@@ -15,20 +15,20 @@
 
 #include "app/AdminDesk.h"
 #include "app/CardDesk.h"
-#include "app/DeviceController.h"
 #include "app/Explainer.h"
-#include "app/GradedMark.h"
-#include "app/HeadTrackingController.h"
-#include "app/Letters.h"
-#include "app/LoopThread.h"
-#include "app/PedalController.h"
 #include "app/PeopleDesk.h"
 #include "app/PresetDesk.h"
-#include "app/ReplayDesk.h"
-#include "app/SchoolDesk.h"
-#include "app/SoundController.h"
 #include "app/TourDesk.h"
-#include "app/UnfinishedAttempts.h"
+#include "app/attempt/UnfinishedAttempts.h"
+#include "app/devices/DeviceController.h"
+#include "app/devices/HeadTrackingController.h"
+#include "app/devices/PedalController.h"
+#include "app/devices/SoundController.h"
+#include "app/replay/ReplayDesk.h"
+#include "app/school/GradedMark.h"
+#include "app/school/Letters.h"
+#include "app/school/SchoolDesk.h"
+#include "app/threads/LoopThread.h"
 #include "core/servo/ServoNumbers.h"
 #include "core/servo/ServoState.h"
 #include "core/session/Follower.h"
@@ -45,9 +45,9 @@
 #include "lessons/Assignment.h"
 #include "lessons/ClassStanding.h"
 #include "ui/render/Presenter.h"
-#include "ui/shell/MainWindow.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/sound/QtAudioPort.h"
-#include "ui/study/ScorePage.h"
+#include "ui/window/MainWindow.h"
 
 namespace app {
 
@@ -88,7 +88,10 @@ public:
     ~Application() override;
 
     void show();
-    [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
+    [[nodiscard]] ui::window::MainWindow& window() { return *m_window; }
+
+    /// The error that ended the program before its window was closed; empty after a usual end.
+    [[nodiscard]] const std::optional<core::Error>& endedBy() const { return m_endedBy; }
 
     /// Plays the attempt that was graded last, from a little before this moment.
     void showMoment(double seconds);
@@ -96,6 +99,7 @@ public:
 private:
     Application(const WindowOptions& options, std::unique_ptr<core::servo::ServoTick> tick);
 
+    void endWith(const core::Error& error);
     void openDatabase();
     void makeStationFolder() const;
     void openSchool();
@@ -149,10 +153,10 @@ private:
     void grade();
     void settle(int looks, int settled);
     void gradeNow();
-    void finish(const std::optional<ui::study::Expectation>& expected);
+    void finish(const std::optional<ui::scoring::Expectation>& expected);
     [[nodiscard]] database::AttemptRecord recordOf(const core::session::Concluded& done,
                                                    const lessons::ScoreSheet& sheet,
-                                                   const std::optional<ui::study::Expectation>& expected) const;
+                                                   const std::optional<ui::scoring::Expectation>& expected) const;
     void connectExplainer(Explainer& explainer);
     void showGrade();
     void keepGrade();
@@ -161,7 +165,7 @@ private:
     void noteGraded();
     void takeKept(const Letter& letter, bool isAgain);
     void takeRefused(const Letter& letter, bool isAgain, const core::Error& why);
-    void takeAnswer(const Letter& letter, ui::study::ScorePage::Keeping keeping);
+    void takeAnswer(const Letter& letter, ui::scoring::ScorePage::Keeping keeping);
     [[nodiscard]] bool isAsGraded() const;
     void endJournal(const Letter& letter);
     void keepGuestsGrade();
@@ -216,6 +220,7 @@ private:
     WindowOptions m_options;
     core::teeth::ToothSource m_source;                               ///< of the tooth taken last
     std::shared_ptr<const core::terrain::ToothAnatomy> m_practised;  ///< that was practised on last without a lesson
+    std::optional<core::Error> m_endedBy;
     core::session::UiLinks m_links;
     core::servo::ServoLinks m_servoLinks;
     core::rt::TripleBuffer<core::servo::PointerInput> m_demoWish;  ///< of m_demoHand
@@ -227,7 +232,7 @@ private:
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;
     core::session::Follower m_follower;
-    std::unique_ptr<ui::shell::MainWindow> m_window;
+    std::unique_ptr<ui::window::MainWindow> m_window;
     std::unique_ptr<DeviceController> m_devices;
     std::unique_ptr<HeadTrackingController> m_headTracking;
     std::unique_ptr<PedalController> m_pedals;
@@ -277,19 +282,19 @@ private:
         std::uint64_t hash = 0;
         lessons::ScoreSheet sheet;
         database::AttemptRecord record;
-        ui::study::ScorePage::Keeping keeping{};
+        ui::scoring::ScorePage::Keeping keeping{};
         QList<database::AttemptRecord> history;
         lessons::ClassStanding standing;
-        std::optional<ui::study::Expectation> expected;
-        ui::study::ScoredWork work;
+        std::optional<ui::scoring::Expectation> expected;
+        ui::scoring::ScoredWork work;
         core::recording::Recording recording;
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
         bool isOverLimit = false;  ///< a guest's, who has logged in for it and had no attempt left
     };
     struct LessonsRead
     {
-        std::map<std::string, ui::study::Standing> standings;
-        std::map<std::string, ui::study::Given> given;
+        std::map<std::string, ui::catalog::Standing> standings;
+        std::map<std::string, ui::catalog::Given> given;
         std::vector<database::Feedback> feedback;
     };
     LessonsRead m_lessonsRead;                           ///< of who works here, as the database said last

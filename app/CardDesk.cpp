@@ -12,7 +12,7 @@
 #include "database/sql/Audit.h"
 #include "database/sql/Overview.h"
 #include "ui/report/Printing.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/text/Texts.h"
 
 namespace app {
@@ -20,8 +20,8 @@ namespace {
 
 using database::AttemptRecord;
 using database::sql::School;
-using ui::report::ScoreCard;
-using ui::study::ScorePage;
+using ui::scoring::ScoreCard;
+using ui::scoring::ScorePage;
 
 constexpr int kChartedAttempts = 30;
 
@@ -72,7 +72,7 @@ core::Result<Known> readCard(const School& school, const database::Session& who,
 
 }  // namespace
 
-CardDesk::CardDesk(ui::shell::MainWindow& window, std::function<std::optional<Subject>()> subject)
+CardDesk::CardDesk(ui::window::MainWindow& window, std::function<std::optional<Subject>()> subject)
     : m_window(window), m_subject(std::move(subject))
 {
     connect(&m_window.scorePage(), &ScorePage::pdfWanted, this, &CardDesk::save);

@@ -7,10 +7,10 @@
 #include <QObject>
 #include <QString>
 
-#include "app/SchoolDesk.h"
+#include "app/school/SchoolDesk.h"
 #include "database/records.h"
 #include "ui/report/Report.h"
-#include "ui/shell/MainWindow.h"
+#include "ui/window/MainWindow.h"
 
 namespace app {
 
@@ -29,15 +29,15 @@ public:
         SchoolDesk* desk;      ///< whose database has the attempt; null: none has
     };
     /// @param subject  nothing: no card is shown
-    CardDesk(ui::shell::MainWindow& window, std::function<std::optional<Subject>()> subject);
+    CardDesk(ui::window::MainWindow& window, std::function<std::optional<Subject>()> subject);
 
 private:
     void save();
     void print();
-    void withCard(const std::function<void(const ui::report::ScoreCard&)>& use);
-    [[nodiscard]] QString titleOf(const ui::report::ScoreCard& card) const;
+    void withCard(const std::function<void(const ui::scoring::ScoreCard&)>& use);
+    [[nodiscard]] QString titleOf(const ui::scoring::ScoreCard& card) const;
 
-    ui::shell::MainWindow& m_window;
+    ui::window::MainWindow& m_window;
     std::function<std::optional<Subject>()> m_subject;
 };
 

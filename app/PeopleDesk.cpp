@@ -11,7 +11,7 @@
 #include <QPagedPaintDevice>
 #include <QPointer>
 
-#include "app/Background.h"
+#include "app/threads/Background.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
@@ -24,11 +24,11 @@
 #include "ui/admin/AdminPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
-#include "ui/people/TalkPanel.h"
 #include "ui/report/Printing.h"
-#include "ui/study/LessonWords.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/scoring/TalkPanel.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/LessonWords.h"
 
 namespace app {
 namespace {
@@ -40,7 +40,7 @@ using database::sql::School;
 using ui::people::AssignPage;
 using ui::people::ClassPage;
 using ui::people::HistoryPage;
-using ui::shell::MainWindow;
+using ui::window::MainWindow;
 
 std::map<std::string, QString> criteriaOf(const lessons::Rubric& rubric)
 {
@@ -73,7 +73,7 @@ database::ClassOverview toldApart(database::ClassOverview overview)
 /// Who made an attempt, and when.
 QString whose(const QString& person, const database::AttemptRecord& attempt)
 {
-    return QStringLiteral("%1, %2").arg(person, ui::people::when(attempt.finishedUtc));
+    return QStringLiteral("%1, %2").arg(person, ui::text::when(attempt.finishedUtc));
 }
 
 /// What a class is to do, and how far it is.
@@ -274,7 +274,7 @@ void PeopleDesk::readLessons(const std::function<void()>& then)
             std::stable_sort(m_catalog.begin(), m_catalog.end(), [](const auto& a, const auto& b) {
                 const auto place = [](const lessons::CatalogEntry& entry) {
                     return entry.isFaulty() ? std::pair(INT_MAX, std::string())
-                                            : ui::study::groupPlace(*entry.read.lesson);
+                                            : ui::text::groupPlace(*entry.read.lesson);
                 };
                 return place(a) < place(b);
             });
@@ -287,7 +287,7 @@ void PeopleDesk::readLessons(const std::function<void()>& then)
 void PeopleDesk::tellLessons()
 {
     std::vector<ui::people::LessonOffer> offers;
-    std::map<std::string, ui::people::CriterionNames> criteria;
+    std::map<std::string, ui::text::CriterionNames> criteria;
     if (const auto free = lessons::practiceRubric())
         criteria[{}] = criteriaOf(*free);
     m_titles.clear();
@@ -296,10 +296,10 @@ void PeopleDesk::tellLessons()
             continue;
         const lessons::Lesson& one = *entry.read.lesson;
         criteria[one.id] = criteriaOf(one.rubric);
-        const QString title = ui::study::said(one.title);
+        const QString title = ui::text::said(one.title);
         m_titles[QString::fromStdString(one.id)] = title;
         const QString file = entry.isShipped ? QString() : entry.pack.isEmpty() ? entry.read.file : entry.pack;
-        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one), file});
+        offers.push_back({one.id, title, ui::text::toothWords(one), ui::text::groupName(one), file});
     }
     m_window.historyPage().setLessonTitles(m_titles);
     m_window.historyPage().setCriterionNames(criteria);
@@ -321,8 +321,8 @@ const lessons::Lesson* PeopleDesk::lesson(const std::string& id) const
 
 void PeopleDesk::connectTalk()
 {
-    ui::people::TalkPanel& talk = m_window.scorePage().talk();
-    connect(&talk, &ui::people::TalkPanel::commentWanted, this,
+    ui::scoring::TalkPanel& talk = m_window.scorePage().talk();
+    connect(&talk, &ui::scoring::TalkPanel::commentWanted, this,
             [this](const QString& words, std::optional<std::int64_t> momentMs,
                    const std::optional<std::array<double, 3>>& placeMm) {
                 sayInTalk([comment = database::sql::NewComment{words.toStdString(), placeMm, momentMs}](
@@ -330,15 +330,15 @@ void PeopleDesk::connectTalk()
                     return database::sql::addComment(school, who, id, comment).map([](std::int64_t) {});
                 });
             });
-    connect(&talk, &ui::people::TalkPanel::withdrawWanted, this, &PeopleDesk::takeBack);
-    connect(&talk, &ui::people::TalkPanel::overrideWanted, this,
+    connect(&talk, &ui::scoring::TalkPanel::withdrawWanted, this, &PeopleDesk::takeBack);
+    connect(&talk, &ui::scoring::TalkPanel::overrideWanted, this,
             [this](std::optional<int> tenths, const QString& reason, std::size_t before) {
                 sayInTalk([tenths, before, reason = reason.toStdString()](
                               const School& school, const database::Session& who, database::AttemptId id) {
                     return database::sql::overrideScore(school, who, id, tenths, reason, before);
                 });
             });
-    connect(&talk, &ui::people::TalkPanel::momentWanted, &m_window, &MainWindow::momentWanted);
+    connect(&talk, &ui::scoring::TalkPanel::momentWanted, &m_window, &MainWindow::momentWanted);
     connect(&m_window, &MainWindow::replayShown, this, [this, &talk](double seconds) {
         if (playsTalkedAbout())
             talk.setMoment(std::llround(1000.0 * seconds));
@@ -388,7 +388,7 @@ bool PeopleDesk::isOfAnotherNow(const core::Error& error) const
 /// What stands at the attempt, to whoever has left that: where he is now.
 void PeopleDesk::tellRefused(qint64 attempt, const QString& whose, const QString& sentence)
 {
-    ui::study::ScorePage& page = m_window.scorePage();
+    ui::scoring::ScorePage& page = m_window.scorePage();
     if (!page.isVisible() || page.talk().attempt() != attempt)
         //: %1: who made an attempt, and when; %2: why
         m_window.showWarning(tr("On the attempt of %1: %2").arg(whose, sentence));
@@ -421,7 +421,7 @@ void PeopleDesk::takeBack(qint64 comment)
 void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt)
 {
     m_talkedAbout = attempt;
-    ui::study::ScorePage& page = m_window.scorePage();
+    ui::scoring::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
     page.talk().setAttempt(attempt ? attempt->id : 0);
     if (!attempt)
@@ -466,8 +466,8 @@ void PeopleDesk::openSheet(const database::AttemptRecord& attempt)
 QString PeopleDesk::workOf(const database::AttemptRecord& attempt) const
 {
     if (const lessons::Lesson* known = lesson(attempt.lessonId))
-        return ui::study::said(known->title);
-    const QString title = ui::people::lessonTitle({}, attempt.lessonId);
+        return ui::text::said(known->title);
+    const QString title = ui::text::lessonTitle({}, attempt.lessonId);
     return attempt.lessonId.empty() ? QStringLiteral("%1, %2").arg(title, QString::fromStdString(attempt.tooth))
                                     : title;
 }
@@ -481,7 +481,7 @@ QString PeopleDesk::whoseIsTalkedAbout() const
 /// its being the first.
 void PeopleDesk::tellBefore()
 {
-    m_window.scorePage().setKeeping(ui::study::ScorePage::Keeping::Pending);
+    m_window.scorePage().setKeeping(ui::scoring::ScorePage::Keeping::Pending);
     const database::AttemptRecord& opened = *m_talkedAbout;
     askAs([who = m_who(), person = opened.person,
            query = database::sql::HistoryQuery{opened.lessonId, opened.lessonId.empty() ? opened.tooth : ""}](
@@ -498,7 +498,7 @@ void PeopleDesk::tellBefore()
               if (shown == found->end())
                   return;
               m_window.scorePage().setHistory({shown, found->end()});
-              m_window.scorePage().setKeeping(ui::study::ScorePage::Keeping::Kept);
+              m_window.scorePage().setKeeping(ui::scoring::ScorePage::Keeping::Kept);
           });
 }
 
@@ -669,10 +669,10 @@ void PeopleDesk::offerBeside(const std::string& lesson, const std::string& tooth
 
 void PeopleDesk::tellBesides(const std::vector<database::AttemptRecord>& attempts)
 {
-    QList<ui::shell::MessageBar::Choice> choices;
+    QList<ui::kit::MessageBar::Choice> choices;
     for (const database::AttemptRecord& attempt : attempts) {
-        const QString name = QStringLiteral("%1, %2").arg(ui::people::lessonTitle(m_titles, attempt.lessonId),
-                                                          ui::people::when(attempt.finishedUtc));
+        const QString name = QStringLiteral("%1, %2").arg(ui::text::lessonTitle(m_titles, attempt.lessonId),
+                                                          ui::text::when(attempt.finishedUtc));
         //: %1: a lesson, and when it was done
         choices.push_back(
             {tr("%1: %2 points").arg(name, text::points(attempt.countingTenths())), [this, id = attempt.id, name] {
@@ -765,7 +765,7 @@ void PeopleDesk::tellClassAt(const QString& lesson)
                 return;
             page.setBand(found->band);
             page.setClassMedians(found->medians
-                                     ? std::optional(ui::people::ClassMedians{
+                                     ? std::optional(ui::scoring::ClassMedians{
                                            found->medians->people, found->medians->tenths, found->medians->durationMs})
                                      : std::nullopt);
         });

@@ -7,7 +7,7 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/SchoolDesk.h"
+#include "app/school/SchoolDesk.h"
 #include "core/recording/Recording.h"
 #include "database/overview.h"
 #include "database/people.h"
@@ -15,9 +15,9 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/people/AssignPage.h"
-#include "ui/people/PeopleWords.h"
 #include "ui/report/Report.h"
-#include "ui/shell/MainWindow.h"
+#include "ui/text/PeopleWords.h"
+#include "ui/window/MainWindow.h"
 
 namespace app {
 
@@ -28,7 +28,7 @@ class PeopleDesk final : public QObject
 
 public:
     /// @param who  works here now
-    PeopleDesk(ui::shell::MainWindow& window, SchoolDesk& desk, std::function<database::Session()> who);
+    PeopleDesk(ui::window::MainWindow& window, SchoolDesk& desk, std::function<database::Session()> who);
 
     /// An attempt that is kept has been opened: what people say of it is shown, and asked for. Nothing: another one is
     /// on the page.
@@ -115,7 +115,7 @@ private:
     [[nodiscard]] ui::report::ClassReport report() const;
     void withReport(const std::function<void(const ui::report::ClassReport&)>& use);
 
-    ui::shell::MainWindow& m_window;
+    ui::window::MainWindow& m_window;
     SchoolDesk& m_desk;
     std::function<database::Session()> m_who;
     database::PersonId m_asked;               ///< whose attempts are to be shown
@@ -130,7 +130,7 @@ private:
     std::optional<database::AttemptRecord> m_played;
     database::AttemptId m_reads;                   ///< what was said of this one is to be read
     std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
-    ui::people::LessonTitles m_titles;
+    ui::text::LessonTitles m_titles;
 };
 
 }  // namespace app

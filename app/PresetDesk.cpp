@@ -11,9 +11,9 @@
 
 #include "database/sql/Presets.h"
 #include "database/sql/Settings.h"
-#include "ui/presets/PresetWords.h"
-#include "ui/shell/Memory.h"
+#include "ui/kit/Memory.h"
 #include "ui/text/FaultWords.h"
+#include "ui/text/PresetWords.h"
 #include "ui/text/Texts.h"
 
 namespace app {
@@ -24,7 +24,7 @@ using database::Role;
 using database::Session;
 using database::sql::School;
 using lessons::ReadPreset;
-using ui::shell::MainWindow;
+using ui::window::MainWindow;
 
 const QString kInUse = QStringLiteral("presets/inUse");  ///< of who practises without a login
 const std::string kSchoolsInUse = "preset.in_use";       ///< among the school's settings
@@ -191,7 +191,7 @@ void PresetDesk::read(bool tellsFault)
             for (ReadPreset& own : m_folder.list())
                 if (!own.file.isEmpty())
                     all.push_back(std::move(own));
-            inUse = ui::shell::memory().value(kInUse, inUse).toString();
+            inUse = ui::kit::memory().value(kInUse, inUse).toString();
         }
         take(lessons::shelved(std::move(all)), inUse);
     };
@@ -251,11 +251,11 @@ void PresetDesk::use(const QString& name, const std::optional<QString>& insteadO
 {
     const Session who = m_who();
     if (who.isGuest()) {
-        const QString before = ui::shell::memory().value(kInUse).toString();
+        const QString before = ui::kit::memory().value(kInUse).toString();
         if (name.isEmpty())
-            ui::shell::memory().remove(kInUse);
+            ui::kit::memory().remove(kInUse);
         else
-            ui::shell::memory().setValue(kInUse, name);
+            ui::kit::memory().setValue(kInUse, name);
         tellUsed(name, before, tr("The next tooth feels like this."));
         return;
     }
@@ -302,7 +302,7 @@ void PresetDesk::use(const QString& name, const std::optional<QString>& insteadO
             refresh();
             //: %1 is a hardness preset
             m_window.showMessage(tr("Somebody else has chosen %1 for everybody here meanwhile. That stays.")
-                                     .arg(ui::presets::presetWords(lessons::presetUsed(replaced.before, false))));
+                                     .arg(ui::text::presetWords(lessons::presetUsed(replaced.before, false))));
         });
 }
 
@@ -346,7 +346,7 @@ void PresetDesk::retire(const QString& name, bool isRetired)
 void PresetDesk::keep(const FeelPreset& preset, const QString& note)
 {
     if (const ReadPreset read = readBack(preset); !read.preset) {
-        m_window.showPresetFault(tr("Not kept: %1").arg(ui::presets::faultWords(read)));
+        m_window.showPresetFault(tr("Not kept: %1").arg(ui::text::faultWords(read)));
         return;
     }
     const Session who = m_who();
@@ -391,13 +391,13 @@ void PresetDesk::import(const QString& path)
     if (read.preset) {
         QStringList note;
         if (!read.faults.empty())
-            note << ui::presets::faultWords(read);
+            note << ui::text::faultWords(read);
         if (const auto left = lessons::leftOutFault(read))
             note << ui::text::faultWords(*left);
         keep(*read.preset, note.join(u'\n'));
         return;
     }
-    m_window.showPresetFault(tr("Not imported: %1").arg(ui::presets::faultWords(read)));
+    m_window.showPresetFault(tr("Not imported: %1").arg(ui::text::faultWords(read)));
 }
 
 void PresetDesk::exportTo(const FeelPreset& preset, const QString& path)

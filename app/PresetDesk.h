@@ -8,11 +8,11 @@
 #include <QObject>
 #include <QString>
 
-#include "app/SchoolDesk.h"
+#include "app/school/SchoolDesk.h"
 #include "core/settings/FeelPreset.h"
 #include "database/Session.h"
 #include "lessons/PresetShelf.h"
-#include "ui/shell/MainWindow.h"
+#include "ui/window/MainWindow.h"
 
 namespace app {
 
@@ -23,7 +23,7 @@ class PresetDesk final : public QObject
     Q_OBJECT
 
 public:
-    PresetDesk(ui::shell::MainWindow& window, std::function<database::Session()> who);
+    PresetDesk(ui::window::MainWindow& window, std::function<database::Session()> who);
 
     /// The school's data can be asked from now on; null: not any more.
     void setSchool(SchoolDesk* school);
@@ -57,7 +57,7 @@ private:
     void import(const QString& path);
     void exportTo(const core::settings::FeelPreset& preset, const QString& path);
 
-    ui::shell::MainWindow& m_window;
+    ui::window::MainWindow& m_window;
     std::function<database::Session()> m_who;
     SchoolDesk* m_school = nullptr;
     lessons::PresetFolder m_folder;

@@ -12,9 +12,9 @@ const std::string kSeen = "tour.seen";
 
 }  // namespace
 
-TourDesk::TourDesk(ui::shell::MainWindow& window) : m_window(window)
+TourDesk::TourDesk(ui::window::MainWindow& window) : m_window(window)
 {
-    connect(&m_window, &ui::shell::MainWindow::tourEnded, this, &TourDesk::keep);
+    connect(&m_window, &ui::window::MainWindow::tourEnded, this, &TourDesk::keep);
 }
 
 void TourDesk::welcome(SchoolDesk* desk, const database::Session& who)

@@ -3,9 +3,9 @@
 
 #include <QObject>
 
-#include "app/SchoolDesk.h"
+#include "app/school/SchoolDesk.h"
 #include "database/Session.h"
-#include "ui/shell/MainWindow.h"
+#include "ui/window/MainWindow.h"
 
 namespace app {
 
@@ -16,7 +16,7 @@ class TourDesk final : public QObject
     Q_OBJECT
 
 public:
-    explicit TourDesk(ui::shell::MainWindow& window);
+    explicit TourDesk(ui::window::MainWindow& window);
 
     /// A user has logged in, or a guest begins.
     /// @param desk  reads and keeps the user's settings, outlives this; null for a guest
@@ -25,7 +25,7 @@ public:
 private:
     void keep();
 
-    ui::shell::MainWindow& m_window;
+    ui::window::MainWindow& m_window;
     SchoolDesk* m_desk = nullptr;
     database::Session m_who;
 };

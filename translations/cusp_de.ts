@@ -6231,7 +6231,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::people::ListTable</name>
+    <name>ui::kit::ListTable</name>
     <message>
         <source>Corner of the table</source>
         <translation>Ecke der Tabelle</translation>
@@ -6438,7 +6438,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::people::TalkPanel</name>
+    <name>ui::scoring::TalkPanel</name>
     <message>
         <source>%1 points, passed</source>
         <translation>%1 Punkte, bestanden</translation>
@@ -7269,7 +7269,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::replay::HistoryPanel</name>
+    <name>ui::practice::HistoryPanel</name>
     <message>
         <source>Undo history</source>
         <translation>Verlauf</translation>
@@ -7659,7 +7659,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::shell::AccountMenu</name>
+    <name>ui::window::AccountMenu</name>
     <message>
         <source>My account</source>
         <translation>Mein Konto</translation>
@@ -7670,7 +7670,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::shell::Actions</name>
+    <name>ui::kit::Actions</name>
     <message>
         <source>Drill</source>
         <translation>Präparieren</translation>
@@ -8289,7 +8289,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ArchTooth</name>
+    <name>ui::toothchooser::ArchTooth</name>
     <message>
         <source>%1, %2</source>
         <extracomment>%1 is the FDI number, %2 the tooth&apos;s name</extracomment>
@@ -8297,7 +8297,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ArchView</name>
+    <name>ui::toothchooser::ArchView</name>
     <message>
         <source>Arches</source>
         <translation>Zahnbögen</translation>
@@ -8312,14 +8312,14 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::BurChooser</name>
+    <name>ui::practice::BurChooser</name>
     <message>
         <source>Burs</source>
         <translation>Bohrer</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::BusyCard</name>
+    <name>ui::kit::BusyCard</name>
     <message>
         <source>Working</source>
         <translation>In Arbeit</translation>
@@ -8330,7 +8330,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::DrillSwitch</name>
+    <name>ui::practice::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
         <translation>Handstück ist an</translation>
@@ -8349,14 +8349,14 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::FileDialog</name>
+    <name>ui::kit::FileDialog</name>
     <message>
         <source>%1 is a file of another kind and stays as it is. Choose another name.</source>
         <translation>%1 ist eine Datei anderer Art und bleibt, wie sie ist. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ForceBar</name>
+    <name>ui::kit::ForceBar</name>
     <message>
         <source>Force against the force that is set</source>
         <translation>Kraft im Verhältnis zur eingestellten</translation>
@@ -8367,7 +8367,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::HandControls</name>
+    <name>ui::practice::HandControls</name>
     <message>
         <source>Feed</source>
         <translation>Vorschub</translation>
@@ -8419,14 +8419,14 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::HandpieceChooser</name>
+    <name>ui::practice::HandpieceChooser</name>
     <message>
         <source>Handpieces</source>
         <translation>Handstücke</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::HelpOverlay</name>
+    <name>ui::window::HelpOverlay</name>
     <message>
         <source>Move the bur</source>
         <translation>Bohrer führen</translation>
@@ -8585,7 +8585,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::HistoryChart</name>
+    <name>ui::scoring::HistoryChart</name>
     <message>
         <source>Last grades, oldest first: %1</source>
         <translation>Letzte Bewertungen, älteste zuerst: %1</translation>
@@ -8605,14 +8605,14 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::LanguageMenu</name>
+    <name>ui::kit::LanguageMenu</name>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::MainWindow</name>
+    <name>ui::window::MainWindow</name>
     <message>
         <source>Cusp</source>
         <translation>Cusp</translation>
@@ -8949,7 +8949,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::MessageBar</name>
+    <name>ui::kit::MessageBar</name>
     <message>
         <source>Message</source>
         <translation>Meldung</translation>
@@ -8964,7 +8964,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::Mouth</name>
+    <name>ui::toothchooser::Mouth</name>
     <message>
         <source>Whole mouth</source>
         <translation>Ganzer Mund</translation>
@@ -9003,7 +9003,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::PracticeRoom</name>
+    <name>ui::window::PracticeRoom</name>
     <message>
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation>Maus über den Zahn führen, zum Präparieren linke Taste drücken; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
@@ -9014,7 +9014,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::QuestionCard</name>
+    <name>ui::kit::QuestionCard</name>
     <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
@@ -9029,7 +9029,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ScoreBar</name>
+    <name>ui::kit::ScoreBar</name>
     <message>
         <source>%1 of 100, pass mark %2</source>
         <extracomment>A score bar for the screen reader</extracomment>
@@ -9041,7 +9041,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ScrollPane</name>
+    <name>ui::kit::ScrollPane</name>
     <message>
         <source>More than there is room for</source>
         <translation>Mehr, als Platz hat</translation>
@@ -9052,7 +9052,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::SidePanel</name>
+    <name>ui::practice::SidePanel</name>
     <message>
         <source>Live figures and handpiece</source>
         <translation>Messwerte und Handstück</translation>
@@ -9162,7 +9162,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::StereoCard</name>
+    <name>ui::practice::StereoCard</name>
     <message>
         <source>Distance of the eyes</source>
         <translation>Abstand der Augen</translation>
@@ -9225,7 +9225,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ToothChooser</name>
+    <name>ui::toothchooser::ToothChooser</name>
     <message>
         <source>Choose a tooth</source>
         <translation>Zahn wählen</translation>
@@ -9264,7 +9264,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::Tour</name>
+    <name>ui::window::Tour</name>
     <message>
         <source>Move the bur with the mouse and press the left button to drill. Drag with the right button to turn the view.</source>
         <translation>Führen Sie den Bohrer mit der Maus, und drücken Sie zum Präparieren die linke Taste. Ziehen mit der rechten Taste dreht die Ansicht.</translation>
@@ -9416,7 +9416,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::UnsavedChanges</name>
+    <name>ui::kit::UnsavedChanges</name>
     <message>
         <source>Discard your unsaved changes?</source>
         <extracomment>%1: a user</extracomment>
@@ -9432,7 +9432,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ViewMenu</name>
+    <name>ui::practice::ViewMenu</name>
     <message>
         <source>View</source>
         <translation>Ansicht</translation>
@@ -9688,7 +9688,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::ConductNotes</name>
+    <name>ui::scoring::ConductNotes</name>
     <message>
         <source>No breach of the rules</source>
         <translation>Kein Verstoß gegen die Regeln</translation>
@@ -9738,7 +9738,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::CriterionRow</name>
+    <name>ui::scoring::CriterionRow</name>
     <message>
         <source>%1 not measured</source>
         <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
@@ -9816,7 +9816,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::ExerciseCard</name>
+    <name>ui::practice::ExerciseCard</name>
     <message>
         <source>%1: %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
@@ -9911,7 +9911,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::FeedbackCard</name>
+    <name>ui::scoring::FeedbackCard</name>
     <message>
         <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
@@ -9934,7 +9934,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::Forecast</name>
+    <name>ui::scoring::Forecast</name>
     <message>
         <source>Before you see the score</source>
         <translation>Bevor Sie die Note sehen</translation>
@@ -9966,7 +9966,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::HeatMap</name>
+    <name>ui::scoring::HeatMap</name>
     <message>
         <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>Der Zahn von oben, gefärbt nach dem, was zu tief ist und was noch fehlt</translation>
@@ -9997,14 +9997,14 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::HoldGauge</name>
+    <name>ui::practice::HoldGauge</name>
     <message>
         <source>Force in relation to the range from %1 to %2 N</source>
         <translation>Kraft im Verhältnis zum Bereich von %1 bis %2 N</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::IdealForm</name>
+    <name>ui::lessoneditor::IdealForm</name>
     <message>
         <source>What the ideal is</source>
         <translation>Was das Ideal ist</translation>
@@ -10053,7 +10053,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::InfractionCard</name>
+    <name>ui::practice::InfractionCard</name>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
@@ -10072,7 +10072,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonEditor</name>
+    <name>ui::lessoneditor::LessonEditor</name>
     <message>
         <source>Lesson editor</source>
         <translation>Lektionseditor</translation>
@@ -10254,7 +10254,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonPicture</name>
+    <name>ui::catalog::LessonPicture</name>
     <message>
         <source>What the lesson asks for, as a picture</source>
         <translation>Was die Lektion verlangt, als Bild</translation>
@@ -10269,7 +10269,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonStrip</name>
+    <name>ui::practice::LessonStrip</name>
     <message>
         <source>Previous step</source>
         <translation>Vorheriger Schritt</translation>
@@ -10317,7 +10317,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonsPage</name>
+    <name>ui::catalog::LessonsPage</name>
     <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
@@ -10551,7 +10551,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::RubricForm</name>
+    <name>ui::lessoneditor::RubricForm</name>
     <message>
         <source>Marking</source>
         <translation>Bewertung</translation>
@@ -10630,7 +10630,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::ScorePage</name>
+    <name>ui::scoring::ScorePage</name>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
         <translation>Sie haben %1 Punkte erwartet, das ist genau richtig.</translation>
@@ -10920,7 +10920,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::SweepChart</name>
+    <name>ui::lessoneditor::SweepChart</name>
     <message>
         <source>Scores of past attempts over the tolerance</source>
         <translation>Noten früherer Versuche über der Toleranz</translation>
@@ -10977,7 +10977,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::SweepPage</name>
+    <name>ui::lessoneditor::SweepPage</name>
     <message>
         <source>Recordings …</source>
         <translation>Aufzeichnungen …</translation>
@@ -11056,7 +11056,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::ToleranceView</name>
+    <name>ui::lessoneditor::ToleranceView</name>
     <message>
         <source>The tolerances on the tooth</source>
         <translation>Die Toleranzen am Zahn</translation>
@@ -11091,7 +11091,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::WorstSection</name>
+    <name>ui::scoring::WorstSection</name>
     <message>
         <source>Section through the worst place</source>
         <translation>Schnitt durch die schlimmste Stelle</translation>
@@ -11554,7 +11554,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::BurPicker</name>
+    <name>ui::practice::BurPicker</name>
     <message>
         <source>Round</source>
         <translation>Rund</translation>

@@ -351,7 +351,7 @@
     </message>
 </context>
 <context>
-    <name>ui::people::TalkPanel</name>
+    <name>ui::scoring::TalkPanel</name>
     <message numerus="yes">
         <source>Room for %Ln more character(s)</source>
         <translation>
@@ -434,7 +434,7 @@
     </message>
 </context>
 <context>
-    <name>ui::shell::MainWindow</name>
+    <name>ui::window::MainWindow</name>
     <message numerus="yes">
         <source>%n note(s) about this scan</source>
         <translation>
@@ -451,7 +451,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::ConductNotes</name>
+    <name>ui::scoring::ConductNotes</name>
     <message numerus="yes">
         <source>%n breach(es) of the rules</source>
         <translation>
@@ -476,7 +476,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::CriterionRow</name>
+    <name>ui::scoring::CriterionRow</name>
     <message numerus="yes">
         <source>%n more</source>
         <comment>moments at which points were lost</comment>
@@ -487,7 +487,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::ExerciseCard</name>
+    <name>ui::practice::ExerciseCard</name>
     <message numerus="yes">
         <source>All %n points touched</source>
         <translation>
@@ -497,7 +497,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::FeedbackCard</name>
+    <name>ui::scoring::FeedbackCard</name>
     <message numerus="yes">
         <source>%n of your attempts have new feedback</source>
         <translation>
@@ -507,7 +507,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::LessonEditor</name>
+    <name>ui::lessoneditor::LessonEditor</name>
     <message numerus="yes">
         <source>Replaying %n recording(s) …</source>
         <translation>
@@ -524,7 +524,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::LessonsPage</name>
+    <name>ui::catalog::LessonsPage</name>
     <message numerus="yes">
         <source>%1 in %n attempt(s)</source>
         <translation>
@@ -541,7 +541,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::ScorePage</name>
+    <name>ui::scoring::ScorePage</name>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
         <extracomment>%1 is a number of per cent</extracomment>
@@ -560,7 +560,7 @@
     </message>
 </context>
 <context>
-    <name>ui::study::SweepPage</name>
+    <name>ui::lessoneditor::SweepPage</name>
     <message numerus="yes">
         <source>%n of them from the history.</source>
         <translation>

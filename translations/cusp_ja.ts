@@ -6190,7 +6190,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::people::ListTable</name>
+    <name>ui::kit::ListTable</name>
     <message>
         <source>Corner of the table</source>
         <translation>表の角</translation>
@@ -6397,7 +6397,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::people::TalkPanel</name>
+    <name>ui::scoring::TalkPanel</name>
     <message>
         <source>%1 points, passed</source>
         <translation>%1点、合格</translation>
@@ -7220,7 +7220,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::replay::HistoryPanel</name>
+    <name>ui::practice::HistoryPanel</name>
     <message>
         <source>Undo history</source>
         <translation>操作履歴</translation>
@@ -7608,7 +7608,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::shell::AccountMenu</name>
+    <name>ui::window::AccountMenu</name>
     <message>
         <source>My account</source>
         <translation>アカウント</translation>
@@ -7619,7 +7619,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::shell::Actions</name>
+    <name>ui::kit::Actions</name>
     <message>
         <source>Drill</source>
         <translation>切削</translation>
@@ -8238,7 +8238,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::ArchTooth</name>
+    <name>ui::toothchooser::ArchTooth</name>
     <message>
         <source>%1, %2</source>
         <extracomment>%1 is the FDI number, %2 the tooth&apos;s name</extracomment>
@@ -8246,7 +8246,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::ArchView</name>
+    <name>ui::toothchooser::ArchView</name>
     <message>
         <source>Arches</source>
         <translation>歯列</translation>
@@ -8261,14 +8261,14 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::BurChooser</name>
+    <name>ui::practice::BurChooser</name>
     <message>
         <source>Burs</source>
         <translation>バー</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::BusyCard</name>
+    <name>ui::kit::BusyCard</name>
     <message>
         <source>Working</source>
         <translation>処理中</translation>
@@ -8279,7 +8279,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::DrillSwitch</name>
+    <name>ui::practice::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
         <translation>切削はオンです</translation>
@@ -8298,14 +8298,14 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::FileDialog</name>
+    <name>ui::kit::FileDialog</name>
     <message>
         <source>%1 is a file of another kind and stays as it is. Choose another name.</source>
         <translation>%1 は別の種類のファイルなので、そのまま残します。別の名前を選んでください。</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::ForceBar</name>
+    <name>ui::kit::ForceBar</name>
     <message>
         <source>Force against the force that is set</source>
         <translation>設定された力に対する現在の力</translation>
@@ -8316,7 +8316,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::HandControls</name>
+    <name>ui::practice::HandControls</name>
     <message>
         <source>Feed</source>
         <translation>送り速度</translation>
@@ -8368,14 +8368,14 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::HandpieceChooser</name>
+    <name>ui::practice::HandpieceChooser</name>
     <message>
         <source>Handpieces</source>
         <translation>ハンドピース</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::HelpOverlay</name>
+    <name>ui::window::HelpOverlay</name>
     <message>
         <source>Move the bur</source>
         <translation>バーを動かす</translation>
@@ -8534,7 +8534,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::HistoryChart</name>
+    <name>ui::scoring::HistoryChart</name>
     <message>
         <source>%1 with another rubric</source>
         <translation>%1（別の評価基準）</translation>
@@ -8554,14 +8554,14 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::LanguageMenu</name>
+    <name>ui::kit::LanguageMenu</name>
     <message>
         <source>Language</source>
         <translation>言語</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::MainWindow</name>
+    <name>ui::window::MainWindow</name>
     <message>
         <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
         <translation>この課題の時間が終わりました。好きなだけ続けるか、Gで採点してください。</translation>
@@ -8896,7 +8896,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::MessageBar</name>
+    <name>ui::kit::MessageBar</name>
     <message>
         <source>Message</source>
         <translation>メッセージ</translation>
@@ -8911,7 +8911,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::Mouth</name>
+    <name>ui::toothchooser::Mouth</name>
     <message>
         <source>This computer cannot draw the whole mouth. Use the flat arches instead.</source>
         <translation>このコンピューターでは口腔全体を描けません。代わりに平面の歯列を使ってください。</translation>
@@ -8950,7 +8950,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::PracticeRoom</name>
+    <name>ui::window::PracticeRoom</name>
     <message>
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation>マウスを歯の上で動かし、左ボタンを押すと切削します。右ドラッグで視点を回します。F1でキーの一覧</translation>
@@ -8961,7 +8961,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::QuestionCard</name>
+    <name>ui::kit::QuestionCard</name>
     <message>
         <source>&amp;Discard</source>
         <translation>破棄(&amp;D)</translation>
@@ -8976,7 +8976,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::ScoreBar</name>
+    <name>ui::kit::ScoreBar</name>
     <message>
         <source>%1 of 100, pass mark %2</source>
         <extracomment>A score bar for the screen reader</extracomment>
@@ -8988,7 +8988,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::ScrollPane</name>
+    <name>ui::kit::ScrollPane</name>
     <message>
         <source>More than there is room for</source>
         <translation>画面に収まらない内容</translation>
@@ -8999,7 +8999,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::SidePanel</name>
+    <name>ui::practice::SidePanel</name>
     <message>
         <source>Live figures and handpiece</source>
         <translation>現在の数値とハンドピース</translation>
@@ -9109,7 +9109,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::StereoCard</name>
+    <name>ui::practice::StereoCard</name>
     <message>
         <source>Stereo picture</source>
         <translation>立体表示</translation>
@@ -9172,7 +9172,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::ToothChooser</name>
+    <name>ui::toothchooser::ToothChooser</name>
     <message>
         <source>Choose a tooth</source>
         <translation>歯を選ぶ</translation>
@@ -9211,7 +9211,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::Tour</name>
+    <name>ui::window::Tour</name>
     <message>
         <source>Move the bur with the mouse and press the left button to drill. Drag with the right button to turn the view.</source>
         <translation>マウスでバーを動かし、左ボタンを押すと切削します。右ボタンでドラッグすると視点が回ります。</translation>
@@ -9363,7 +9363,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::UnsavedChanges</name>
+    <name>ui::kit::UnsavedChanges</name>
     <message>
         <source>Discard your unsaved changes?</source>
         <extracomment>%1: a user</extracomment>
@@ -9379,7 +9379,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::ViewMenu</name>
+    <name>ui::practice::ViewMenu</name>
     <message>
         <source>View</source>
         <translation>表示</translation>
@@ -9635,7 +9635,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::ConductNotes</name>
+    <name>ui::scoring::ConductNotes</name>
     <message>
         <source>%1 in total, %2 of it cutting</source>
         <extracomment>Two times in minutes and seconds</extracomment>
@@ -9682,7 +9682,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::CriterionRow</name>
+    <name>ui::scoring::CriterionRow</name>
     <message>
         <source>%1 work incomplete</source>
         <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
@@ -9759,7 +9759,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::ExerciseCard</name>
+    <name>ui::practice::ExerciseCard</name>
     <message>
         <source>%1: %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
@@ -9853,7 +9853,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::FeedbackCard</name>
+    <name>ui::scoring::FeedbackCard</name>
     <message>
         <source>%1 commented on your attempt: %2</source>
         <extracomment>%1: a teacher; %2: a lesson</extracomment>
@@ -9875,7 +9875,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::Forecast</name>
+    <name>ui::scoring::Forecast</name>
     <message>
         <source>How many points do you expect?</source>
         <translation>何点だと思いますか？</translation>
@@ -9907,7 +9907,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::HeatMap</name>
+    <name>ui::scoring::HeatMap</name>
     <message>
         <source>The tooth from above, coloured by what is too deep and what is still to cut</source>
         <translation>上から見た歯。深すぎる所と残りを色分けしています</translation>
@@ -9938,14 +9938,14 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::HoldGauge</name>
+    <name>ui::practice::HoldGauge</name>
     <message>
         <source>Force in relation to the range from %1 to %2 N</source>
         <translation>%1～%2 Nの範囲に対する力</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::IdealForm</name>
+    <name>ui::lessoneditor::IdealForm</name>
     <message>
         <source>What the ideal is</source>
         <translation>理想形の種類</translation>
@@ -9994,7 +9994,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::InfractionCard</name>
+    <name>ui::practice::InfractionCard</name>
     <message>
         <source>Undo</source>
         <translation>元に戻す</translation>
@@ -10013,7 +10013,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonEditor</name>
+    <name>ui::lessoneditor::LessonEditor</name>
     <message>
         <source>Not saved: %1</source>
         <translation>保存されていません：%1</translation>
@@ -10193,7 +10193,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonPicture</name>
+    <name>ui::catalog::LessonPicture</name>
     <message>
         <source>What the lesson asks for, as a picture</source>
         <translation>課題が求める内容の画像</translation>
@@ -10208,7 +10208,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonStrip</name>
+    <name>ui::practice::LessonStrip</name>
     <message>
         <source>Previous step</source>
         <translation>前の手順</translation>
@@ -10256,7 +10256,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::LessonsPage</name>
+    <name>ui::catalog::LessonsPage</name>
     <message>
         <source>Lessons</source>
         <translation>課題</translation>
@@ -10488,7 +10488,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::RubricForm</name>
+    <name>ui::lessoneditor::RubricForm</name>
     <message>
         <source>Targets and spans</source>
         <translation>目標値と幅</translation>
@@ -10567,7 +10567,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::ScorePage</name>
+    <name>ui::scoring::ScorePage</name>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
         <translation>予想は%1点：ぴったりです。</translation>
@@ -10855,7 +10855,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::SweepChart</name>
+    <name>ui::lessoneditor::SweepChart</name>
     <message>
         <source>Scores of past attempts over the tolerance</source>
         <translation>許容範囲に対する過去の試行の得点</translation>
@@ -10912,7 +10912,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::SweepPage</name>
+    <name>ui::lessoneditor::SweepPage</name>
     <message>
         <source>Recordings …</source>
         <translation>記録 …</translation>
@@ -10987,7 +10987,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::ToleranceView</name>
+    <name>ui::lessoneditor::ToleranceView</name>
     <message>
         <source>The tolerances on the tooth</source>
         <translation>歯の上の許容範囲</translation>
@@ -11022,7 +11022,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::WorstSection</name>
+    <name>ui::scoring::WorstSection</name>
     <message>
         <source>Section through the worst place</source>
         <translation>最も悪い箇所の断面</translation>
@@ -11485,7 +11485,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::BurPicker</name>
+    <name>ui::practice::BurPicker</name>
     <message>
         <source>Round</source>
         <translation>ラウンド</translation>

@@ -6,7 +6,7 @@
 
 namespace core::rt {
 
-/// Work done in beats. A thread is a shell around it (app/LoopThread); tests and headless commands call tick()
+/// Work done in beats. A thread is a shell around it (app/threads/LoopThread); tests and headless commands call tick()
 /// themselves.
 class Loop
 {

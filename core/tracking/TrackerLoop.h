@@ -20,7 +20,7 @@
 namespace core::tracking {
 
 /// Takes pictures, finds the tag on the head and publishes where it is. It waits in tick() for its source, so it has a
-/// thread of its own (app/LoopThread).
+/// thread of its own (app/threads/LoopThread).
 class TrackerLoop final : public rt::Loop
 {
 public:

@@ -17,8 +17,8 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonReader.h"
 #include "tests/support/Files.h"
-#include "ui/study/Forecast.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/Forecast.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace support {
@@ -126,12 +126,12 @@ lessons::Lesson ProgramWindow::openLesson(const std::string& id) const
 
 void ProgramWindow::expectScore() const
 {
-    waitForPage<ui::study::Forecast>();
+    waitForPage<ui::scoring::Forecast>();
     QVERIFY(!child<QPushButton>("showScore")->isEnabled());
     QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
-    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    QTest::keyClick(child<ui::scoring::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
     click("showScore");
-    waitForPage<ui::study::ScorePage>();
+    waitForPage<ui::scoring::ScorePage>();
 }
 
 QStringList ProgramWindow::journals(const QString& below) const

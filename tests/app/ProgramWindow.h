@@ -16,9 +16,9 @@
 #include "app/Application.h"
 #include "core/servo/ServoState.h"
 #include "lessons/Lesson.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/MessageBar.h"
-#include "ui/shell/TabularLabel.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/MessageBar.h"
+#include "ui/kit/TabularLabel.h"
 
 /// QTRY_VERIFY and QTRY_COMPARE with a timeout that is long enough for a window on a busy machine.
 #define WAIT_FOR(condition) QTRY_VERIFY2_WITH_TIMEOUT(condition, qPrintable(message()), support::kPatienceMs)
@@ -46,8 +46,8 @@ protected:
     {
         return window().findChild<T*>(QString::fromLatin1(name));
     }
-    [[nodiscard]] ui::shell::MainWindow& window() const { return m_application->window(); }
-    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
+    [[nodiscard]] ui::window::MainWindow& window() const { return m_application->window(); }
+    [[nodiscard]] ui::kit::Actions& actions() const { return *child<ui::kit::Actions>(); }
     template <class Page>
     void waitForPage() const
     {
@@ -66,10 +66,10 @@ protected:
         WAIT_FOR(isThere() || press());
     }
     /// Returns the text in the message bar.
-    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
+    [[nodiscard]] QString message() const { return child<ui::kit::MessageBar>()->sentence(); }
     void waitForMessage(const QString& words) const { WAIT_FOR(message().contains(words)); }
     /// Returns the volume of removed enamel that the window shows.
-    [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
+    [[nodiscard]] QString removed() const { return child<ui::kit::TabularLabel>("enamelRemoved")->text(); }
     /// Waits until the button is enabled, and clicks it.
     void click(const char* button) const;
     /// Goes back, step by step, to a page that was open before.

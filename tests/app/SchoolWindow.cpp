@@ -10,8 +10,8 @@
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "ui/people/HistoryPage.h"
-#include "ui/study/Forecast.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/Forecast.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/text/Language.h"
 #include "ui/tooth/ToothView.h"
 
@@ -182,13 +182,13 @@ void SchoolWindow::assign(const std::string& lesson, int attempts, const std::st
 
 void SchoolWindow::grade(const QString& words) const
 {
-    gradeUntil<ui::study::ScorePage>();
+    gradeUntil<ui::scoring::ScorePage>();
     waitForSaved(words);
 }
 
 void SchoolWindow::gradeLesson(int expectedAttempts) const
 {
-    gradeUntil<ui::study::Forecast>();
+    gradeUntil<ui::scoring::Forecast>();
     expectScore();
     WAIT_FOR_VALUE(attempts(), expectedAttempts);
 }
@@ -229,13 +229,13 @@ void SchoolWindow::openNewest() const
     WAIT_FOR(child<QTableView>("attempts")->model()->rowCount() > 0);
     child<QTableView>("attempts")->selectRow(0);
     click("openAttempt");
-    waitForPage<ui::study::ScorePage>();
+    waitForPage<ui::scoring::ScorePage>();
     WAIT_FOR(child<QLabel>("counts")->isVisible());
 }
 
 void SchoolWindow::savePdf(const QString& path) const
 {
-    emit child<ui::study::ScorePage>()->pdfWanted();
+    emit child<ui::scoring::ScorePage>()->pdfWanted();
     auto* dialog = child<QFileDialog>("QFileDialog");
     QVERIFY(dialog != nullptr);
     emit dialog->fileSelected(path);

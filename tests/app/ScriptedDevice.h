@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "app/StationDevices.h"
+#include "app/devices/StationDevices.h"
 #include "haptics/ForceDevice.h"
 
 namespace support {

@@ -23,12 +23,12 @@
 #include "tests/app/ProgramWindow.h"
 #include "tests/support/Files.h"
 #include "tests/support/OpenGlMain.h"
-#include "ui/replay/HistoryPanel.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/MessageBar.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/study/Forecast.h"
-#include "ui/study/ScorePage.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/MessageBar.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/practice/HistoryPanel.h"
+#include "ui/scoring/Forecast.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 using support::kPatienceMs;
@@ -90,7 +90,7 @@ private slots:
         openLesson("orientation-3-layers");
         lookFromAbove();
         WAIT_FOR(actions().drill->isChecked());
-        QVERIFY(!child<ui::shell::TabularLabel>("materialFigure")->isVisible());
+        QVERIFY(!child<ui::kit::TabularLabel>("materialFigure")->isVisible());
         pressAt({core::teeth::kPadX[0], 0.0});
         WAIT_FOR(hasCut());
         release();
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(title(), QString("Every pad has an answer"));
         QCOMPARE(graded(), QString("70.0"));  // two of three: 90 * 2 / 3 and 10 for the force
         actions().back->trigger();
-        QVERIFY(child<ui::shell::TabularLabel>("materialFigure")->isVisible());
+        QVERIFY(child<ui::kit::TabularLabel>("materialFigure")->isVisible());
         QVERIFY(child<QLabel>("padTruth0")->text().contains("right"));
         QVERIFY(child<QLabel>("padTruth2")->text().contains("it is"));
     }
@@ -125,7 +125,7 @@ private slots:
         // A whole tooth is no attempt.
         actions().grade->trigger();
         WAIT_FOR(message().contains("not ready") || message().contains("Nothing has been cut"));
-        QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+        QVERIFY(!child<ui::scoring::ScorePage>()->isVisible());
         QCOMPARE(rows(), 0);
         for (int attempt = 1; attempt <= 2; ++attempt) {
             drill(attempt == 1 ? -2.0 : 2.0);
@@ -145,7 +145,7 @@ private slots:
         const QString own = removed();
         actions().grade->trigger();
         const auto areMomentsKnown = [this] {
-            const auto words = child<ui::study::ScorePage>()->findChildren<QLabel*>();
+            const auto words = child<ui::scoring::ScorePage>()->findChildren<QLabel*>();
             return std::any_of(words.begin(), words.end(),
                                [](const QLabel* label) { return label->text().contains("not removed"); });
         };
@@ -156,13 +156,13 @@ private slots:
         WAIT_FOR(child<QLabel>("class")->isVisible());
         actions().back->trigger();
         actions().grade->trigger();
-        waitForPage<ui::study::ScorePage>();
+        waitForPage<ui::scoring::ScorePage>();
         QVERIFY(areMomentsKnown());
         QVERIFY(child<QLabel>("noise")->isVisible());
         window().view().setCamera(-140.0, 20.0, 35.0);
-        emit child<ui::study::ScorePage>()->momentWanted(1000.0);
+        emit child<ui::scoring::ScorePage>()->momentWanted(1000.0);
         waitForReplay();
-        QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+        QVERIFY(!child<ui::scoring::ScorePage>()->isVisible());
         WAIT_FOR_VALUE(removed(), own);  // how it ended
         // The eye is where the student had it while they drilled.
         WAIT_FOR(std::abs(window().view().camera().elevationDeg() - 62.0) < 0.1);
@@ -254,7 +254,7 @@ private slots:
         m_application->showMoment(1.0e6);
         // It plays the last seconds and rests at the end.
         WAIT_FOR(actions().pauseReplay->text().startsWith("Resume"));
-        const auto time = [this] { return child<ui::shell::TabularLabel>("replayTime")->text(); };
+        const auto time = [this] { return child<ui::kit::TabularLabel>("replayTime")->text(); };
         // To a second, for the words are rounded.
         const auto seconds = [&](int part) {
             const QStringList words = time().section(" of ", part, part).split(u':');
@@ -279,7 +279,7 @@ private slots:
         WAIT_FOR_VALUE(removed(), QString("0.00"));
         // To the card, where the other moments are, and from there to the tooth.
         actions().back->trigger();
-        QVERIFY(child<ui::study::ScorePage>()->isVisible());
+        QVERIFY(child<ui::scoring::ScorePage>()->isVisible());
         actions().back->trigger();
         WAIT_FOR_VALUE(removed(), own);
 
@@ -362,7 +362,7 @@ private slots:
             if (actions().pauseReplay->text().startsWith("Resume"))
                 actions().pauseReplay->trigger();
             const auto isOneSecondOn = [this] {
-                return child<ui::shell::TabularLabel>("replayTime")->text().startsWith("0:01");
+                return child<ui::kit::TabularLabel>("replayTime")->text().startsWith("0:01");
             };
             WAIT_FOR(isOneSecondOn() || !actions().along->isChecked());
         }
@@ -377,7 +377,7 @@ private slots:
     {
         start();
         actions().history->trigger();
-        const auto* list = &child<ui::replay::HistoryPanel>("historyPanel")->list();
+        const auto* list = &child<ui::practice::HistoryPanel>("historyPanel")->list();
         drillFirst();
         const QString first = removed();
         WAIT_FOR_VALUE(list->model()->rowCount(), 2);
@@ -463,7 +463,7 @@ private slots:
         answer("decline");
         WAIT_FOR(journals("discarded").size() == 3 && journals().isEmpty());
         while (!message().isEmpty() && !message().contains("cannot be resumed"))
-            child<ui::shell::MessageBar>()->dismiss();
+            child<ui::kit::MessageBar>()->dismiss();
         QVERIFY(message().contains("cannot be resumed"));
     }
 
@@ -488,9 +488,9 @@ private slots:
         start();
         waitForMessage("an attempt of");
         waitForNewTooth([this] { answer(); });
-        const auto* left = child<ui::shell::TabularLabel>("lessonTime");
+        const auto* left = child<ui::kit::TabularLabel>("lessonTime");
         QTRY_VERIFY2_WITH_TIMEOUT(left->text().startsWith("5:"), qPrintable(left->text()), kPatienceMs);
-        gradeUntil<ui::study::Forecast>();
+        gradeUntil<ui::scoring::Forecast>();
         expectScore();
         static_cast<void>(killWithJournal());
         start();
@@ -572,16 +572,16 @@ private:
         if (!child<QPushButton>("exerciseGrade")->isVisible())
             return QStringLiteral("is not offered");
         click("exerciseGrade");
-        if (!QTest::qWaitFor([this] { return child<ui::study::Forecast>()->isVisible(); }, support::kSecondTryMs))
-            gradeUntil<ui::study::Forecast>();
+        if (!QTest::qWaitFor([this] { return child<ui::scoring::Forecast>()->isVisible(); }, support::kSecondTryMs))
+            gradeUntil<ui::scoring::Forecast>();
         expectScore();
-        return child<ui::shell::TabularLabel>("total")->text();
+        return child<ui::kit::TabularLabel>("total")->text();
     }
 
     /// Has the work graded and goes back to it.
     void grade() const
     {
-        gradeUntil<ui::study::ScorePage>();
+        gradeUntil<ui::scoring::ScorePage>();
         actions().back->trigger();
     }
 
@@ -601,7 +601,7 @@ private:
     void waitForOffer() const { WAIT_FOR(isOffered()); }
     void answer(const char* button = "") const
     {
-        QTest::mouseClick(child<ui::shell::MessageBar>()->findChild<QPushButton*>(QString::fromLatin1(button)),
+        QTest::mouseClick(child<ui::kit::MessageBar>()->findChild<QPushButton*>(QString::fromLatin1(button)),
                           Qt::LeftButton);
     }
     void waitForReplay() const { WAIT_FOR(actions().pauseReplay->isEnabled()); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
-#include "app/Demonstration.h"
-#include "app/cli/Attempt.h"
+#include "app/attempt/Demonstration.h"
+#include "cli/parts/Attempt.h"
 #include "core/recording/Recording.h"
 #include "lessons/LessonCatalog.h"
 
@@ -73,7 +73,7 @@ private slots:
         for (int k = 0; k < kBreaches; ++k) {
             core::grading::Infraction infraction;
             infraction.breach = static_cast<Breach>(k);
-            names << app::cli::toJson(std::vector{infraction})[0].toObject()["what"].toString();
+            names << cli::toJson(std::vector{infraction})[0].toObject()["what"].toString();
         }
         QCOMPARE(names.size(), kBreaches);
         QVERIFY(names.contains("neighbour_hit") && !names.contains(QString()));

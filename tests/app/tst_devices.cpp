@@ -19,9 +19,9 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
-#include "ui/shell/Memory.h"
-#include "ui/shell/QuestionCard.h"
-#include "ui/study/ScorePage.h"
+#include "ui/kit/Memory.h"
+#include "ui/kit/QuestionCard.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 using core::session::DeviceSetup;
@@ -34,7 +34,7 @@ private slots:
     void init()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::memory().clear();
+        ui::kit::memory().clear();
         m_folder = std::make_unique<QTemporaryDir>();
         m_script = std::make_shared<support::DeviceScript>();
     }
@@ -101,7 +101,7 @@ private slots:
         start();
         QCOMPARE(child<QDoubleSpinBox>("penCurve")->value(), 2.0);
         m_application.reset();
-        ui::shell::memory().setValue("pen/curve", 99.0);
+        ui::kit::memory().setValue("pen/curve", 99.0);
         start();
         QCOMPARE(child<QDoubleSpinBox>("penCurve")->value(), 1.0);
     }
@@ -116,7 +116,7 @@ private slots:
         QVERIFY(child<QLabel>("forceDevice")->isVisible());
         QVERIFY(child<QToolButton>("deviceButton")->toolTip().contains("Test Arm"));
         cutWithArm();
-        gradeUntil<ui::study::ScorePage>();
+        gradeUntil<ui::scoring::ScorePage>();
         WAIT_FOR_VALUE(deviceOfTheAttempt(), QString("arm"));
     }
 
@@ -163,7 +163,7 @@ private slots:
         m_script->stage(DeviceStage::Homing);
         WAIT_FOR(message() != lost);
         QVERIFY(message().contains("Test Arm"));
-        child<ui::shell::MessageBar>()->findChild<QPushButton*>("")->click();
+        child<ui::kit::MessageBar>()->findChild<QPushButton*>("")->click();
         waitForPage<ui::devices::DevicesPage>();
         QVERIFY(child<QWidget>("homing")->isVisible());
         m_script->stage(DeviceStage::Ready);
@@ -174,7 +174,7 @@ private slots:
     {
         start();
         chooseArm();
-        using ui::shell::MessageBar;
+        using ui::kit::MessageBar;
         child<MessageBar>()->say(
             MessageBar::Message{MessageBar::Kind::Warning, QStringLiteral("An offer"), {}, {}, {}});
         // Each stage has a message of its own. The first of them may come after one that was there before.
@@ -254,7 +254,7 @@ private slots:
         openPage();
         hands().selectHand("simulated");
         click("deviceNext");
-        WAIT_FOR(child<ui::shell::QuestionCard>("workQuestion") != nullptr);
+        WAIT_FOR(child<ui::kit::QuestionCard>("workQuestion") != nullptr);
         click("questionDiscard");
         WAIT_FOR(servo().toothGeneration > own);
         waitForTooth();
@@ -271,7 +271,7 @@ private slots:
         drill(-2.0);
         WAIT_FOR_VALUE(journals().size(), 1);
         // The next run is a student's again.
-        QVERIFY(ui::shell::memory().value("devices/hand").toString() != "simulated");
+        QVERIFY(ui::kit::memory().value("devices/hand").toString() != "simulated");
     }
 
 private:

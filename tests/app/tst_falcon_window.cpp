@@ -12,7 +12,7 @@
 #include "tests/support/falcon/EmulatedFalcon.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
-#include "ui/shell/Memory.h"
+#include "ui/kit/Memory.h"
 
 using namespace std::chrono_literals;
 using haptics::falcon::Button;
@@ -26,7 +26,7 @@ private slots:
     void init()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::memory().clear();
+        ui::kit::memory().clear();
         m_folder = std::make_unique<QTemporaryDir>();
     }
     void cleanup()
@@ -95,7 +95,7 @@ private slots:
     {
         EmulatedFalcon& falcon = emulatedBus().plug("FT1");
         falcon.startFirmware();
-        ui::shell::memory().setValue("devices/hand", "falcon");
+        ui::kit::memory().setValue("devices/hand", "falcon");
         app::WindowOptions options;
         options.source = {36};
         begin(options);
@@ -121,7 +121,7 @@ private slots:
     {
         EmulatedFalcon& falcon = emulatedBus().plug("FT1");
         falcon.startFirmware();
-        ui::shell::memory().setValue("devices/hand", "falcon");
+        ui::kit::memory().setValue("devices/hand", "falcon");
         app::WindowOptions options;
         options.source = {36};
         begin(options);

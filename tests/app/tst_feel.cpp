@@ -21,9 +21,9 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/Solids.h"
 #include "ui/console/Console.h"
+#include "ui/kit/MessageBar.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
-#include "ui/shell/MessageBar.h"
 #include "ui/tooth/ToothView.h"
 
 using support::kPatienceMs;
@@ -149,7 +149,7 @@ private slots:
         const QString scan = m_folder->filePath("cap.stl");
         support::write(scan, support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10)));
         const auto isAsked = [this] {
-            for (const QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
+            for (const QPushButton* button : child<ui::kit::MessageBar>()->findChildren<QPushButton*>())
                 if (button->isVisible() && button->text() == "Another unit")
                     return true;
             return false;
@@ -160,7 +160,7 @@ private slots:
         emit window().feelWanted(other);
         WAIT_FOR_VALUE(used().name, QString::fromStdString(other.name));
         QVERIFY(!used().isChanged);
-        child<ui::shell::MessageBar>()->dismiss();  // that the recording was saved
+        child<ui::kit::MessageBar>()->dismiss();  // that the recording was saved
         QVERIFY2(isAsked(), qPrintable(message()));
     }
 
@@ -222,7 +222,7 @@ private slots:
                  qPrintable(fault->text()));
         const QString detail = child<QLabel>("presetFaultDetail")->text();
         QVERIFY2(detail.contains("says nothing of ") && detail.contains("pulp"), qPrintable(detail));
-        const auto* bar = child<ui::shell::MessageBar>();
+        const auto* bar = child<ui::kit::MessageBar>();
         QVERIFY2(bar->sentence().contains("was saved: slip"), qPrintable(bar->sentence()));
         import(R"({"force": {"stiffness_n_per_mm": 15}})");
         QVERIFY2(!bar->sentence().contains("was saved"),

@@ -7,14 +7,14 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/CameraCalibration.h"
+#include "app/devices/CameraCalibration.h"
 #include "tests/app/PrintedScene.h"
 #include "tests/app/ProgramWindow.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
 #include "ui/devices/HeadTrackingCard.h"
-#include "ui/shell/Memory.h"
+#include "ui/kit/Memory.h"
 #include "ui/tooth/ToothView.h"
 
 using core::tracking::Picture;
@@ -79,7 +79,7 @@ private slots:
     void initTestCase() { m_bytes = videoOfAHead(); }
     void init()
     {
-        ui::shell::memory().clear();
+        ui::kit::memory().clear();
         m_folder = std::make_unique<QTemporaryDir>();
         m_video = m_folder->filePath(QStringLiteral("head.avi"));
         QFile file(m_video);
@@ -143,7 +143,7 @@ private slots:
         WAIT_FOR(card().state().report.stage == TrackerStage::Tracking);
         WAIT_FOR(card().state().report.hz > 1.0);
         QCOMPARE(card().state().report.sameTags, 1);
-        QVERIFY(ui::shell::memory().value("head/on").toBool());
+        QVERIFY(ui::kit::memory().value("head/on").toBool());
     }
 
     /// The tag of the video is 400 mm away, and the user says that it is 500 mm.

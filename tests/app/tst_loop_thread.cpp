@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "app/LoopThread.h"
+#include "app/threads/LoopThread.h"
 
 using namespace std::chrono_literals;
 

@@ -22,13 +22,13 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/Trials.h"
 #include "tests/support/VirtualController.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/PedalCard.h"
-#include "ui/shell/Memory.h"
-#include "ui/study/Forecast.h"
-#include "ui/study/LessonWords.h"
-#include "ui/study/LessonsPage.h"
-#include "ui/study/ScorePage.h"
+#include "ui/kit/Memory.h"
+#include "ui/scoring/Forecast.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/text/LessonWords.h"
 
 #include "ui/tooth/ToothView.h"
 
@@ -344,7 +344,7 @@ private slots:
     void init()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::memory().clear();
+        ui::kit::memory().clear();
         takeCopyOfSchool();
     }
     void cleanup()
@@ -445,7 +445,7 @@ private:
     void doLessons(const std::vector<std::string>& ids, const QString& device)
     {
         startAs("sam");
-        waitForPage<ui::study::LessonsPage>();
+        waitForPage<ui::catalog::LessonsPage>();
         takeHand();
         int done = 0;
         for (const std::string& lesson : ids) {
@@ -477,7 +477,7 @@ private:
             m_hand->openLessons(*buttonFor(*actions().lessons));
         WAIT_FOR(list->isVisible());
         const lessons::Lesson lesson = shipped(id);
-        const QString title = ui::study::said(lesson.title);
+        const QString title = ui::text::said(lesson.title);
         WAIT_FOR(indexOf(*list, title).isValid());
         const std::uint64_t before = servo().toothGeneration;
         m_hand->start(*list, title, *child<QAbstractButton>("startLesson"));
@@ -495,7 +495,7 @@ private:
     void finish()
     {
         // What covers the button for a moment, a message or a card, takes the first press.
-        const auto isAsked = [&] { return child<ui::study::Forecast>()->isVisible(); };
+        const auto isAsked = [&] { return child<ui::scoring::Forecast>()->isVisible(); };
         const auto ask = [&] {
             if (auto* const goOn = child<QPushButton>("goOn"); goOn != nullptr && goOn->isVisible())
                 m_hand->press(*goOn);
@@ -507,10 +507,10 @@ private:
         m_hand->raiseSlider(*child<QSlider>("expected"));
         WAIT_FOR(child<QPushButton>("showScore")->isEnabled());
         m_hand->press(*child<QPushButton>("showScore"));
-        WAIT_FOR(child<ui::study::ScorePage>()->isVisible());
+        WAIT_FOR(child<ui::scoring::ScorePage>()->isVisible());
         WAIT_FOR(buttonFor(*actions().back) != nullptr);
         m_hand->goBack(*buttonFor(*actions().back));
-        WAIT_FOR(!child<ui::study::ScorePage>()->isVisible());
+        WAIT_FOR(!child<ui::scoring::ScorePage>()->isVisible());
     }
 
     void work(const lessons::Lesson& lesson)

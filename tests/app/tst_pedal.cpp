@@ -10,7 +10,7 @@
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
 #include "ui/devices/PedalCard.h"
-#include "ui/shell/Memory.h"
+#include "ui/kit/Memory.h"
 #include "ui/tooth/ToothView.h"
 
 using core::session::PedalStage;
@@ -28,7 +28,7 @@ private slots:
     void init()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::memory().clear();
+        ui::kit::memory().clear();
         m_folder = std::make_unique<QTemporaryDir>();
     }
     void cleanup()

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ReplayLoop.h"
+#include "app/replay/ReplayLoop.h"
 #include "core/base/Rng.h"
 #include "core/servo/ServoState.h"
 #include "core/session/Links.h"

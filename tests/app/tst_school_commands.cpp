@@ -16,7 +16,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "app/cli/SchoolParts.h"
+#include "cli/parts/SchoolParts.h"
 #include "database/Outbox.h"
 #include "database/Passwords.h"
 #include "database/sql/Backups.h"

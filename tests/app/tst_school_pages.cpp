@@ -21,17 +21,17 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/BackupPart.h"
 #include "ui/admin/RosterPart.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryModel.h"
 #include "ui/people/HistoryPage.h"
-#include "ui/people/TalkPanel.h"
-#include "ui/shell/Tour.h"
-#include "ui/study/HeatMap.h"
-#include "ui/study/LessonsPage.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/HeatMap.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/scoring/TalkPanel.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/ToothView.h"
+#include "ui/window/Tour.h"
 
 using namespace database;
 using support::kPassword;
@@ -211,7 +211,7 @@ private slots:
         actions().lessons->trigger();
         open();
         actions().back->trigger();
-        QVERIFY(child<ui::study::LessonsPage>()->isVisible());
+        QVERIFY(child<ui::catalog::LessonsPage>()->isVisible());
         open();
         actions().lock->trigger();
         QCOMPARE(door(), Door::Locked);
@@ -334,7 +334,7 @@ private slots:
         app::WindowOptions options;
         options.showsRound = true;
         start(options);
-        auto* tour = child<ui::shell::Tour>("tour");
+        auto* tour = child<ui::window::Tour>("tour");
         logIn("sam");
         WAIT_FOR(tour->isVisible());
         // Locking the window during the tour does not count as having seen it.
@@ -347,7 +347,7 @@ private slots:
         WAIT_FOR(tour->isVisible());
         QVERIFY(child<ClassPage>()->isVisible() && child<ClassPage>()->isAncestorOf(tour->target()));
         tour->next();
-        QVERIFY(child<ui::study::LessonsPage>()->isVisible());
+        QVERIFY(child<ui::catalog::LessonsPage>()->isVisible());
         while (tour->isVisible())
             tour->next();
         WAIT_FOR_VALUE(count("settings WHERE name = 'tour.seen' AND value = 'yes'"), 1);
@@ -398,7 +398,7 @@ private slots:
         OtherStation(file()).execute(
             "DELETE FROM enrolments WHERE person_id = (SELECT id FROM people WHERE username = 'ines')");
         click("addComment");
-        const auto* const fault = child<ui::people::TalkPanel>()->findChild<QLabel*>("fault");
+        const auto* const fault = child<ui::scoring::TalkPanel>()->findChild<QLabel*>("fault");
         WAIT_FOR(fault->isVisible());
         QVERIFY2(fault->text().contains("in none of your classes any more"), qPrintable(fault->text()));
         QCOMPARE(words->toPlainText(), QString("Half a sentence"));
@@ -445,7 +445,7 @@ private slots:
         beginAsInes();
         openStudent();
         openNewest();
-        auto* const talk = child<ui::people::TalkPanel>();
+        auto* const talk = child<ui::scoring::TalkPanel>();
         auto* const points = talk->findChild<QDoubleSpinBox*>("givenPoints");
         auto* const reason = talk->findChild<QLineEdit*>("reason");
         WAIT_FOR(reason->isVisible());
@@ -495,7 +495,7 @@ private slots:
         beginAsInes();
         openStudent();
         openNewest();
-        const auto* const page = child<ui::study::ScorePage>();
+        const auto* const page = child<ui::scoring::ScorePage>();
         QCOMPARE(page->person(), QString("sam Student"));
         const lessons::ScoreSheet shown = page->card().sheet;
         if (hasSheet)
@@ -508,7 +508,7 @@ private slots:
         }
         const auto* const unrecorded = child<QLabel>("unrecorded");
         QVERIFY2(unrecorded->isVisible(), qPrintable(unrecorded->text()));
-        QVERIFY(!child<QPushButton>("replayScored")->isVisible() && !child<ui::study::HeatMap>()->isVisible());
+        QVERIFY(!child<QPushButton>("replayScored")->isVisible() && !child<ui::scoring::HeatMap>()->isVisible());
         child<QPlainTextEdit>("commentWords")->setPlainText("Do it again.");
         click("addComment");
         WAIT_FOR_VALUE(count("comments"), 1);
@@ -540,7 +540,7 @@ private slots:
         logOut();
         beGuest();
         actions().lessons->trigger();
-        waitForPage<ui::study::LessonsPage>();
+        waitForPage<ui::catalog::LessonsPage>();
         QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
     }
 

@@ -15,14 +15,14 @@
 #include "lessons/PresetFile.h"
 #include "tests/app/SchoolWindow.h"
 #include "tests/support/OpenGlMain.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/people/HistoryModel.h"
 #include "ui/people/HistoryPage.h"
-#include "ui/people/TalkPanel.h"
-#include "ui/study/Forecast.h"
-#include "ui/study/HeatMap.h"
-#include "ui/study/LessonsPage.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/Forecast.h"
+#include "ui/scoring/HeatMap.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/scoring/TalkPanel.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace database;
@@ -63,7 +63,7 @@ private slots:
         QVERIFY(child<QCheckBox>("keepOnLogin")->isVisible() && child<QCheckBox>("keepOnLogin")->isChecked());
         logIn("sam");
         WAIT_FOR_VALUE(attempts(), 1);
-        QVERIFY(child<ui::study::ScorePage>()->isVisible());
+        QVERIFY(child<ui::scoring::ScorePage>()->isVisible());
         QCOMPARE(count("attempts JOIN people ON people.id = attempts.person_id WHERE people.username = 'sam'"), 1);
         // It counts as an attempt: a second one is not saved, and cannot be begun again.
         logOut();
@@ -77,7 +77,7 @@ private slots:
         QVERIFY(!child<QPushButton>("keepGrade")->isVisible() && !actions().reload->isEnabled());
         goToTooth();
         actions().grade->trigger();
-        waitForPage<ui::study::ScorePage>();
+        waitForPage<ui::scoring::ScorePage>();
         QCOMPARE(attempts(), 1);
     }
 
@@ -155,7 +155,7 @@ private slots:
         WAIT_FOR(!names().isEmpty());
         QVERIFY2(!names().contains("Caries left"), qPrintable(names()));
         openNewest();
-        WAIT_FOR_VALUE(child<ui::study::ScorePage>()->card().history.size(), 2);
+        WAIT_FOR_VALUE(child<ui::scoring::ScorePage>()->card().history.size(), 2);
         // The other one is offered beside the replay, and a file.
         click("replayScored");
         WAIT_FOR(window().view().isVisible() && actions().beside->isEnabled());
@@ -169,7 +169,7 @@ private slots:
         switchTo("ines");
         openStudent();
         openNewest();
-        WAIT_FOR_VALUE(child<ui::study::ScorePage>()->card().history.size(), 2);
+        WAIT_FOR_VALUE(child<ui::scoring::ScorePage>()->card().history.size(), 2);
         actions().back->trigger();
         QVERIFY(child<ui::people::HistoryPage>()->isVisible());
         goBackTo<ui::tooth::ToothView>();
@@ -214,7 +214,7 @@ private slots:
         drill(2.0);
         actions().grade->trigger();
         waitForMessage("no attempts left");
-        QVERIFY(!child<ui::study::Forecast>()->isVisible());
+        QVERIFY(!child<ui::scoring::Forecast>()->isVisible());
         actions().lessons->trigger();
         WAIT_FOR(child<QLabel>("whyNotStart")->isVisible());
         QVERIFY(!child<QPushButton>("startLesson")->isEnabled());
@@ -484,7 +484,7 @@ private slots:
         click("continue");
         WAIT_FOR_VALUE(attempts(), 1);
         // The forecast is not asked again: the student knows the score.
-        QVERIFY(!child<ui::study::Forecast>()->isVisible());
+        QVERIFY(!child<ui::scoring::Forecast>()->isVisible());
         QCOMPARE(OtherStation(file()).ask("SELECT expected_tenths FROM attempts").toInt(), expectedTenths);
         goToTooth();
         QVERIFY(!actions().drill->isEnabled());
@@ -502,7 +502,7 @@ private slots:
         drill(-2.0);
         window().endExam();
         emit window().gradeRequested();
-        waitForPage<ui::study::Forecast>();
+        waitForPage<ui::scoring::Forecast>();
         const qint64 endMs = clock.elapsed();
         actions().back->trigger();
         QVERIFY(window().view().isVisible());
@@ -538,7 +538,7 @@ private slots:
         switchTo("ines");
         openStudent();
         openNewest();
-        auto* heat = child<ui::study::HeatMap>();
+        auto* heat = child<ui::scoring::HeatMap>();
         WAIT_FOR(heat->height() > 100);
         QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
         QVERIFY(heat->pin());
@@ -548,7 +548,7 @@ private slots:
         click("replayScored");
         WAIT_FOR(window().view().isVisible() && atMoment->text().contains("0:0"));
         actions().back->trigger();
-        WAIT_FOR(child<ui::study::ScorePage>()->isVisible() && atMoment->isVisible());
+        WAIT_FOR(child<ui::scoring::ScorePage>()->isVisible() && atMoment->isVisible());
         child<QCheckBox>("atMoment")->setChecked(true);
         QVERIFY(child<QCheckBox>("atPlace")->isChecked());
         child<QPlainTextEdit>("commentWords")->setPlainText("Here you pressed too hard.");
@@ -568,7 +568,7 @@ private slots:
         const auto* const news = child<QLabel>("feedbackWords");
         WAIT_FOR(news->isVisible() && news->text().contains("Ines Teach"));
         click("readFeedback");
-        waitForPage<ui::study::ScorePage>();
+        waitForPage<ui::scoring::ScorePage>();
         WAIT_FOR_VALUE(pins().size(), 2);
         WAIT_FOR(child<QLabel>("counts")->text().contains("91.5"));
         QVERIFY(!child<QPlainTextEdit>("commentWords")->isVisible());
@@ -587,14 +587,14 @@ private slots:
         const auto* remark = child<QLabel>("remark");
         WAIT_FOR(remark->isVisible() && remark->text().contains("Here you pressed too hard."));
         actions().back->trigger();
-        waitForPage<ui::study::ScorePage>();
+        waitForPage<ui::scoring::ScorePage>();
 
         // The teacher takes the comment back, and finds it in the field.
         switchTo("ines");
         openStudent();
         openNewest();
         WAIT_FOR_VALUE(pins().size(), 2);
-        QTest::mouseClick(child<ui::people::TalkPanel>()->findChild<QPushButton*>("takeBack"), Qt::LeftButton);
+        QTest::mouseClick(child<ui::scoring::TalkPanel>()->findChild<QPushButton*>("takeBack"), Qt::LeftButton);
         WAIT_FOR_VALUE(pins().size(), 0);
         QCOMPARE(count("comments WHERE withdrawn_utc IS NOT NULL"), 1);
         QCOMPARE(child<QPlainTextEdit>("commentWords")->toPlainText(), QString("Here you pressed too hard."));
@@ -692,14 +692,14 @@ private:
         WAIT_FOR(child<QListView>("lessonList")->model()->rowCount() > 2);
         openAttempts();
         actions().lessons->trigger();
-        waitForPage<ui::study::LessonsPage>();
+        waitForPage<ui::catalog::LessonsPage>();
         QVERIFY(!isUnfinishedOffered());
     }
 
     [[nodiscard]] QList<QPushButton*> pins() const
     {
         QList<QPushButton*> found;
-        for (QPushButton* button : child<ui::people::TalkPanel>()->findChildren<QPushButton*>())
+        for (QPushButton* button : child<ui::scoring::TalkPanel>()->findChildren<QPushButton*>())
             if (button->property("kind") == "chip")
                 found << button;
         return found;

@@ -8,7 +8,7 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/SoundCard.h"
-#include "ui/shell/Memory.h"
+#include "ui/kit/Memory.h"
 #include "ui/sound/AudioPort.h"
 
 using ui::sound::AudioFormat;
@@ -53,7 +53,7 @@ class TestSoundWindow : public support::ProgramWindow
 private slots:
     void init()
     {
-        ui::shell::memory().clear();
+        ui::kit::memory().clear();
         m_folder = std::make_unique<QTemporaryDir>();
         app::WindowOptions options;
         options.source = {36};

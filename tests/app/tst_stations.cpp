@@ -17,8 +17,8 @@
 #include <QSqlQuery>
 #include <QTest>
 
-#include "app/Backups.h"
-#include "app/SchoolDesk.h"
+#include "app/school/Backups.h"
+#include "app/school/SchoolDesk.h"
 #include "core/base/Rng.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothBuilder.h"

@@ -21,7 +21,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "app/CameraCalibration.h"
+#include "app/devices/CameraCalibration.h"
 #include "core/tracking/TagDetector.h"
 #include "tests/app/PrintedScene.h"
 #include "tests/support/Program.h"

@@ -15,8 +15,8 @@
 #include "tests/database/SchoolRig.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/PeoplePart.h"
-#include "ui/shell/MainWindow.h"
-#include "ui/shell/MessageBar.h"
+#include "ui/kit/MessageBar.h"
+#include "ui/window/MainWindow.h"
 
 namespace sql = database::sql;
 
@@ -34,7 +34,7 @@ private slots:
     {
         m_rig = std::make_unique<support::SchoolRig>(support::populatedSchool(false));
         m_who = m_rig->admin;
-        m_window = std::make_unique<ui::shell::MainWindow>(m_links);
+        m_window = std::make_unique<ui::window::MainWindow>(m_links);
         m_window->setWho(m_who);
         m_window->show();
         m_desk = std::make_unique<app::SchoolDesk>(database::Address::parse(m_rig->address()).value(), m_folder.path());
@@ -55,7 +55,7 @@ private slots:
         const auto chooseElsewhere = [this](const char* name) {
             QVERIFY(sql::changeSetting(m_rig->school(), m_rig->admin, "preset.in_use", name));
         };
-        auto* messages = m_window->findChild<ui::shell::MessageBar*>();
+        auto* messages = m_window->findChild<ui::kit::MessageBar*>();
         const auto choose = [&] {
             core::settings::FeelPreset mine;
             mine.name = "mine";
@@ -121,7 +121,7 @@ private:
     std::unique_ptr<support::SchoolRig> m_rig;
     core::session::UiLinks m_links;
     database::Session m_who;
-    std::unique_ptr<ui::shell::MainWindow> m_window;
+    std::unique_ptr<ui::window::MainWindow> m_window;
     std::unique_ptr<app::SchoolDesk> m_desk;
 };
 

@@ -88,7 +88,7 @@ TrackerSettings settings()
     return wanted;
 }
 
-/// Runs a loop in a thread, as app/LoopThread does.
+/// Runs a loop in a thread, as app/threads/LoopThread does.
 class Runner
 {
 public:

@@ -11,8 +11,8 @@
 #include <QTest>
 #include <QWidget>
 
-#include "ui/shell/Actions.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/Theme.h"
 
 namespace support {
 
@@ -38,12 +38,12 @@ protected:
     static void prepare()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+        ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light);
     }
     void openPage()
     {
         m_window = std::make_unique<QWidget>();
-        m_actions = new ui::shell::Actions(m_window.get());
+        m_actions = new ui::kit::Actions(m_window.get());
         m_page = new Page(*m_actions, m_window.get());
         for (QWidget* one : {m_window.get(), static_cast<QWidget*>(m_page)})
             one->resize(1280, 800);
@@ -61,7 +61,7 @@ protected:
     [[nodiscard]] QString textOf(const char* label) const { return child<QLabel>(label)->text(); }
 
     std::unique_ptr<QWidget> m_window;
-    ui::shell::Actions* m_actions = nullptr;
+    ui::kit::Actions* m_actions = nullptr;
     Page* m_page = nullptr;
 };
 

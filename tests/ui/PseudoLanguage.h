@@ -22,8 +22,8 @@
 
 #include "lessons/Lesson.h"
 #include "ui/charts/ChartPanel.h"
-#include "ui/shell/ArchView.h"
-#include "ui/shell/TabularLabel.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/toothchooser/ArchView.h"
 
 namespace pseudo {
 
@@ -155,7 +155,7 @@ inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
                                              {"window title", widget.windowTitle()}};
     if (const auto* label = qobject_cast<const QLabel*>(&widget))
         words << std::pair("text", label->text());
-    if (const auto* label = qobject_cast<const ui::shell::TabularLabel*>(&widget))
+    if (const auto* label = qobject_cast<const ui::kit::TabularLabel*>(&widget))
         words << std::pair("text", label->text()) << std::pair("unit", label->unit());
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
         words << std::pair("text", button->text());
@@ -287,9 +287,9 @@ inline QStringList clipped(QWidget& root)
     for (QWidget* widget : root.findChildren<QWidget*>()) {
         const auto* label = qobject_cast<QLabel*>(widget);
         const auto* button = qobject_cast<QAbstractButton*>(widget);
-        const bool speaks = label != nullptr || qobject_cast<ui::shell::TabularLabel*>(widget) != nullptr ||
+        const bool speaks = label != nullptr || qobject_cast<ui::kit::TabularLabel*>(widget) != nullptr ||
                             button != nullptr || qobject_cast<QComboBox*>(widget) != nullptr;
-        if (!widget->isVisible() || !speaks || qobject_cast<ui::shell::ArchTooth*>(widget) != nullptr ||
+        if (!widget->isVisible() || !speaks || qobject_cast<ui::toothchooser::ArchTooth*>(widget) != nullptr ||
             widget->visibleRegion().isEmpty())
             continue;
         const QString words = label != nullptr    ? label->text()

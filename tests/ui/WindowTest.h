@@ -23,15 +23,15 @@
 #include "lessons/Rubric.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/SyntheticMolar.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/MessageBar.h"
+#include "ui/kit/QuestionCard.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
 #include "ui/replay/Course.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/MainWindow.h"
-#include "ui/shell/MessageBar.h"
-#include "ui/shell/PracticeRoom.h"
-#include "ui/shell/QuestionCard.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
 #include "ui/tooth/ToothView.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/PracticeRoom.h"
 
 namespace support {
 
@@ -132,7 +132,7 @@ protected:
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         static const QTemporaryDir settings;
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+        ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light);
     }
 
     void begin()
@@ -165,7 +165,7 @@ protected:
         m_isSpoilt = false;
         m_window.reset();
         m_links = std::make_unique<core::session::UiLinks>();
-        m_window = std::make_unique<ui::shell::MainWindow>(*m_links);
+        m_window = std::make_unique<ui::window::MainWindow>(*m_links);
         m_window->show();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -179,13 +179,13 @@ protected:
     {
         return m_window->findChild<T*>(name == nullptr ? QString() : QString::fromLatin1(name));
     }
-    [[nodiscard]] QString figure(const char* name) const { return child<ui::shell::TabularLabel>(name)->text(); }
-    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
-    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
-    [[nodiscard]] bool isInRoom() const { return child<ui::shell::PracticeRoom>()->isVisible(); }
-    [[nodiscard]] ui::shell::QuestionCard* question(const char* name = "workQuestion") const
+    [[nodiscard]] QString figure(const char* name) const { return child<ui::kit::TabularLabel>(name)->text(); }
+    [[nodiscard]] QString message() const { return child<ui::kit::MessageBar>()->sentence(); }
+    [[nodiscard]] ui::kit::Actions& actions() const { return *child<ui::kit::Actions>(); }
+    [[nodiscard]] bool isInRoom() const { return child<ui::window::PracticeRoom>()->isVisible(); }
+    [[nodiscard]] ui::kit::QuestionCard* question(const char* name = "workQuestion") const
     {
-        return child<ui::shell::QuestionCard>(name);
+        return child<ui::kit::QuestionCard>(name);
     }
     /// Presses a button of a question or a card.
     void click(const char* name) const
@@ -313,7 +313,7 @@ protected:
     }
 
     std::unique_ptr<core::session::UiLinks> m_links;
-    std::unique_ptr<ui::shell::MainWindow> m_window;
+    std::unique_ptr<ui::window::MainWindow> m_window;
     std::uint64_t m_generation = 0;  ///< of the tooth on the table
 
 private:
@@ -327,7 +327,7 @@ private:
     {
         for (QFileDialog* dialog : m_window->findChildren<QFileDialog*>())
             delete dialog;
-        for (ui::shell::QuestionCard* card : m_window->findChildren<ui::shell::QuestionCard*>())
+        for (ui::kit::QuestionCard* card : m_window->findChildren<ui::kit::QuestionCard*>())
             delete card;
         m_window->setWho({});
         m_window->setMayEdit(true);
@@ -346,9 +346,9 @@ private:
                 shown->trigger();
         if (!actions().panel->isChecked())
             actions().panel->trigger();
-        while (child<ui::shell::MessageBar>()->dismiss()) {
+        while (child<ui::kit::MessageBar>()->dismiss()) {
         }
-        m_window->resize(ui::shell::MainWindow::firstSize(m_window->screen()->availableSize()));
+        m_window->resize(ui::window::MainWindow::firstSize(m_window->screen()->availableSize()));
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         m_window->view().setFocus();

@@ -12,7 +12,7 @@
 #include "tests/support/Tables.h"
 #include "tests/ui/PageTest.h"
 #include "ui/people/AssignPage.h"
-#include "ui/people/PeopleWords.h"
+#include "ui/text/PeopleWords.h"
 
 using database::ClassAssignment;
 using ui::people::AssignmentChange;
@@ -83,7 +83,7 @@ private slots:
         first<QDateEdit>("dueDay")->setDate(day);
         first<QSpinBox>("attemptLimit")->setValue(5);
         click("assignTicked");
-        const std::string due = ui::people::endOfDay(day);
+        const std::string due = ui::text::endOfDay(day);
         const QList<AssignmentChange> expected{{{}, ClassAssignment{0, kClass, "c", due, 5}},
                                                {{}, ClassAssignment{0, kClass, "d", due, 5}}};
         QCOMPARE(wanted(spy), expected);
@@ -153,9 +153,9 @@ private slots:
         const auto back = qScopeGuard([&before] { before.isNull() ? qunsetenv("TZ") : qputenv("TZ", before); });
         qputenv("TZ", "America/New_York");
         const QDate day(2026, 7, 1);
-        QCOMPARE(ui::people::endOfDay(day), std::string("2026-07-02T03:59:59Z"));
-        QCOMPARE(ui::people::dueDay("2026-07-02T03:59:59Z"), day);
-        QVERIFY(!ui::people::dueDay("").isValid());
+        QCOMPARE(ui::text::endOfDay(day), std::string("2026-07-02T03:59:59Z"));
+        QCOMPARE(ui::text::dueDay("2026-07-02T03:59:59Z"), day);
+        QVERIFY(!ui::text::dueDay("").isValid());
     }
 
     void whatIsNotChangedStaysEachLessonsOwn()
@@ -163,7 +163,7 @@ private slots:
         const ClassAssignment a{1, kClass, "a", "2026-11-15T23:59:59Z", 3};
         const ClassAssignment b{3, kClass, "b", "", 0};
         const QDate day(2100, 12, 4);
-        const std::string due = ui::people::endOfDay(day);
+        const std::string due = ui::text::endOfDay(day);
         const auto change = [&](const std::function<void()>& turn) {
             QSignalSpy spy(m_page, &AssignPage::changeWanted);
             child<QTableView>("given")->clearSelection();

@@ -20,7 +20,7 @@
 #include "ui/charts/ChartPanel.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/charts/Table.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 
 using namespace ui::charts;
 
@@ -296,12 +296,12 @@ private slots:
     /// The marks of the first line are there, in the theme's colour.
     void picturesShowSomethingInBothThemes()
     {
-        for (const auto theme : {ui::shell::ThemeChoice::Light, ui::shell::ThemeChoice::Dark})
+        for (const auto theme : {ui::kit::ThemeChoice::Light, ui::kit::ThemeChoice::Dark})
             for (const Chart& chart : {curve(), bars(), histogram()}) {
-                ui::shell::applyTheme(*qApp, theme);
+                ui::kit::applyTheme(*qApp, theme);
                 m_panel->setChart(chart);
                 m_panel->setStop(1);
-                const QColor accent = ui::shell::tones(m_panel->palette()).accent;
+                const QColor accent = ui::kit::tones(m_panel->palette()).accent;
                 QVERIFY2(dots(m_panel->grab().toImage(), [&](const QColor& one) { return one == accent; }) > 40,
                          qPrintable(chart.title));
             }

@@ -23,11 +23,11 @@
 #include "ui/console/Console.h"
 #include "ui/console/Registration.h"
 #include "ui/console/WatchPanel.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/presets/BlindTrial.h"
 #include "ui/settings/SettingsPage.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
 
 using namespace ui;
 using core::settings::FeelPreset;
@@ -71,7 +71,7 @@ struct Room
     QLineEdit& line() { return *console.findChild<QLineEdit*>("consoleLine"); }
     std::unique_ptr<settings::SettingsPage> openSettings()
     {
-        auto page = std::make_unique<settings::SettingsPage>(*new shell::Actions(&window), parameters, &window);
+        auto page = std::make_unique<settings::SettingsPage>(*new ui::kit::Actions(&window), parameters, &window);
         page->resize(900, 600);
         page->show();
         return page;
@@ -92,7 +92,7 @@ class TestConsole : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase() { shell::applyTheme(*qApp, shell::ThemeChoice::Light); }
+    void initTestCase() { ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light); }
 
     void answersAreWrittenAsTheWindowWritesNumbers()
     {
@@ -369,10 +369,10 @@ private slots:
         auto* theme = page->findChild<QComboBox*>("theme");
         theme->setCurrentIndex(2);
         emit theme->activated(2);
-        QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::Dark);
+        QVERIFY(ui::kit::rememberedTheme() == ui::kit::ThemeChoice::Dark);
         theme->setCurrentIndex(0);
         emit theme->activated(0);
-        QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::System);
+        QVERIFY(ui::kit::rememberedTheme() == ui::kit::ThemeChoice::System);
     }
 
     void settingsSayWhatIsRefused()
@@ -473,7 +473,7 @@ private slots:
             const QLocale before;
             QLocale::setDefault(QLocale(language));
             const std::unique_ptr<QDoubleSpinBox> number(
-                study::numberInput(0.0, 10'000.0, 3, "mm³/(N s)", {}, nullptr));
+                ui::kit::numberInput(0.0, 10'000.0, 3, "mm³/(N s)", {}, nullptr));
             QLocale::setDefault(before);
             number->show();
             number->selectAll();
@@ -514,7 +514,7 @@ private slots:
         QFETCH(bool, isToldAtOnce);
         QWidget form;
         form.resize(400, 300);
-        QDoubleSpinBox* number = study::numberInput(low, high, decimals, "N/mm", {}, &form);
+        QDoubleSpinBox* number = ui::kit::numberInput(low, high, decimals, "N/mm", {}, &form);
         number->setValue(2.0);
         form.show();
         QVERIFY(QTest::qWaitForWindowActive(&form));

@@ -403,8 +403,8 @@ private slots:
     {
         QFETCH(bool, isDark);
         QFETCH(QSize, size);
-        const auto reset = qScopeGuard([] { ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light); });
-        ui::shell::applyTheme(*qApp, isDark ? ui::shell::ThemeChoice::Dark : ui::shell::ThemeChoice::Light);
+        const auto reset = qScopeGuard([] { ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light); });
+        ui::kit::applyTheme(*qApp, isDark ? ui::kit::ThemeChoice::Dark : ui::kit::ThemeChoice::Light);
         openPage();
         m_page->setKinds({arm()});
         m_page->setChosen(kArm);

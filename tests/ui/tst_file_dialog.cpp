@@ -19,7 +19,7 @@
 
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
-#include "ui/shell/FileDialog.h"
+#include "ui/kit/FileDialog.h"
 
 namespace {
 
@@ -64,7 +64,7 @@ private slots:
         struct flock lock = wholeFile(F_RDLCK);
         QCOMPARE(fcntl(file, F_SETLK, &lock), 0);
         QVERIFY(isLockedForOthers(path));
-        ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
+        ui::kit::FileDialog dialog(nullptr, "Choose", folder.path());
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         dialog.setViewMode(QFileDialog::Detail);  // which tells what kind of file it is
         dialog.show();
@@ -87,7 +87,7 @@ private slots:
         const QTemporaryDir settings, documents, stick;
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
         const auto ask = [&] {
-            auto dialog = std::make_unique<ui::shell::FileDialog>(nullptr, "Save", documents.path(), "Tables (*.csv)");
+            auto dialog = std::make_unique<ui::kit::FileDialog>(nullptr, "Save", documents.path(), "Tables (*.csv)");
             dialog->setAttribute(Qt::WA_DeleteOnClose, false);
             dialog->askWhere("Time: Decay/36", "csv");
             return dialog;
@@ -112,7 +112,7 @@ private slots:
             support::write(folder.filePath(name), "");
         QVERIFY(QFile::link(folder.filePath("school.sqlite"), folder.filePath("link.csv")));
         const auto isTaken = [&](const QString& name) {
-            ui::shell::FileDialog dialog(nullptr, "Save", folder.path(), "Tables (*.csv)");
+            ui::kit::FileDialog dialog(nullptr, "Save", folder.path(), "Tables (*.csv)");
             dialog.setAttribute(Qt::WA_DeleteOnClose, false);
             dialog.setOption(QFileDialog::DontConfirmOverwrite);
             QStringList chosen;
@@ -142,7 +142,7 @@ private slots:
         for (const auto& [locale, size, date] :
              {std::tuple("de", "1,46 KiB", "09.03.26 14:05"), std::tuple("ja", "1.46 KiB", "2026/03/09 14:05")}) {
             QLocale::setDefault(QLocale(QString(locale)));
-            ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
+            ui::kit::FileDialog dialog(nullptr, "Choose", folder.path());
             dialog.setAttribute(Qt::WA_DeleteOnClose, false);
             dialog.setViewMode(QFileDialog::Detail);
             dialog.show();

@@ -19,7 +19,7 @@
 #include "ui/devices/HandList.h"
 #include "ui/devices/HeadTrackingCard.h"
 #include "ui/devices/TagPicture.h"
-#include "ui/shell/TabularLabel.h"
+#include "ui/kit/TabularLabel.h"
 
 using core::tracking::CameraInfo;
 using core::tracking::PictureTrouble;
@@ -457,8 +457,8 @@ private slots:
     {
         QFETCH(bool, isDark);
         QFETCH(QSize, size);
-        const auto reset = qScopeGuard([] { ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light); });
-        ui::shell::applyTheme(*qApp, isDark ? ui::shell::ThemeChoice::Dark : ui::shell::ThemeChoice::Light);
+        const auto reset = qScopeGuard([] { ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light); });
+        ui::kit::applyTheme(*qApp, isDark ? ui::kit::ThemeChoice::Dark : ui::kit::ThemeChoice::Light);
         init();
         m_window->resize(size);
         m_page->resize(size);
@@ -493,7 +493,7 @@ private:
     [[nodiscard]] QCheckBox& follow() const { return *child<QCheckBox>("followHead"); }
     [[nodiscard]] TagPicture& picture() const { return *child<TagPicture>(); }
     [[nodiscard]] QComboBox& camera() const { return *child<QComboBox>("camera"); }
-    [[nodiscard]] QString figure(const char* name) const { return child<ui::shell::TabularLabel>(name)->text(); }
+    [[nodiscard]] QString figure(const char* name) const { return child<ui::kit::TabularLabel>(name)->text(); }
     [[nodiscard]] HandList::Row row() const
     {
         for (const HandList::Row& one : child<HandList>()->rows())

@@ -4,12 +4,12 @@
 
 #include "core/base/Rng.h"
 #include "tests/support/Suite.h"
-#include "ui/replay/HistoryGraph.h"
+#include "ui/practice/HistoryGraph.h"
 
 using core::history::MomentId;
 using core::history::MomentInfo;
-using ui::replay::HistoryRow;
-using ui::replay::historyRows;
+using ui::practice::HistoryRow;
+using ui::practice::historyRows;
 
 namespace {
 

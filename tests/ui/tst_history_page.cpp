@@ -58,7 +58,7 @@ private slots:
     void init()
     {
         openPage();
-        const ui::people::CriterionNames names{{"depth", "Pulpal floor"}, {"outline", "Outline"}};
+        const ui::text::CriterionNames names{{"depth", "Pulpal floor"}, {"outline", "Outline"}};
         m_page->setCriterionNames({{"c1-36", names}, {"decay-26", names}, {"pad-cross", names}});
         m_page->setLessonTitles({{"c1-36", "Class I on 36"}, {"decay-26", "Decay on 26"}, {"pad-cross", "Pad: cross"}});
     }
@@ -86,7 +86,7 @@ private slots:
         QSignalSpy lesson(m_page, &HistoryPage::lessonChosen);
         auto* combo = child<QComboBox>("lessonFilter");
         QCOMPARE(combo->count(), 4);
-        QCOMPARE(ui::charts::stopsOf(scores()).size(), ui::people::kMostCharted);  // the newest
+        QCOMPARE(ui::charts::stopsOf(scores()).size(), ui::scoring::kMostCharted);  // the newest
         combo->setCurrentIndex(1);
         QCOMPARE(lesson.count(), 1);
         QCOMPARE(lesson.front().front().toString(), QString("c1-36"));
@@ -165,12 +165,12 @@ private slots:
         QCOMPARE(slices(), 8);
         m_page->setLesson("decay-26");  // it was of the other lesson
         QCOMPARE(slices(), 0);
-        m_page->setClassMedians(ui::people::ClassMedians{4, 700, 600'000});
+        m_page->setClassMedians(ui::scoring::ClassMedians{4, 700, 600'000});
         for (auto* button : m_page->findChildren<QPushButton*>())
             if (button->text() == "Speed")
                 button->click();
         QCOMPARE(std::get<ui::charts::Curve>(other().content).limits.size(), 0);
-        m_page->setClassMedians(ui::people::ClassMedians{5, 700, 600'000});
+        m_page->setClassMedians(ui::scoring::ClassMedians{5, 700, 600'000});
         QCOMPARE(std::get<ui::charts::Curve>(other().content).limits.size(), 2);
     }
 

@@ -24,9 +24,9 @@
 #include "ui/inside/SectionPainter.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/Texts.h"
 
 using namespace ui;
@@ -71,7 +71,7 @@ QImage painted(const inside::SectionScene& scene, double pixelRatio = 1.0)
 /// Returns the number of pixels in a rectangle that have the colour of a material.
 int count(const QImage& image, const QRect& part, Material material)
 {
-    const QRgb fill = shell::materialLook(material).fill.rgb();
+    const QRgb fill = ui::kit::materialLook(material).fill.rgb();
     return pictures::count(image.copy(part), [&](QRgb pixel) { return pixel == fill; });
 }
 
@@ -97,7 +97,7 @@ struct Films
     }
 
     QWidget window;
-    shell::Actions actions{&window};
+    ui::kit::Actions actions{&window};
     inside::XrayPage page{actions, nullptr};
 };
 
@@ -110,7 +110,7 @@ private slots:
     void initTestCase()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        shell::applyTheme(*qApp, shell::ThemeChoice::Light);
+        ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light);
     }
 
     void layersAreAsThickAsTheyAre_data()
@@ -303,7 +303,7 @@ private slots:
         servo.tick = 1;
         servo.anchorMm = {0.5, 0.5, -1.0};
         const auto figure = [&](const char* name) {
-            return view.findChild<shell::TabularLabel*>(QLatin1String(name))->text();
+            return view.findChild<ui::kit::TabularLabel*>(QLatin1String(name))->text();
         };
         const auto follow = [&](std::uint64_t revision) {
             view.follow(&tooth, revision, servo, core::imaging::readDepth(tooth, pulp, servo.anchorMm));
@@ -325,7 +325,7 @@ private slots:
         QTRY_VERIFY(follows(QString::fromUtf8("–")));
         QVERIFY(figure("sectionNearest") != QString::fromUtf8("–"));
         view.setFiguresShown(false);
-        QVERIFY(!view.findChild<shell::TabularLabel*>("sectionDepth")->isVisible());
+        QVERIFY(!view.findChild<ui::kit::TabularLabel*>("sectionDepth")->isVisible());
     }
 
     void thePlaneIsChosenAndTurned()

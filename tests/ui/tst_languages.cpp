@@ -23,6 +23,7 @@
 #include "ui/admin/BackupPart.h"
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/console/Console.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
@@ -30,23 +31,23 @@
 #include "ui/devices/PedalCard.h"
 #include "ui/devices/SoundCard.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/kit/BusyCard.h"
+#include "ui/kit/LanguageMenu.h"
+#include "ui/lessoneditor/LessonEditor.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
-#include "ui/people/TalkPanel.h"
-#include "ui/shell/BusyCard.h"
-#include "ui/shell/HandControls.h"
-#include "ui/shell/LanguageMenu.h"
-#include "ui/shell/Mouth.h"
-#include "ui/shell/SidePanel.h"
-#include "ui/study/LessonEditor.h"
-#include "ui/study/LessonsPage.h"
-#include "ui/study/ScorePage.h"
+#include "ui/practice/HandControls.h"
+#include "ui/practice/SidePanel.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/scoring/TalkPanel.h"
 #include "ui/text/Language.h"
+#include "ui/toothchooser/Mouth.h"
 
 using namespace core::session;
-using namespace ui::shell;
+using namespace ui::kit;
+using namespace ui::toothchooser;
 using lessons::CatalogEntry;
 using lessons::Task;
 
@@ -361,11 +362,11 @@ private slots:
         });
         page("no lesson", [this] {
             openLessons();
-            child<ui::study::LessonsPage>()->findChild<QLineEdit*>()->setText("0x0x0");
+            child<ui::catalog::LessonsPage>()->findChild<QLineEdit*>()->setText("0x0x0");
         });
         for (const int part : {0, 1})
             page(part == 0 ? "editor" : "editor, past attempts", [this, part] {
-                auto* editor = child<ui::study::LessonEditor>();
+                auto* editor = child<ui::lessoneditor::LessonEditor>();
                 editor->edit(cutIdeal(), QDir::temp().filePath(QStringLiteral("no such folder")));
                 qobject_cast<QStackedWidget*>(editor->parentWidget())->setCurrentWidget(editor);
                 QTRY_VERIFY_WITH_TIMEOUT(!editor->findChild<QLabel*>("selfCheck")->text().isEmpty(), 60000);
@@ -447,7 +448,7 @@ private slots:
         page("talk", [this] {
             showScore();
             m_window->scorePage().setTalkVisible(true);
-            ui::people::TalkPanel& talk = m_window->scorePage().talk();
+            ui::scoring::TalkPanel& talk = m_window->scorePage().talk();
             talk.setScore(512, 600, false);
             talk.setMay(true, true);
             database::AttemptTalk said;
@@ -547,7 +548,7 @@ private slots:
                             "a.stl");
         m_window->offerUnfinished([] { return QCoreApplication::translate("Tooth", "enamel"); }, thenOnTheClock(),
                                   false);
-        auto* bar = child<ui::shell::MessageBar>();
+        auto* bar = child<ui::kit::MessageBar>();
         const QString english = bar->sentence();
         QVERIFY2(english.contains("was not finished"), qPrintable(english));
         ui::text::Language::choose("de");
@@ -622,7 +623,7 @@ private:
     {
         const lessons::Assignment assignment = assigned(Task::RemoveDecay);
         beginLesson(assignment);
-        ui::study::ScoredWork scored;
+        ui::scoring::ScoredWork scored;
         scored.tooth = std::make_shared<const core::terrain::Tooth>(assignment.anatomy);
         scored.ideal = assignment.shownIdeal();
         scored.measured.measures = core::grading::measure(*scored.tooth);
@@ -630,7 +631,7 @@ private:
         scored.infractions = {breach(), breach(), breach()};
         const lessons::ScoreSheet marked = sheet();
         m_window->showScore(marked, {attempt(512, marked.rubricHash), attempt(700, "another")},
-                            ui::study::Expectation{900, "caries_left"}, scored);
+                            ui::scoring::Expectation{900, "caries_left"}, scored);
         const lessons::Moment moment{lessons::Moment::Kind::Stroke, 100, 754000, 754.0, 128};
         const lessons::Moment never{lessons::Moment::Kind::Never, 340, 754000, 754.0, 0};
         m_window->scorePage().setMoments({{never, moment}, {moment}, {moment}});

@@ -22,14 +22,16 @@
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/charts/SaveButton.h"
-#include "ui/shell/Actions.h"
-#include "ui/study/FormInputs.h"
-#include "ui/study/LessonEditor.h"
-#include "ui/study/LessonsPage.h"
-#include "ui/study/SweepChart.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/lessoneditor/LessonEditor.h"
+#include "ui/lessoneditor/SweepChart.h"
 
-using namespace ui::study;
+using namespace ui::kit;
+using namespace ui::lessoneditor;
+using namespace ui::catalog;
 using support::shipped;
 
 namespace {
@@ -79,7 +81,7 @@ private slots:
     {
         m_folder.emplace();
         m_window = std::make_unique<QMainWindow>();
-        m_actions = new ui::shell::Actions(m_window.get());
+        m_actions = new ui::kit::Actions(m_window.get());
         m_editor = new LessonEditor(*m_actions, m_window.get());
         m_window->setCentralWidget(m_editor);
         m_window->resize(1280, 800);
@@ -733,7 +735,7 @@ private:
 
     std::optional<QTemporaryDir> m_folder;
     std::unique_ptr<QMainWindow> m_window;
-    ui::shell::Actions* m_actions = nullptr;
+    ui::kit::Actions* m_actions = nullptr;
     LessonEditor* m_editor = nullptr;
 };
 

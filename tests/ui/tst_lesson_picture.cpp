@@ -6,10 +6,10 @@
 
 #include "lessons/LessonCatalog.h"
 #include "tests/support/Suite.h"
-#include "ui/study/LessonPicture.h"
+#include "ui/catalog/LessonPicture.h"
 
 using lessons::Lesson;
-using ui::study::LessonPicture;
+using ui::catalog::LessonPicture;
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/ui/Pictures.h"
 #include "ui/render/Gizmo.h"
-#include "ui/shell/Mouth.h"
 #include "ui/text/Texts.h"
+#include "ui/toothchooser/Mouth.h"
 
-using ui::shell::Mouth;
+using ui::toothchooser::Mouth;
 
 class TestMouth : public QObject
 {

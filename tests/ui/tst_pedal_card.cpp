@@ -18,8 +18,8 @@
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
 #include "ui/devices/PedalCard.h"
-#include "ui/shell/PadKeys.h"
 #include "ui/tooth/PadInput.h"
+#include "ui/window/PadKeys.h"
 
 using namespace core::session;
 using ui::devices::ControllerAction;
@@ -28,7 +28,7 @@ using ui::devices::DevicesPage;
 using ui::devices::HandList;
 using ui::devices::PedalCard;
 using ui::devices::Sign;
-using ui::shell::PadArrow;
+using ui::window::PadArrow;
 
 namespace {
 
@@ -286,9 +286,9 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&window));
         first->setFocus();
         QSignalSpy clicked(first, &QPushButton::clicked);
-        ui::shell::chooseByPad();
+        ui::window::chooseByPad();
         QCOMPARE(clicked.count(), 1);
-        const auto step = [&](PadArrow arrow) { ui::shell::stepByPad(window, arrow); };
+        const auto step = [&](PadArrow arrow) { ui::window::stepByPad(window, arrow); };
         step(PadArrow::Down);
         QVERIFY(slider->hasFocus());
         step(PadArrow::Right);

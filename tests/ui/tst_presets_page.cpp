@@ -18,10 +18,10 @@
 #include "ui/charts/SaveButton.h"
 #include "ui/presets/BlindTrial.h"
 #include "ui/presets/FeedChart.h"
-#include "ui/presets/PresetWords.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/SimpleFeel.h"
 #include "ui/presets/TrialCard.h"
+#include "ui/text/PresetWords.h"
 
 using namespace ui;
 using core::settings::FeelPreset;
@@ -490,12 +490,12 @@ private slots:
         QFETCH(QByteArray, json);
         QFETCH(QString, says);
         const lessons::ReadPreset read = lessons::readPresetText(json, "x.cusppreset");
-        const QString said = presets::faultWords(read);
+        const QString said = ui::text::faultWords(read);
         QVERIFY2(said.contains(says) && !said.contains(u'\n'), qPrintable(said));
         QTranslator german;
         QVERIFY(german.load(":/i18n/cusp_de.qm"));
         QCoreApplication::installTranslator(&german);
-        const QString inGerman = presets::faultWords(read);
+        const QString inGerman = ui::text::faultWords(read);
         QVERIFY2(inGerman != said && !inGerman.contains(" is ") && !inGerman.contains("must"), qPrintable(inGerman));
     }
 

@@ -26,14 +26,14 @@
 #include "tests/support/Tables.h"
 #include "tests/ui/PseudoLanguage.h"
 #include "tests/ui/WindowTest.h"
+#include "ui/kit/Theme.h"
 #include "ui/report/Printing.h"
 #include "ui/report/Report.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/ScorePage.h"
 
 using database::AttemptRecord;
 using ui::report::ClassReport;
-using ui::report::ScoreCard;
+using ui::scoring::ScoreCard;
 
 namespace {
 
@@ -43,7 +43,7 @@ constexpr double kDotsPerPoint = 2.0;
 const QString kCode = "K7QF-93XM-2ND8";
 constexpr const char* kOverdue = "2026-11-19T22:59:59Z";
 
-ui::report::Proof proof()
+ui::scoring::Proof proof()
 {
     return {kCode, "0.1.0", QDateTime(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC)};
 }
@@ -54,7 +54,7 @@ ScoreCard scoreCard()
     ScoreCard card;
     const lessons::Assignment assignment = support::assigned("class1-36");
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
-    ui::study::ScoredWork work;
+    ui::scoring::ScoredWork work;
     work.ideal = assignment.shownIdeal();
     std::vector<float> top = *work.ideal;
     for (int j = 0; j < anatomy.grid.side; ++j)
@@ -267,7 +267,7 @@ private slots:
     void initTestCase()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
+        ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Dark);
         m_card = scoreCard();
     }
 
@@ -304,7 +304,7 @@ private slots:
         limited.sheet.totalTenths = 650;
         row("limited", limited, {"Not passed: limited to 65.0"});
         row("harm, aids and a breach", card,
-            {ui::study::ScorePage::verdictWords(card.sheet, {}), "Not passed: critical error",
+            {ui::scoring::ScorePage::verdictWords(card.sheet, {}), "Not passed: critical error",
              "1 breach(es) of the rules: ", " at 0:37", "Aids in use: section, ideal", "Middle half", "Class median",
              "Pass mark", "Not passed"},
             {"..."});
@@ -429,9 +429,9 @@ private slots:
     void paperIsWhiteInTheDarkThemeToo()
     {
         const QList<QImage> dark = pagesOf(m_card, kA4);
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+        ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light);
         const QList<QImage> light = pagesOf(m_card, kA4);
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
+        ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Dark);
         QCOMPARE(dark, light);
     }
 

@@ -18,19 +18,19 @@
 #include "tests/ui/PageTest.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/charts/SaveButton.h"
-#include "ui/people/TalkPanel.h"
-#include "ui/shell/HistoryChart.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/study/CriterionRow.h"
-#include "ui/study/HeatMap.h"
-#include "ui/study/ScorePage.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/scoring/CriterionRow.h"
+#include "ui/scoring/HeatMap.h"
+#include "ui/scoring/HistoryChart.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/scoring/TalkPanel.h"
 #include "ui/text/Texts.h"
 
 using lessons::Moment;
-using ui::study::CriterionRow;
-using ui::study::HeatMap;
-using ui::study::ScoredWork;
-using ui::study::ScorePage;
+using ui::scoring::CriterionRow;
+using ui::scoring::HeatMap;
+using ui::scoring::ScoredWork;
+using ui::scoring::ScorePage;
 
 namespace {
 
@@ -128,23 +128,23 @@ private slots:
         int deep = 0;
         int left = 0;
         for (std::size_t k = 0; k < made.work.tooth->top.size(); ++k) {
-            const float above = ui::study::aboveIdeal(made.work, k);
+            const float above = ui::scoring::aboveIdeal(made.work, k);
             deep += std::abs(above + 0.4F) < 0.001F ? 1 : 0;
             left += above > 0.05F ? 1 : 0;
             QVERIFY(above > -0.401F);
         }
         QVERIFY(deep > 100 && left > 100);
-        const auto farthest = ui::study::farthestOff(made.work);
-        QVERIFY(farthest && ui::study::aboveIdeal(made.work, *farthest) > 0.4F);
+        const auto farthest = ui::scoring::farthestOff(made.work);
+        QVERIFY(farthest && ui::scoring::aboveIdeal(made.work, *farthest) > 0.4F);
         for (const double mm : {0.1, 0.5, 1.0, 3.0}) {
-            const QColor tooDeep(ui::study::heatColour(-mm));
-            const QColor toGo(ui::study::heatColour(mm));
+            const QColor tooDeep(ui::scoring::heatColour(-mm));
+            const QColor toGo(ui::scoring::heatColour(mm));
             QVERIFY(tooDeep.red() > tooDeep.blue() + 20);
             QVERIFY(toGo.blue() > toGo.red() + 20);
         }
         // Deeper is darker, to the end of the scale.
-        QVERIFY(QColor(ui::study::heatColour(-0.2)).lightness() > QColor(ui::study::heatColour(-0.8)).lightness());
-        QCOMPARE(ui::study::heatColour(-1.0), ui::study::heatColour(-2.0));
+        QVERIFY(QColor(ui::scoring::heatColour(-0.2)).lightness() > QColor(ui::scoring::heatColour(-0.8)).lightness());
+        QCOMPARE(ui::scoring::heatColour(-1.0), ui::scoring::heatColour(-2.0));
     }
 
     void aCriterionShowsItsOwnWorstPlace()
@@ -169,7 +169,7 @@ private slots:
                 const bool isAcross = measure.starts_with("ridge") || measure.starts_with("wall");
                 QVERIFY2(!isAcross || !textOf("place").contains(" mm "), qPrintable(textOf("place")));
             } else {
-                QCOMPARE(heat->marked(), ui::study::farthestOff(made.work));
+                QCOMPARE(heat->marked(), ui::scoring::farthestOff(made.work));
             }
             if (row->criterion().lostTenths == 0)
                 QVERIFY2(textOf("place").contains("no points lost"), qPrintable(textOf("place")));
@@ -268,12 +268,12 @@ private slots:
     void neighboursAreReadAsOne()
     {
         using Kind = Moment::Kind;
-        const std::vector<Moment> read = ui::study::asRead({{Kind::Stroke, 3, 1000, 1.0, 1},
-                                                            {Kind::Stroke, 2, 2000, 2.0, 1},
-                                                            {Kind::Stroke, 4, 12000, 12.0, 1},
-                                                            {Kind::Stroke, 5, 13000, 13.0, 2},
-                                                            {Kind::Way, 1, 14000, 14.0, 0},
-                                                            {Kind::Way, 1, 15000, 15.0, 0}});
+        const std::vector<Moment> read = ui::scoring::asRead({{Kind::Stroke, 3, 1000, 1.0, 1},
+                                                              {Kind::Stroke, 2, 2000, 2.0, 1},
+                                                              {Kind::Stroke, 4, 12000, 12.0, 1},
+                                                              {Kind::Stroke, 5, 13000, 13.0, 2},
+                                                              {Kind::Way, 1, 14000, 14.0, 0},
+                                                              {Kind::Way, 1, 15000, 15.0, 0}});
         QCOMPARE(read, (std::vector<Moment>{{Kind::Stroke, 5, 1000, 1.0, 1},
                                             {Kind::Stroke, 4, 12000, 12.0, 1},
                                             {Kind::Stroke, 5, 13000, 13.0, 2},
@@ -432,7 +432,7 @@ private slots:
     {
         const lessons::ScoreSheet& sheet = faulty("decay-36-moderate").sheet;
         m_page->setScore([] { return QString(); }, sheet, attempts(sheet), {}, {});
-        auto* chart = child<ui::shell::HistoryChart>();
+        auto* chart = child<ui::scoring::HistoryChart>();
         const QString spoken = chart->accessibleName();
         QVERIFY2(spoken.contains("61.2 with another rubric, " + ui::text::points(sheet.totalTenths)),
                  qPrintable(spoken));
@@ -475,7 +475,7 @@ private slots:
             made.work.infractions.push_back(
                 {core::grading::Breach::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});
         show(made);
-        const auto* pane = child<ui::shell::ScrollPane>();
+        const auto* pane = child<ui::kit::ScrollPane>();
         QTRY_VERIFY2(!pane->hasMoreBelow(),
                      qPrintable(QString("%1 px too high").arg(pane->verticalScrollBar()->maximum())));
     }
@@ -562,7 +562,7 @@ private slots:
         talk.comments.assign(8, {1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
         m_page->talk().setTalk(talk);
         m_page->showTalk();
-        auto* pane = child<ui::shell::ScrollPane>();
+        auto* pane = child<ui::kit::ScrollPane>();
         QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
         const int top = m_page->talk().mapTo(pane->viewport(), QPoint(0, 0)).y();
         QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
@@ -578,7 +578,7 @@ private slots:
         talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", {}, std::int64_t{45000}, false});
         talk.overrides.assign(20, {"Grace Hopper", "2026-11-20T10:00:00Z", 900, "Neat."});
         m_page->talk().setTalk(talk);
-        auto* pane = child<ui::shell::ScrollPane>();
+        auto* pane = child<ui::kit::ScrollPane>();
         QTRY_VERIFY(pane->verticalScrollBar()->maximum() > 0);
         pane->verticalScrollBar()->setValue(0);
         QPushButton* chip = nullptr;
@@ -625,7 +625,7 @@ private:
     {
         const QList<database::AttemptRecord> past = attempts(made.sheet);
         m_page->setScore([] { return QStringLiteral("Class I, tooth 36"); }, made.sheet,
-                         {past[0], past[0], past[0], past[1]}, ui::study::Expectation{900, "depth"}, made.work);
+                         {past[0], past[0], past[0], past[1]}, ui::scoring::Expectation{900, "depth"}, made.work);
         m_page->setMoments(parts(made.sheet));
         m_page->setClass({1, {}});
         m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());

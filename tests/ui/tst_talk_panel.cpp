@@ -14,11 +14,11 @@
 #include <tuple>
 
 #include "tests/support/Suite.h"
-#include "ui/people/TalkPanel.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
+#include "ui/scoring/TalkPanel.h"
 
 using database::AttemptTalk;
-using ui::people::TalkPanel;
+using ui::scoring::TalkPanel;
 
 namespace {
 
@@ -43,7 +43,7 @@ private slots:
     void initTestCase()
     {
         QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+        ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light);
     }
 
     void init()

@@ -22,9 +22,9 @@
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "ui/admin/AdminWords.h"
-#include "ui/people/PeopleWords.h"
-#include "ui/study/LessonWords.h"
 #include "ui/text/FaultWords.h"
+#include "ui/text/LessonWords.h"
+#include "ui/text/PeopleWords.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 
@@ -192,10 +192,10 @@ private slots:
         const auto translator = spoken(QLocale());
         const QDateTime at(QDate(2026, 11, 17), QTime(14, 5));
         const std::string utc = at.toUTC().toString(Qt::ISODate).toStdString();
-        QCOMPARE((QStringList{ui::people::when(utc), ui::people::whenShort(utc, at.addDays(30)),
-                              ui::people::whenShort(utc, at.addDays(320)), ui::study::dueWords(at, at.addDays(1)),
-                              ui::study::dueWords(at, at.addDays(5)), ui::study::dueWords(at, at.addSecs(-3600)),
-                              ui::study::dueWords(at, at.addDays(-3)), ui::study::dueWords(at, at.addDays(-30))}),
+        QCOMPARE((QStringList{ui::text::when(utc), ui::text::whenShort(utc, at.addDays(30)),
+                              ui::text::whenShort(utc, at.addDays(320)), ui::text::dueWords(at, at.addDays(1)),
+                              ui::text::dueWords(at, at.addDays(5)), ui::text::dueWords(at, at.addSecs(-3600)),
+                              ui::text::dueWords(at, at.addDays(-3)), ui::text::dueWords(at, at.addDays(-30))}),
                  words.split('|'));
     }
 
@@ -258,7 +258,7 @@ private slots:
                                     {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
         QCOMPARE(ui::admin::findingWords(row, names, {}),
                  QString("audit row 9 (%1, logged in, Sam %2 (s1001)) is not the one that was signed")
-                     .replace("%1", ui::people::when("2026-11-20T10:15:00Z")));
+                     .replace("%1", ui::text::when("2026-11-20T10:15:00Z")));
         // A lesson by its title, as long as somebody knows it.
         const database::Finding standing{"%1 has attempts in %2 and no standing", {"person:1f", "class1-36"}};
         QCOMPARE(ui::admin::findingWords(standing, names, {{"class1-36", "Class I, 36"}}),

@@ -9,12 +9,12 @@
 #include "core/session/Links.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/ArchView.h"
-#include "ui/shell/MainWindow.h"
-#include "ui/shell/Mouth.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/Theme.h"
 #include "ui/tooth/ToothView.h"
+#include "ui/toothchooser/ArchView.h"
+#include "ui/toothchooser/Mouth.h"
+#include "ui/window/MainWindow.h"
 
 using ui::tooth::ToothView;
 
@@ -24,7 +24,7 @@ class TestToothViewWithoutOpenGl : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase() { ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light); }
+    void initTestCase() { ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light); }
 
     void init()
     {
@@ -48,9 +48,9 @@ private slots:
         QVERIFY(label->text().contains("OpenGL 3.3") && label->text().contains("driver"));
         // Dark like the room around it, in a light theme too, and to be read at arm's length.
         const QImage picture = view->picture();
-        QCOMPARE(picture.pixelColor(2, 2), ui::shell::roomPalette().color(QPalette::Window));
-        QVERIFY(ui::shell::contrast(label->palette().color(label->foregroundRole()), picture.pixelColor(2, 2)) >= 4.5);
-        QVERIFY(label->font().pixelSize() >= ui::shell::kBody);
+        QCOMPARE(picture.pixelColor(2, 2), ui::kit::roomPalette().color(QPalette::Window));
+        QVERIFY(ui::kit::contrast(label->palette().color(label->foregroundRole()), picture.pixelColor(2, 2)) >= 4.5);
+        QVERIFY(label->font().pixelSize() >= ui::kit::kBody);
         QVERIFY(label->height() >= label->heightForWidth(label->width()));
         // Nobody drills what cannot be seen.
         QTest::mousePress(view, Qt::LeftButton);
@@ -78,17 +78,17 @@ private slots:
 
     void theWholeMouthIsNotOffered()
     {
-        QVERIFY(!ui::shell::Mouth::isPossible());
+        QVERIFY(!ui::toothchooser::Mouth::isPossible());
         core::session::UiLinks links;
-        ui::shell::MainWindow window(links);
+        ui::window::MainWindow window(links);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        const auto* actions = window.findChild<ui::shell::Actions*>();
+        const auto* actions = window.findChild<ui::kit::Actions*>();
         QVERIFY(!actions->mouth->isVisible());
         QVERIFY(!actions->mouth->isEnabled());
         // The flat arches are still there, and no button leads elsewhere.
         actions->chooseTooth->trigger();
-        QVERIFY(window.findChild<ui::shell::ArchView*>()->isVisible());
+        QVERIFY(window.findChild<ui::toothchooser::ArchView*>()->isVisible());
         for (const QPushButton* button : window.findChildren<QPushButton*>())
             QVERIFY(!button->isVisible() || button->text() != actions->mouth->text());
     }

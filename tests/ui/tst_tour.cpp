@@ -5,12 +5,12 @@
 #include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/people/Door.h"
-#include "ui/shell/HelpOverlay.h"
-#include "ui/shell/Tour.h"
+#include "ui/window/HelpOverlay.h"
+#include "ui/window/Tour.h"
 
 using database::Role;
-using ui::shell::MainWindow;
-using ui::shell::Tour;
+using ui::window::MainWindow;
+using ui::window::Tour;
 
 Q_DECLARE_METATYPE(database::Role)
 
@@ -116,13 +116,13 @@ private slots:
     {
         actions().help->trigger();
         QPushButton* again = nullptr;
-        for (auto* button : child<ui::shell::HelpOverlay>()->findChildren<QPushButton*>())
+        for (auto* button : child<ui::window::HelpOverlay>()->findChildren<QPushButton*>())
             if (button->text() == actions().tour->text())
                 again = button;
         QVERIFY(again != nullptr && again->isVisible());
         again->click();
         QVERIFY(tour().isVisible());
-        QVERIFY(!child<ui::shell::HelpOverlay>()->isVisible());
+        QVERIFY(!child<ui::window::HelpOverlay>()->isVisible());
     }
 
     void theDoorBreaksItOff()

@@ -10,12 +10,12 @@
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
-#include "ui/people/TalkPanel.h"
+#include "ui/lessoneditor/LessonEditor.h"
 #include "ui/presets/PresetsPage.h"
-#include "ui/study/LessonEditor.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/scoring/TalkPanel.h"
 
-using ui::shell::MainWindow;
+using ui::window::MainWindow;
 
 namespace {
 
@@ -160,7 +160,7 @@ private slots:
     }
 
 private:
-    ui::shell::QuestionCard* question() const { return WindowTest::question("unsavedQuestion"); }
+    ui::kit::QuestionCard* question() const { return WindowTest::question("unsavedQuestion"); }
     QString textOf(const char* label) const { return question()->findChild<QLabel*>(QLatin1String(label))->text(); }
     void answer(const char* button) const
     {
@@ -185,7 +185,7 @@ private:
         } else if (page == "score") {
             child<QLineEdit>("reason")->setText("Half a reason");
         } else if (page == "lesson") {
-            child<ui::study::LessonEditor>()->edit(support::shipped("class1-36"), m_folder.path());
+            child<ui::lessoneditor::LessonEditor>()->edit(support::shipped("class1-36"), m_folder.path());
             QTest::keyClicks(child<QLineEdit>("draftTitle"), "mine");
         }
         QVERIFY2(!unsaved().isEmpty(), qPrintable(page));
@@ -196,7 +196,7 @@ private:
     {
         return m_window->adminPage().people().unsavedChanges() + m_window->adminPage().roster().unsavedChanges() +
                child<ui::presets::PresetsPage>()->unsavedChanges() + m_window->scorePage().talk().unsavedChanges() +
-               child<ui::study::LessonEditor>()->unsavedChanges();
+               child<ui::lessoneditor::LessonEditor>()->unsavedChanges();
     }
 
     QTemporaryDir m_folder;

@@ -12,23 +12,25 @@
 
 #include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
+#include "ui/catalog/LessonCards.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/people/LoginPage.h"
-#include "ui/shell/ArchView.h"
-#include "ui/shell/ToothChooser.h"
-#include "ui/study/Expectation.h"
-#include "ui/study/LessonCards.h"
-#include "ui/study/LessonsPage.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/Expectation.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/toothchooser/ArchView.h"
+#include "ui/toothchooser/ToothChooser.h"
 
 using namespace core::session;
-using namespace ui::shell;
+using namespace ui::kit;
+using namespace ui::toothchooser;
+using namespace ui::window;
 using support::sheet;
+using ui::catalog::LessonsPage;
 using ui::people::Door;
 using ui::people::LoginPage;
-using ui::study::LessonsPage;
-using ui::study::ScorePage;
+using ui::scoring::ScorePage;
 
 class TestWindowPages : public support::WindowTest
 {
@@ -40,8 +42,8 @@ private slots:
 
     void keysLeadToPagesAndEscapeBack()
     {
-        for (const auto& [keys, page] : {std::pair("F2", "ui::study::LessonsPage"),
-                                         {"T", "ui::shell::ToothChooser"},
+        for (const auto& [keys, page] : {std::pair("F2", "ui::catalog::LessonsPage"),
+                                         {"T", "ui::toothchooser::ToothChooser"},
                                          {"F", "ui::inside::XrayPage"},
                                          {"F7", "ui::presets::PresetsPage"},
                                          {"Ctrl+,", "ui::settings::SettingsPage"}}) {
@@ -55,7 +57,7 @@ private slots:
 
     void theKeyThatOpenedTheXrayClosesIt()
     {
-        for (const char* shown : {"ui::inside::XrayPage", "ui::shell::PracticeRoom"}) {
+        for (const char* shown : {"ui::inside::XrayPage", "ui::window::PracticeRoom"}) {
             press(Qt::Key_F);
             QCOMPARE(m_window->page()->metaObject()->className(), shown);
         }
@@ -278,7 +280,7 @@ private slots:
         QStringList course;
         for (int row = 0; row < model->rowCount(); ++row) {
             const QModelIndex index = model->index(row, 0);
-            if (!index.data(ui::study::CardEntry).isValid())
+            if (!index.data(ui::catalog::CardEntry).isValid())
                 headings << index.data().toString();
             else if (headings.last() == "First year")
                 course << index.data().toString();
@@ -356,8 +358,8 @@ private slots:
             search()->setText(lesson);
             QCOMPARE(cards().size(), 1);
             const QModelIndex card = list->currentIndex();
-            QCOMPARE(card.data(ui::study::CardScore).toString(), QString::fromUtf8(score));
-            QCOMPARE(card.data(ui::study::CardPassed).toBool(), passed);
+            QCOMPARE(card.data(ui::catalog::CardScore).toString(), QString::fromUtf8(score));
+            QCOMPARE(card.data(ui::catalog::CardPassed).toBool(), passed);
         }
     }
 
@@ -369,10 +371,10 @@ private slots:
             if (entry.read.lesson->id == "class1-24")
                 entry.read.lesson->exam = true;
         const auto all = static_cast<qsizetype>(entries.size());
-        const std::map<std::string, ui::study::Standing> standings{
+        const std::map<std::string, ui::catalog::Standing> standings{
             {"class1-36", {2, 603, false, "2026-11-20T10:00:00Z"}},
             {"class1-37", {1, 917, true, "2026-11-20T11:00:00Z"}}};
-        const ui::study::Given given{"Year 1", {}, {}};
+        const ui::catalog::Given given{"Year 1", {}, {}};
         page->setLessons(entries, standings, {{"class1-36", given}, {"class1-37", given}, {"class1-26", given}});
         actions().lessons->trigger();
         const auto filter = [page](const char* words) {
@@ -450,7 +452,7 @@ private slots:
             QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
             QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
             const QModelIndex card = child<QListView>("lessonList")->currentIndex();
-            QCOMPARE(card.data(ui::study::CardIsUsedUp).toBool(), left == 0);
+            QCOMPARE(card.data(ui::catalog::CardIsUsedUp).toBool(), left == 0);
         }
         search()->setFocus();
         press(Qt::Key_Return);
@@ -462,7 +464,7 @@ private slots:
         m_window->setAssignment(support::assigned("class1-36"));
         QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
         const auto* show = child<QPushButton>("showScore");
-        const auto worst = [&] { return given.takeLast().front().value<ui::study::Expectation>().worst; };
+        const auto worst = [&] { return given.takeLast().front().value<ui::scoring::Expectation>().worst; };
         m_window->askForecast();
         QVERIFY(!show->isEnabled());
         press(Qt::Key_Right);
@@ -573,8 +575,8 @@ private slots:
         QCOMPARE(nextAfter("class1-36", pass), QString("class1-37"));
         QVERIFY(isInRoom());
         // Assigned lessons that are not passed come first, each once.
-        const ui::study::Given given{"Year 1", {}, {}};
-        const ui::study::Given usedUp{"Year 1", {}, 0};
+        const ui::catalog::Given given{"Year 1", {}, {}};
+        const ui::catalog::Given usedUp{"Year 1", {}, 0};
         m_window->setLessons(support::catalog(), {},
                              {{"class1-36", given}, {"class1-34", usedUp}, {"class1-27", given}});
         QCOMPARE(nextAfter("class1-36", pass), QString("class1-27"));
@@ -662,7 +664,7 @@ private:
         QStringList titles;
         const auto* model = child<QListView>("lessonList")->model();
         for (int row = 0; row < model->rowCount(); ++row)
-            if (const QModelIndex card = model->index(row, 0); card.data(ui::study::CardEntry).isValid())
+            if (const QModelIndex card = model->index(row, 0); card.data(ui::catalog::CardEntry).isValid())
                 titles << card.data().toString();
         return titles;
     }

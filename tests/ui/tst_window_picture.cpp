@@ -11,17 +11,20 @@
 #include "core/teeth/Block.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/ui/WindowTest.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/inside/SectionView.h"
+#include "ui/practice/InfractionCard.h"
+#include "ui/practice/StereoCard.h"
 #include "ui/replay/TimeLine.h"
-#include "ui/shell/ArchView.h"
-#include "ui/shell/Mouth.h"
-#include "ui/shell/StereoCard.h"
-#include "ui/study/InfractionCard.h"
-#include "ui/study/LessonsPage.h"
+#include "ui/toothchooser/ArchView.h"
+#include "ui/toothchooser/Mouth.h"
 
 using namespace core::session;
 using namespace core::servo;
-using namespace ui::shell;
+using namespace ui::kit;
+using namespace ui::practice;
+using namespace ui::toothchooser;
+using namespace ui::window;
 using core::terrain::Material;
 
 class TestWindowPicture : public support::WindowTest
@@ -88,7 +91,7 @@ private slots:
         QCOMPARE(view.geometry(), before);
         QVERIFY(view.isPressed() && !section->isVisible());
         QTest::mouseRelease(&view, Qt::LeftButton);
-        QVERIFY(!view.isPressed() && section->isVisible() && child<ui::study::InfractionCard>()->isVisible());
+        QVERIFY(!view.isPressed() && section->isVisible() && child<ui::practice::InfractionCard>()->isVisible());
         QTRY_VERIFY(view.geometry().left() > before.left());
         QCOMPARE(view.geometry().top(), before.top());
     }
@@ -98,7 +101,7 @@ private slots:
         spoil();
         auto& view = m_window->view();
         const auto* notice = child<QLabel>("notice")->parentWidget();
-        const auto* card = child<ui::study::InfractionCard>();
+        const auto* card = child<ui::practice::InfractionCard>();
         SessionState session;
         session.toothGeneration = m_generation;
         const auto openPulp = [&](const core::servo::ServoState& servo) {
@@ -395,7 +398,7 @@ private slots:
     void aToothOfTheArchIsSearchedFor()
     {
         m_window->setLessons(support::catalog(), {});
-        auto* page = child<ui::study::LessonsPage>();
+        auto* page = child<ui::catalog::LessonsPage>();
         const auto* search = page->findChild<QLineEdit*>();
         actions().lessons->trigger();
         const auto choose = [&](const QList<Qt::Key>& keys) {

@@ -17,16 +17,19 @@
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
-#include "ui/shell/BurChooser.h"
-#include "ui/shell/BurPicker.h"
-#include "ui/shell/BusyCard.h"
-#include "ui/shell/HelpOverlay.h"
-#include "ui/shell/SidePanel.h"
-#include "ui/shell/ToothChooser.h"
+#include "ui/kit/BusyCard.h"
+#include "ui/practice/BurChooser.h"
+#include "ui/practice/BurPicker.h"
+#include "ui/practice/SidePanel.h"
+#include "ui/toothchooser/ToothChooser.h"
+#include "ui/window/HelpOverlay.h"
 
 using namespace core::session;
 using namespace core::servo;
-using namespace ui::shell;
+using namespace ui::kit;
+using namespace ui::practice;
+using namespace ui::toothchooser;
+using namespace ui::window;
 using core::terrain::Material;
 using ui::inside::SectionView;
 using ui::text::Failed;

@@ -13,16 +13,18 @@
 #include "tests/support/Tables.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/inside/SectionView.h"
+#include "ui/lessoneditor/LessonEditor.h"
+#include "ui/practice/InfractionCard.h"
+#include "ui/practice/LessonStrip.h"
+#include "ui/practice/ViewMenu.h"
 #include "ui/replay/TimeLine.h"
-#include "ui/shell/ViewMenu.h"
-#include "ui/study/InfractionCard.h"
-#include "ui/study/LessonEditor.h"
-#include "ui/study/LessonStrip.h"
-#include "ui/study/ScorePage.h"
+#include "ui/scoring/ScorePage.h"
 
 using namespace core::session;
 using namespace core::servo;
-using namespace ui::shell;
+using namespace ui::kit;
+using namespace ui::practice;
+using namespace ui::window;
 using core::grading::Breach;
 using core::terrain::Material;
 using lessons::Task;
@@ -30,9 +32,9 @@ using support::assigned;
 using support::course;
 using support::sheet;
 using ui::inside::SectionView;
+using ui::practice::InfractionCard;
+using ui::practice::LessonStrip;
 using ui::replay::TimeLine;
-using ui::study::InfractionCard;
-using ui::study::LessonStrip;
 
 class TestWindowWork : public support::WindowTest
 {
@@ -430,7 +432,7 @@ private slots:
         m_window->setLessons(support::catalog(), {});
         actions().lessons->trigger();
         actions().editLesson->trigger();
-        QVERIFY(!child<ui::study::LessonEditor>()->isVisible());
+        QVERIFY(!child<ui::lessoneditor::LessonEditor>()->isVisible());
         QVERIFY2(message().contains("exam"), qPrintable(message()));
         actions().back->trigger();
         // After grading, and in a practice attempt, nothing is hidden.
@@ -619,7 +621,7 @@ private slots:
         spoil();
         cutSomething(1.0);
         m_window->showScore(sheet(40, 30, 0), {});
-        child<ui::study::ScorePage>()->setKeeping(ui::study::ScorePage::Keeping::Refused);
+        child<ui::scoring::ScorePage>()->setKeeping(ui::scoring::ScorePage::Keeping::Refused);
         QVERIFY(child<QLabel>("historyRemark")->text().contains("tries again"));
         m_window->setUnkeptGrades(1);
         m_window->close();
@@ -642,7 +644,7 @@ private slots:
         actions().editLesson->trigger();
         QCOMPARE(unpack.size(), 1);
         QCOMPARE(unpack.front()[0].toString(), QString("/folder/course.cusplessons"));
-        QVERIFY(!child<ui::study::LessonEditor>()->isVisible());
+        QVERIFY(!child<ui::lessoneditor::LessonEditor>()->isVisible());
     }
 
     void aReplayRestsTheControls()

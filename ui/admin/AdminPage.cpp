@@ -12,13 +12,13 @@
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/admin/StationPart.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::admin {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 AdminPage::AdminPage(const Actions& actions, QWidget* parent)
     : Page(actions, parent), m_choice(new QButtonGroup(this)), m_stack(new QStackedWidget(this)),
@@ -62,7 +62,7 @@ AdminPage::Part AdminPage::part() const
     return static_cast<Part>(m_choice->checkedId());
 }
 
-void AdminPage::setLessonTitles(const people::LessonTitles& titles)
+void AdminPage::setLessonTitles(const text::LessonTitles& titles)
 {
     m_backups->setLessonTitles(titles);
     m_audit->setLessonTitles(titles);

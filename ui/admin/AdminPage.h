@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/people/PeopleWords.h"
-#include "ui/shell/Page.h"
+#include "ui/kit/Page.h"
+#include "ui/text/PeopleWords.h"
 
 class QButtonGroup;
 class QStackedWidget;
@@ -16,11 +16,11 @@ class RosterPart;
 class StationPart;
 
 /// What an admin keeps: people, class lists, backups, the audit, this computer.
-class AdminPage final : public shell::Page
+class AdminPage final : public kit::Page
 {
     Q_OBJECT
 public:
-    AdminPage(const shell::Actions& actions, QWidget* parent);
+    AdminPage(const kit::Actions& actions, QWidget* parent);
 
     enum Part { People, Roster, Backups, Audit, Station };
     [[nodiscard]] Part part() const;
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] AuditPart& audit() { return *m_audit; }
     [[nodiscard]] StationPart& station() { return *m_station; }
     /// Lessons are told by title where a check or the audit names them.
-    void setLessonTitles(const people::LessonTitles& titles);
+    void setLessonTitles(const text::LessonTitles& titles);
 
 signals:
     /// What it shows is to be brought up to date.

@@ -126,19 +126,18 @@ QString named(const QString& what, const NamesByUid& names)
 }
 
 /// Of a finding: a moment, an action, a lesson, or what something was done to.
-QString noted(const QString& value, const NamesByUid& names, const people::LessonTitles& titles)
+QString noted(const QString& value, const NamesByUid& names, const text::LessonTitles& titles)
 {
     if (const auto title = titles.find(value); title != titles.end())
         return *title;
     if (QDateTime::fromString(value, Qt::ISODate).isValid())
-        return people::when(value.toStdString());
+        return text::when(value.toStdString());
     const QString action = actionWords(value.toStdString());
     return action == value ? named(value, names) : action;
 }
 
 /// One thing that was noted beside an action; some say all by their value.
-QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names,
-                 const people::LessonTitles& titles)
+QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names, const text::LessonTitles& titles)
 {
     constexpr double kTenths = 10.0;
     if (noted.isBool() || key == u"disabled")
@@ -148,11 +147,11 @@ QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& 
     if (key == u"role")
         return roleWord(database::roleOf(value.toStdString()).value_or(database::Role::Student));
     if (key == u"lesson")
-        return people::lessonTitle(titles, value.toStdString());
+        return text::lessonTitle(titles, value.toStdString());
     if (key == u"given_tenths")
         return text::number(noted.toDouble() / kTenths, 1);
     if (key == u"due" || key == u"begun")
-        return people::when(value.toStdString());
+        return text::when(value.toStdString());
     if (key == u"limit")
         return noted.toInt() > 0 ? QCoreApplication::translate("Admin", "at most %n attempt(s)", nullptr, noted.toInt())
                                  : QCoreApplication::translate("Admin", "as many attempts as one likes");
@@ -200,7 +199,7 @@ QString objectWords(const database::AuditRow& row, const NamesByUid& names)
     return named(QString::fromStdString(row.object), names);
 }
 
-QString detailWords(const database::AuditRow& row, const NamesByUid& names, const people::LessonTitles& titles)
+QString detailWords(const database::AuditRow& row, const NamesByUid& names, const text::LessonTitles& titles)
 {
     const QJsonObject noted = QJsonDocument::fromJson(QByteArray::fromStdString(row.detail)).object();
     QStringList words;
@@ -215,7 +214,7 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names, cons
     return words.join(QStringLiteral(", "));
 }
 
-QString findingWords(const database::Finding& finding, const NamesByUid& names, const people::LessonTitles& titles)
+QString findingWords(const database::Finding& finding, const NamesByUid& names, const text::LessonTitles& titles)
 {
     std::vector<std::string> values;
     for (const std::string& value : finding.values)

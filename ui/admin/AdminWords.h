@@ -10,7 +10,7 @@
 #include "database/Session.h"
 #include "database/people.h"
 #include "database/records.h"
-#include "ui/people/PeopleWords.h"
+#include "ui/text/PeopleWords.h"
 
 /// What an admin's page calls things.
 namespace ui::admin {
@@ -27,10 +27,10 @@ using NamesByUid = std::map<std::string, QString>;
 [[nodiscard]] QString actorWords(const database::AuditRow& row, const NamesByUid& names);
 /// What else was noted, in a line; without what only the check reads.
 [[nodiscard]] QString detailWords(const database::AuditRow& row, const NamesByUid& names,
-                                  const people::LessonTitles& titles);
+                                  const text::LessonTitles& titles);
 [[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
 /// What a check found, people, classes and lessons by name.
 [[nodiscard]] QString findingWords(const database::Finding& finding, const NamesByUid& names,
-                                   const people::LessonTitles& titles);
+                                   const text::LessonTitles& titles);
 
 }  // namespace ui::admin

@@ -16,16 +16,16 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
-#include "ui/people/ListTable.h"
-#include "ui/people/PeopleWords.h"
-#include "ui/people/WordFilter.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ListTable.h"
+#include "ui/kit/Theme.h"
+#include "ui/kit/WordFilter.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PeopleWords.h"
 
 namespace ui::admin {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 namespace {
 
@@ -36,10 +36,10 @@ constexpr int kObjectPx = 320;  ///< at least, where it needs so much; what is l
 }  // namespace
 
 AuditPart::AuditPart(QWidget* parent)
-    : QWidget(parent), m_code(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+    : QWidget(parent), m_code(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_copy(new QPushButton(this)), m_search(new QLineEdit(this)), m_noAttempts(new QCheckBox(this)),
       m_count(new QLabel(this)), m_older(new QPushButton(this)), m_rows(new QStandardItemModel(0, kColumns, this)),
-      m_shown(new people::WordFilter(this)), m_table(new people::ListTable(this))
+      m_shown(new kit::WordFilter(this)), m_table(new kit::ListTable(this))
 {
     m_code->setObjectName(QStringLiteral("auditCode"));
     m_code->setTextFormat(Qt::PlainText);
@@ -153,7 +153,7 @@ void AuditPart::fill()
     for (const database::AuditRow& row : m_audit) {
         QList<QStandardItem*> items;
         for (const QString& words :
-             {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names), actionWords(row.action),
+             {QString::number(row.seq), text::when(row.atUtc), actorWords(row, m_names), actionWords(row.action),
               objectWords(row, m_names), detailWords(row, m_names, m_titles)})
             items << new QStandardItem(words);
         items[kObject]->setToolTip(brokenIntoLines(items[kObject]->text()));
@@ -188,7 +188,7 @@ void AuditPart::setNames(const NamesByUid& names)
     fill();
 }
 
-void AuditPart::setLessonTitles(const people::LessonTitles& titles)
+void AuditPart::setLessonTitles(const text::LessonTitles& titles)
 {
     m_titles = titles;
     fill();

@@ -14,10 +14,10 @@ class QLineEdit;
 class QPushButton;
 class QStandardItemModel;
 
-namespace ui::people {
+namespace ui::kit {
 class ListTable;
 class WordFilter;
-}  // namespace ui::people
+}  // namespace ui::kit
 
 namespace ui::admin {
 
@@ -29,7 +29,7 @@ public:
     explicit AuditPart(QWidget* parent);
 
     void setNames(const NamesByUid& names);
-    void setLessonTitles(const people::LessonTitles& titles);
+    void setLessonTitles(const text::LessonTitles& titles);
     /// Rows that tell of attempts are to be left out: of those that are asked for, not of those that are there.
     [[nodiscard]] bool leavesOutAttempts() const;
     /// In place of what is there.
@@ -58,7 +58,7 @@ private:
 
     QList<database::AuditRow> m_audit;
     NamesByUid m_names;
-    people::LessonTitles m_titles;
+    text::LessonTitles m_titles;
     QLabel* m_code;
     QPushButton* m_copy;
     QLineEdit* m_search;
@@ -66,8 +66,8 @@ private:
     QLabel* m_count;
     QPushButton* m_older;
     QStandardItemModel* m_rows;
-    people::WordFilter* m_shown;
-    people::ListTable* m_table;
+    kit::WordFilter* m_shown;
+    kit::ListTable* m_table;
     QString m_head;
     bool m_hasOlder = false;
     bool m_isAsked = true;             ///< the newest are on their way

@@ -15,15 +15,15 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
-#include "ui/admin/SecondThought.h"
-#include "ui/people/ListTable.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ListTable.h"
+#include "ui/kit/SecondThought.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::admin {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 namespace {
 
@@ -33,13 +33,13 @@ constexpr int kFile = Qt::UserRole + 1;  ///< of a row
 }  // namespace
 
 BackupPart::BackupPart(QWidget* parent)
-    : QWidget(parent), m_thought(new SecondThought(*this)),
-      m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)), m_backUp(new QPushButton(this)),
+    : QWidget(parent), m_thought(new kit::SecondThought(*this)),
+      m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)), m_backUp(new QPushButton(this)),
       m_check(new QPushButton(this)), m_codeCaption(new QLabel(this)), m_code(new QLineEdit(this)),
-      m_codeFault(study::faultLabel(this)), m_restore(new QPushButton(this)), m_keep(new QPushButton(this)),
+      m_codeFault(kit::faultLabel(this)), m_restore(new QPushButton(this)), m_keep(new QPushButton(this)),
       m_stop(new QPushButton(this)), m_bar(new QProgressBar(this)),
-      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
-      m_findings(new QPlainTextEdit(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
+      m_said(kit::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+      m_findings(new QPlainTextEdit(this)), m_rows(new QStandardItemModel(this)), m_table(new kit::ListTable(this))
 {
     m_words->setTextFormat(Qt::PlainText);
     m_said->setTextFormat(Qt::PlainText);
@@ -53,7 +53,7 @@ BackupPart::BackupPart(QWidget* parent)
     m_code->setObjectName(QStringLiteral("reportCode"));
     m_code->setFont(typeface(kBody));
     m_code->setMaxLength(kLongestCode);
-    m_code->setMaximumWidth(2 * study::kInputPx);
+    m_code->setMaximumWidth(2 * kit::kInputPx);
     m_codeFault->setObjectName(QStringLiteral("reportCodeFault"));
     m_stop->setObjectName(QStringLiteral("stopWork"));
     m_stop->setProperty("kind", "quiet");
@@ -105,7 +105,7 @@ BackupPart::BackupPart(QWidget* parent)
         m_restore->setFocus();
     };
     connect(m_keep, &QPushButton::clicked, this, keep);
-    connect(m_thought, &SecondThought::withdrawn, this, keep);
+    connect(m_thought, &kit::SecondThought::withdrawn, this, keep);
     column->addStretch(1);  // of a server there is no table
     m_restore->setAutoDefault(false);
     m_stop->setAutoDefault(false);
@@ -113,7 +113,7 @@ BackupPart::BackupPart(QWidget* parent)
     const auto check = [this] { emit checkWanted(m_code->text().trimmed()); };
     connect(m_check, &QPushButton::clicked, this, check);
     connect(m_code, &QLineEdit::returnPressed, this, check);
-    connect(m_code, &QLineEdit::textChanged, this, [this] { study::showFault(m_codeFault, {}); });
+    connect(m_code, &QLineEdit::textChanged, this, [this] { kit::showFault(m_codeFault, {}); });
     connect(m_restore, &QPushButton::clicked, this, &BackupPart::restore);
     connect(m_stop, &QPushButton::clicked, this, &BackupPart::stopWanted);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
@@ -136,7 +136,7 @@ void BackupPart::speak()
     m_code->setAccessibleName(m_codeCaption->text());
     m_code->setToolTip(brokenIntoLines(tr(
         "\"Check everything\" then also looks whether the audit is still the one that the report was printed from")));
-    study::showFault(m_codeFault, {});
+    kit::showFault(m_codeFault, {});
     m_stop->setText(tr("Stop"));
     m_keep->setText(tr("Keep what there is"));
     for (QPushButton* one : {m_backUp, m_check, m_stop, m_keep})
@@ -256,7 +256,7 @@ void BackupPart::setNames(const NamesByUid& names)
     m_names = names;
 }
 
-void BackupPart::setLessonTitles(const people::LessonTitles& titles)
+void BackupPart::setLessonTitles(const text::LessonTitles& titles)
 {
     m_titles = titles;
     tell();
@@ -280,9 +280,8 @@ void BackupPart::finish(std::function<QString()> sentence, std::vector<database:
 void BackupPart::refuseCode()
 {
     //: %1: an example
-    study::showFault(
-        m_codeFault,
-        tr("This is no audit code. A report shows one such as %1.").arg(QStringLiteral("412-9f3ac07be1d2")));
+    kit::showFault(m_codeFault,
+                   tr("This is no audit code. A report shows one such as %1.").arg(QStringLiteral("412-9f3ac07be1d2")));
     m_code->setFocus();
     m_code->selectAll();
 }

@@ -20,13 +20,12 @@ class QProgressBar;
 class QPushButton;
 class QStandardItemModel;
 
-namespace ui::people {
+namespace ui::kit {
 class ListTable;
-}
+class SecondThought;
+}  // namespace ui::kit
 
 namespace ui::admin {
-
-class SecondThought;
 
 /// A backup that is there.
 struct Backup
@@ -57,7 +56,7 @@ public:
     void finish(std::function<QString()> sentence, std::vector<database::Finding> findings = {}, bool isFault = false);
     /// What findings call people and classes by.
     void setNames(const NamesByUid& names);
-    void setLessonTitles(const people::LessonTitles& titles);
+    void setLessonTitles(const text::LessonTitles& titles);
     /// What was typed is no audit code; nothing has begun.
     void refuseCode();
 
@@ -84,7 +83,7 @@ private:
     bool m_isBusy = false;
     QWidget* m_begunBy = nullptr;           ///< had the focus when the work began, which disables it
     QWidget* m_focusedMeanwhile = nullptr;  ///< by Qt, unless the person has gone elsewhere
-    SecondThought* m_thought;               ///< whether to restore
+    kit::SecondThought* m_thought;          ///< whether to restore
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
@@ -101,10 +100,10 @@ private:
     bool m_isFault = false;
     std::vector<database::Finding> m_found;
     NamesByUid m_names;
-    people::LessonTitles m_titles;
+    text::LessonTitles m_titles;
     QPlainTextEdit* m_findings;
     QStandardItemModel* m_rows;
-    people::ListTable* m_table;
+    kit::ListTable* m_table;
 };
 
 }  // namespace ui::admin

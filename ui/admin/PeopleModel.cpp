@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/admin/PeopleModel.h"
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 
 namespace ui::admin {
 void PeopleModel::setHeads(const QStringList& heads)
@@ -37,7 +37,7 @@ QVariant PeopleModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return words;
     case Qt::ToolTipRole:
-        return shell::brokenIntoLines(words);
+        return kit::brokenIntoLines(words);
     case Id:
         return row.id;
     case SortBy:

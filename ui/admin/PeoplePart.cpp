@@ -25,20 +25,20 @@
 
 #include "ui/admin/AdminWords.h"
 #include "ui/admin/PeopleModel.h"
-#include "ui/admin/SecondThought.h"
-#include "ui/people/ListTable.h"
-#include "ui/people/PeopleWords.h"
-#include "ui/people/WordFilter.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
-#include "ui/shell/UnsavedChanges.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ListTable.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/SecondThought.h"
+#include "ui/kit/Theme.h"
+#include "ui/kit/UnsavedChanges.h"
+#include "ui/kit/WordFilter.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PeopleWords.h"
 
 namespace ui::admin {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using database::Person;
 using database::Role;
 
@@ -119,11 +119,11 @@ QWidget* PeoplePart::makeList()
     head->addWidget(m_new);
     column->addLayout(head);
     m_rows = new PeopleModel(side);
-    m_shown = new people::WordFilter(side);
+    m_shown = new kit::WordFilter(side);
     m_shown->setSourceModel(m_rows);
     m_shown->setSortRole(PeopleModel::SortBy);
     m_shown->setSortLocaleAware(true);
-    m_table = new people::ListTable(side);
+    m_table = new kit::ListTable(side);
     m_table->setObjectName(QStringLiteral("people"));
     m_table->setModel(m_shown);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -160,13 +160,13 @@ QWidget* PeoplePart::makeForm()
     auto* column = new QVBoxLayout(form);
     column->setContentsMargins(0, 0, kSpace2, 0);
     column->setSpacing(kSpace2);
-    m_title = study::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, form);
+    m_title = kit::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, form);
     m_title->setTextFormat(Qt::PlainText);
     column->addWidget(m_title);
     m_codeCard = new QFrame(form);
     m_codeCard->setProperty("kind", "card");
     auto* code = new QVBoxLayout(m_codeCard);
-    m_codeWords = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_codeCard);
+    m_codeWords = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_codeCard);
     m_codeWords->setTextFormat(Qt::PlainText);
     m_code = new QLabel(m_codeCard);
     m_code->setObjectName(QStringLiteral("oneTimeCode"));
@@ -180,12 +180,12 @@ QWidget* PeoplePart::makeForm()
     m_username = input("personUsername", form);
     m_given = input("personGiven", form);
     m_family = input("personFamily", form);
-    m_role = study::choiceInput({}, form);
+    m_role = kit::choiceInput({}, form);
     m_role->setObjectName(QStringLiteral("personRole"));
     m_role->setMinimumHeight(m_username->sizeHint().height());
     // What a field is must be readable when it is filled as well.
     const auto headed = [form, column](QWidget* field) {
-        auto* word = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
+        auto* word = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
         word->setBuddy(field);
         auto* both = new QVBoxLayout;
         both->setSpacing(2);
@@ -198,7 +198,7 @@ QWidget* PeoplePart::makeForm()
     m_givenWord = headed(m_given);
     m_familyWord = headed(m_family);
     m_roleWord = headed(m_role);
-    m_classesWord = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
+    m_classesWord = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
     column->addWidget(m_classesWord);
     m_classList = new TickList(form);
     m_classList->setObjectName(QStringLiteral("personClasses"));
@@ -221,9 +221,9 @@ QWidget* PeoplePart::makeForm()
     m_pane = new ScrollPane(form, QPalette::Window, whole);
     stack->addWidget(m_pane, 1);
     // Answers stand beside the buttons that they answer, however far the form is scrolled.
-    m_fault = study::faultLabel(whole);
+    m_fault = kit::faultLabel(whole);
     m_fault->setObjectName(QStringLiteral("personFault"));
-    m_said = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, whole);
+    m_said = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, whole);
     m_said->setObjectName(QStringLiteral("personSaid"));
     m_said->setTextFormat(Qt::PlainText);
     stack->addWidget(m_fault);
@@ -251,7 +251,7 @@ QWidget* PeoplePart::makeForm()
     connect(m_role, &QComboBox::activated, this, touch);
     connect(m_classList, &QListWidget::itemChanged, this, touch);
     connect(m_reset, &QPushButton::clicked, this, &PeoplePart::askToReset);
-    m_thought = new SecondThought(*this);
+    m_thought = new kit::SecondThought(*this);
     const auto keep = [this] {
         m_thought->end();
         say({});
@@ -261,7 +261,7 @@ QWidget* PeoplePart::makeForm()
         (m_question == Question::Password ? m_reset : m_question == Question::OwnRole ? m_save : m_disable)->setFocus();
     };
     connect(m_keep, &QPushButton::clicked, this, keep);
-    connect(m_thought, &SecondThought::withdrawn, this, keep);
+    connect(m_thought, &kit::SecondThought::withdrawn, this, keep);
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
     connect(m_copy, &QPushButton::clicked, this, [this] {
         QGuiApplication::clipboard()->setText(m_code->text());
@@ -344,7 +344,7 @@ void PeoplePart::speak()
     for (const Role one : kRoles)
         m_role->addItem(roleWord(one));
     m_role->setCurrentIndex(role);
-    study::nameInput(m_role, tr("Role"));
+    kit::nameInput(m_role, tr("Role"));
     say(m_sentence, m_faultSentence);
     fill();
     showForm();
@@ -379,7 +379,7 @@ void PeoplePart::fill()
         rows << PeopleModel::Row{person.id.value,
                                  {QString::fromStdString(person.fullName()), QString::fromStdString(person.username),
                                   roleWord(person.role), classes.join(QStringLiteral(", ")),
-                                  people::when(person.lastLoginUtc), stateOf(person, now)},
+                                  text::when(person.lastLoginUtc), stateOf(person, now)},
                                  QString::fromStdString(person.familyName),
                                  QString::fromStdString(person.lastLoginUtc)};
     }
@@ -626,7 +626,7 @@ void PeoplePart::say(const Words& sentence, const Words& fault)
     m_sentence = sentence;
     m_faultSentence = fault;
     m_said->setText(sentence ? sentence() : QString());
-    study::showFault(m_fault, fault ? fault() : QString());
+    kit::showFault(m_fault, fault ? fault() : QString());
 }
 
 bool PeoplePart::isOwn(const Person* person) const

@@ -21,18 +21,16 @@ class QLineEdit;
 class QListWidget;
 class QPushButton;
 
-namespace ui::shell {
-class ScrollPane;
-}
-namespace ui::people {
+namespace ui::kit {
 class ListTable;
+class ScrollPane;
+class SecondThought;
 class WordFilter;
-}  // namespace ui::people
+}  // namespace ui::kit
 
 namespace ui::admin {
 
 class PeopleModel;
-class SecondThought;
 
 /// Everybody of the school, and beside them a form for one: entering, changing, classes, a one-time code for who has
 /// forgotten his password.
@@ -137,12 +135,12 @@ private:
     QElapsedTimer m_sinceSubmitted;
     QHash<qint64, Code> m_codes;  ///< by whom they let in
     PeopleModel* m_rows = nullptr;
-    people::WordFilter* m_shown = nullptr;
+    kit::WordFilter* m_shown = nullptr;
     QLineEdit* m_search = nullptr;
-    people::ListTable* m_table = nullptr;
+    kit::ListTable* m_table = nullptr;
     QLabel* m_count = nullptr;
     QPushButton* m_new = nullptr;
-    shell::ScrollPane* m_pane = nullptr;
+    kit::ScrollPane* m_pane = nullptr;
     QLabel* m_title = nullptr;
     QLabel* m_usernameWord = nullptr;
     QLabel* m_givenWord = nullptr;
@@ -161,7 +159,7 @@ private:
     QPushButton* m_reset = nullptr;
     QPushButton* m_keep = nullptr;  ///< what is asked about
     QPushButton* m_disable = nullptr;
-    SecondThought* m_thought = nullptr;
+    kit::SecondThought* m_thought = nullptr;
     Question m_question = Question::Password;
     QLabel* m_said = nullptr;
     QLabel* m_fault = nullptr;

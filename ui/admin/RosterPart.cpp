@@ -18,18 +18,18 @@
 
 #include "database/Codes.h"
 #include "ui/admin/AdminWords.h"
-#include "ui/people/ListTable.h"
-#include "ui/shell/FileDialog.h"
-#include "ui/shell/Folders.h"
-#include "ui/shell/Memory.h"
-#include "ui/shell/Theme.h"
-#include "ui/shell/UnsavedChanges.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FileDialog.h"
+#include "ui/kit/Folders.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ListTable.h"
+#include "ui/kit/Memory.h"
+#include "ui/kit/Theme.h"
+#include "ui/kit/UnsavedChanges.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::admin {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 namespace {
 
@@ -55,10 +55,10 @@ void remember(const QString& file)
 }  // namespace
 
 RosterPart::RosterPart(QWidget* parent)
-    : QWidget(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+    : QWidget(parent), m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_choose(new QPushButton(this)), m_enter(new QPushButton(this)), m_save(new QPushButton(this)),
-      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)), m_fault(study::faultLabel(this)),
-      m_example(new QLabel(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
+      m_said(kit::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)), m_fault(kit::faultLabel(this)),
+      m_example(new QLabel(this)), m_rows(new QStandardItemModel(this)), m_table(new kit::ListTable(this))
 {
     setAcceptDrops(true);
     m_choose->setObjectName(QStringLiteral("chooseRoster"));
@@ -135,7 +135,7 @@ void RosterPart::tell()
     const bool isAnybody = !m_outcome.people.empty();
     const bool isWrong = m_what.isEmpty() ? !m_file.isEmpty() && !isAnybody : m_isWrong;
     const QString words = m_what.isEmpty() ? outcomeWords() : m_what;
-    study::showFault(m_fault, isWrong ? words : QString());
+    kit::showFault(m_fault, isWrong ? words : QString());
     m_said->setText(isWrong ? QString() : words);
     m_said->setVisible(!isWrong);
 }

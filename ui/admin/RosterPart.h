@@ -12,7 +12,7 @@ class QLabel;
 class QPushButton;
 class QStandardItemModel;
 
-namespace ui::people {
+namespace ui::kit {
 class ListTable;
 }
 
@@ -73,7 +73,7 @@ private:
     QLabel* m_fault;
     QLabel* m_example;  ///< of what such a file looks like
     QStandardItemModel* m_rows;
-    people::ListTable* m_table;
+    kit::ListTable* m_table;
 };
 
 }  // namespace ui::admin

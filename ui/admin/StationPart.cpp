@@ -10,14 +10,14 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::admin {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 namespace {
 
@@ -47,8 +47,8 @@ QString foundDevices()
 }  // namespace
 
 StationPart::StationPart(QWidget* parent)
-    : QWidget(parent), m_grid(new QGridLayout), m_idle(study::countInput(1, kLongestIdle, this)),
-      m_idleWords(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this))
+    : QWidget(parent), m_grid(new QGridLayout), m_idle(kit::countInput(1, kLongestIdle, this)),
+      m_idleWords(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -57,8 +57,8 @@ StationPart::StationPart(QWidget* parent)
     m_grid->setVerticalSpacing(kSpace2);
     m_grid->setColumnStretch(1, 1);
     for (int row = 0; row < kRows; ++row) {
-        m_names << study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this);
-        m_values << study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this);
+        m_names << kit::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this);
+        m_values << kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this);
         m_names.back()->setWordWrap(false);
         m_values.back()->setTextFormat(Qt::PlainText);
         m_values.back()->setTextInteractionFlags(Qt::TextSelectableByMouse);

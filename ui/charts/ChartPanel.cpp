@@ -10,13 +10,13 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/SaveButton.h"
-#include "ui/shell/Announce.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Announce.h"
+#include "ui/kit/Theme.h"
 
 namespace ui::charts {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr double kRingPx = 8.0;
 constexpr double kReachPx = 40.0;  ///< from the pointer to a value

@@ -14,13 +14,13 @@
 #include <QSvgGenerator>
 #include <QTextBoundaryFinder>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/Texts.h"
 
 namespace ui::charts {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr double kMarkPx = 9.0;
 constexpr double kBarShare = 0.62;    ///< of the height of its row

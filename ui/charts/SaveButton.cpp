@@ -11,16 +11,16 @@
 
 #include "ui/charts/Drawing.h"
 #include "ui/charts/Table.h"
-#include "ui/shell/FileDialog.h"
-#include "ui/shell/Folders.h"
-#include "ui/shell/LineIcon.h"
-#include "ui/shell/SavedFile.h"
+#include "ui/kit/FileDialog.h"
+#include "ui/kit/Folders.h"
+#include "ui/kit/LineIcon.h"
+#include "ui/kit/SavedFile.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::charts {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 /// Translated with the rest of what a panel says.
 struct SaveWords

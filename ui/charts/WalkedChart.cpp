@@ -8,7 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 
 namespace ui::charts {
 namespace {
@@ -96,7 +96,7 @@ void WalkedChart::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), shell::kRadius, shell::kRadius);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), kit::kRadius, kit::kRadius);
 }
 
 bool WalkedChart::eventFilter(QObject* watched, QEvent* event)

@@ -20,8 +20,8 @@
 #include "ui/charts/SaveButton.h"
 #include "ui/console/ParameterWords.h"
 #include "ui/console/WatchPanel.h"
-#include "ui/shell/Folders.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Folders.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Search.h"
 
@@ -83,9 +83,9 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     : QWidget(parent), m_parameters(parameters), m_panel(panel), m_output(new QPlainTextEdit(this)),
       m_hint(new QLabel(this)), m_line(new QLineEdit(this))
 {
-    shell::dress(*this, shell::roomPalette());  // it lies over the tooth, in whatever theme
+    kit::dress(*this, kit::roomPalette());  // it lies over the tooth, in whatever theme
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    fixed.setPixelSize(shell::kBody - 1);
+    fixed.setPixelSize(kit::kBody - 1);
     m_output->setReadOnly(true);
     m_output->setFrameShape(QFrame::NoFrame);
     m_output->setFont(fixed);
@@ -93,7 +93,7 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     m_output->setFocusPolicy(Qt::NoFocus);
     m_output->setObjectName(QStringLiteral("consoleOutput"));
     m_output->setProperty("kind", "overlay");
-    m_hint->setFont(shell::typeface(shell::kSmall));
+    m_hint->setFont(kit::typeface(kit::kSmall));
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_hint->setTextFormat(Qt::PlainText);
     m_hint->setWordWrap(true);
@@ -103,8 +103,8 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     m_line->setProperty("kind", "overlay");
     m_line->installEventFilter(this);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(shell::kSpace4, shell::kSpace2, shell::kSpace4, shell::kSpace2);
-    column->setSpacing(shell::kSpace1);
+    column->setContentsMargins(kit::kSpace4, kit::kSpace2, kit::kSpace4, kit::kSpace2);
+    column->setSpacing(kit::kSpace1);
     column->addWidget(m_output, 1);
     column->addWidget(m_hint);
     column->addWidget(m_line);
@@ -308,7 +308,7 @@ void Console::exportPlot(const QString& name, const QString& file)
     }
     static const QStringList kEndings{QStringLiteral("csv"), QStringLiteral("png"), QStringLiteral("svg")};
     const bool hasEnding = kEndings.contains(QFileInfo(file).suffix().toLower());
-    const QString path = QDir(shell::documentsFolder()).filePath(hasEnding ? file : file + QStringLiteral(".csv"));
+    const QString path = QDir(kit::documentsFolder()).filePath(hasEnding ? file : file + QStringLiteral(".csv"));
     if (QFileInfo::exists(path)) {
         say(tr("There is a file %1 already; choose another name.").arg(QDir::toNativeSeparators(path)));
         return;

@@ -13,9 +13,9 @@
 
 #include "core/settings/StabilityBound.h"
 #include "ui/console/ParameterWords.h"
+#include "ui/kit/Actions.h"
 #include "ui/presets/BlindTrial.h"
-#include "ui/presets/PresetWords.h"
-#include "ui/shell/Actions.h"
+#include "ui/text/PresetWords.h"
 #include "ui/tooth/PointerControl.h"
 
 namespace ui::console {
@@ -97,11 +97,11 @@ void registerFeel(Parameters& parameters, const std::function<FeelPreset()>& now
             next.*value = number;
             next.hash.clear();  // it is no longer what its version says
             if (!core::settings::checkStability(next))
-                return presets::boundWords(next).toStdString();
+                return text::boundWords(next).toStdString();
             return feel(next);
         };
-        parameter.label = [id = field.id] { return presets::fieldName(id).toStdString(); };
-        parameter.help = [id = field.id] { return presets::fieldHelp(id).toStdString(); };
+        parameter.label = [id = field.id] { return text::feelFieldName(id).toStdString(); };
+        parameter.help = [id = field.id] { return text::fieldHelp(id).toStdString(); };
         parameter.withheld = [now] { return presets::isVeiled(now()) ? blindWords().toStdString() : std::string(); };
         parameters.add(std::move(parameter));
     }
@@ -167,8 +167,7 @@ void registerLive(Parameters& parameters, const std::function<core::servo::Servo
                 return told().*which ? read() : std::numeric_limits<double>::quiet_NaN();
             };
             parameter.withheld = [told, which] {
-                return told().*which ? std::string()
-                                     : shell::Actions::tr("This lesson does not allow it.").toStdString();
+                return told().*which ? std::string() : kit::Actions::tr("This lesson does not allow it.").toStdString();
             };
         }
         parameters.add(std::move(parameter));

@@ -9,7 +9,7 @@
 #include <QPainterPath>
 
 #include "ui/console/ParameterWords.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 
 namespace ui::console {
 namespace {
@@ -29,7 +29,7 @@ double secondsNow()
 WatchPanel::WatchPanel(const core::settings::Parameters& parameters, QWidget* parent)
     : QWidget(parent), m_parameters(parameters)
 {
-    setPalette(shell::roomPalette());
+    setPalette(kit::roomPalette());
     setAttribute(Qt::WA_TransparentForMouseEvents);
     m_beat.setInterval(kBeatMs);
     connect(&m_beat, &QTimer::timeout, this, [this] { sample(secondsNow()); });
@@ -131,10 +131,10 @@ void WatchPanel::sample(double seconds)
 
 void WatchPanel::fit()
 {
-    int height = shell::kSpace2;
+    int height = kit::kSpace2;
     for (const Row& row : m_rows)
         height += kLinePx + (row.isPlotted ? kPlotPx : 0);
-    setFixedSize(kWidthPx, height + shell::kSpace2);
+    setFixedSize(kWidthPx, height + kit::kSpace2);
     setVisible(!m_rows.empty());
     raise();
     emit resized();
@@ -147,22 +147,22 @@ void WatchPanel::paintEvent(QPaintEvent*)
     const QPalette& p = palette();
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 22, 23, 215));
-    painter.drawRoundedRect(rect(), shell::kRadius, shell::kRadius);
-    int y = shell::kSpace2;
+    painter.drawRoundedRect(rect(), kit::kRadius, kit::kRadius);
+    int y = kit::kSpace2;
     for (const Row& row : m_rows) {
-        const QRect lineRect(shell::kSpace2, y, width() - 2 * shell::kSpace2, kLinePx);
+        const QRect lineRect(kit::kSpace2, y, width() - 2 * kit::kSpace2, kLinePx);
         const core::settings::Parameter* parameter = m_parameters.find(row.name.toStdString());
-        painter.setFont(shell::typeface(shell::kSmall));
+        painter.setFont(kit::typeface(kit::kSmall));
         painter.setPen(p.color(QPalette::PlaceholderText));
         painter.drawText(lineRect, Qt::AlignLeft | Qt::AlignVCenter, row.name);
-        painter.setFont(shell::typeface(shell::kBody, QFont::DemiBold));
+        painter.setFont(kit::typeface(kit::kBody, QFont::DemiBold));
         painter.setPen(p.color(QPalette::WindowText));
         if (parameter != nullptr)
             painter.drawText(lineRect, Qt::AlignRight | Qt::AlignVCenter, valueWords(*parameter, row.now));
         y += kLinePx;
         if (!row.isPlotted)
             continue;
-        QRectF plot(shell::kSpace2, y, width() - 2.0 * shell::kSpace2, kPlotPx - shell::kSpace1);
+        QRectF plot(kit::kSpace2, y, width() - 2.0 * kit::kSpace2, kPlotPx - kit::kSpace1);
         y += kPlotPx;
         const auto range = row.range();
         if (!range || parameter == nullptr)
@@ -172,12 +172,12 @@ void WatchPanel::paintEvent(QPaintEvent*)
         // The pointer goes through: what it would be told stands beside the curve.
         const QString lowWords = valueWords(*parameter, low);
         const QString highWords = high > low ? valueWords(*parameter, high) : QString();
-        painter.setFont(shell::typeface(shell::kSmall));
+        painter.setFont(kit::typeface(kit::kSmall));
         painter.setPen(p.color(QPalette::PlaceholderText));
         painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, highWords);
         painter.drawText(plot, Qt::AlignLeft | Qt::AlignBottom, lowWords);
         const QFontMetrics metrics = painter.fontMetrics();
-        plot.setLeft(plot.left() + shell::kSpace2 +
+        plot.setLeft(plot.left() + kit::kSpace2 +
                      std::max(metrics.horizontalAdvance(lowWords), metrics.horizontalAdvance(highWords)));
         painter.setPen(QPen(p.color(QPalette::Mid), 1.0));
         painter.drawLine(plot.bottomLeft(), plot.bottomRight());

@@ -9,13 +9,13 @@
 
 #include "ui/devices/ControllerSettings.h"
 #include "ui/devices/ControllerWords.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kAxisRowPx = 26;
 constexpr int kAxisNamePx = 170;

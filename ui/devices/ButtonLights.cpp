@@ -5,13 +5,13 @@
 #include <QStringList>
 
 #include "ui/devices/DeviceWords.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr std::size_t kGripButtons = 4;
 

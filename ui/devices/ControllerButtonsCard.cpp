@@ -9,14 +9,14 @@
 #include <QVBoxLayout>
 
 #include "ui/devices/ControllerWords.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kActionColumns = 2;
 constexpr int kTaughtButtonPx = 150;
@@ -24,9 +24,9 @@ constexpr int kTaughtButtonPx = 150;
 }  // namespace
 
 ControllerButtonsCard::ControllerButtonsCard(QWidget* parent)
-    : QFrame(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
-      m_layoutTitle(study::formWords({}, kBody, QFont::DemiBold, QPalette::WindowText, this)),
-      m_layout(new QGridLayout), m_layoutBox(new QWidget(this))
+    : QFrame(parent), m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+      m_layoutTitle(kit::formWords({}, kBody, QFont::DemiBold, QPalette::WindowText, this)), m_layout(new QGridLayout),
+      m_layoutBox(new QWidget(this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("controllerButtons"));
@@ -41,7 +41,7 @@ ControllerButtonsCard::ControllerButtonsCard(QWidget* parent)
     grid->setVerticalSpacing(kSpace1);
     for (std::size_t k = 0; k < kControllerActions; ++k) {
         const auto action = static_cast<ControllerAction>(k);
-        m_names.at(k) = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this);
+        m_names.at(k) = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this);
         m_buttons.at(k) = new QPushButton(this);
         m_buttons.at(k)->setCheckable(true);
         m_buttons.at(k)->setFixedWidth(kTaughtButtonPx);
@@ -64,8 +64,8 @@ ControllerButtonsCard::ControllerButtonsCard(QWidget* parent)
     m_layoutBox->setLayout(m_layout);
     const auto rows = static_cast<int>(gamepadLayout().size());
     for (int row = 0; row < rows; ++row) {
-        m_layout->addWidget(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, m_layoutBox), row, 0);
-        m_layout->addWidget(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_layoutBox), row, 1);
+        m_layout->addWidget(kit::formWords({}, kBody, QFont::Medium, QPalette::WindowText, m_layoutBox), row, 0);
+        m_layout->addWidget(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_layoutBox), row, 1);
     }
     column->addWidget(m_layoutBox);
     text::inEveryLanguage(this, [this] {

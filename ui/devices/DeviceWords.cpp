@@ -6,8 +6,8 @@
 
 #include <QCoreApplication>
 
-#include "ui/shell/LineIcon.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/LineIcon.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/FaultWords.h"
 
 namespace ui::devices {
@@ -52,22 +52,21 @@ Sign signOf(const DeviceKind& kind, const DeviceReport& report)
 
 QPixmap signPixmap(Sign sign, const QPalette& palette, int sizePx, double devicePixelRatio)
 {
-    const shell::Tones tones = shell::tones(palette);
+    const kit::Tones tones = kit::tones(palette);
     switch (sign) {
     case Sign::Ready:
-        return shell::linePixmap(QStringLiteral("check"), tones.accent, sizePx, devicePixelRatio);
+        return kit::linePixmap(QStringLiteral("check"), tones.accent, sizePx, devicePixelRatio);
     case Sign::Working:
-        return shell::linePixmap(QStringLiteral("hourglass"), tones.accent, sizePx, devicePixelRatio);
+        return kit::linePixmap(QStringLiteral("hourglass"), tones.accent, sizePx, devicePixelRatio);
     case Sign::Attention:
-        return shell::linePixmap(QStringLiteral("warning"), tones.attention, sizePx, devicePixelRatio);
+        return kit::linePixmap(QStringLiteral("warning"), tones.attention, sizePx, devicePixelRatio);
     case Sign::Off:
-        return shell::linePixmap(QStringLiteral("eye"), palette.color(QPalette::PlaceholderText), sizePx,
-                                 devicePixelRatio);
+        return kit::linePixmap(QStringLiteral("eye"), palette.color(QPalette::PlaceholderText), sizePx,
+                               devicePixelRatio);
     case Sign::Missing:
         break;
     }
-    return shell::linePixmap(QStringLiteral("cross"), palette.color(QPalette::PlaceholderText), sizePx,
-                             devicePixelRatio);
+    return kit::linePixmap(QStringLiteral("cross"), palette.color(QPalette::PlaceholderText), sizePx, devicePixelRatio);
 }
 
 QString stateWords(const DeviceKind& kind, const DeviceReport& report)

@@ -27,10 +27,10 @@
 #include "ui/devices/SetupCard.h"
 #include "ui/devices/SoundCard.h"
 #include "ui/devices/SoundWords.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
@@ -39,7 +39,7 @@ namespace {
 using core::session::DeviceReport;
 using core::session::DeviceSetup;
 using core::session::DeviceStage;
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kHandsPx = 300;
 constexpr int kNarrowHandsPx = 230;
@@ -60,7 +60,7 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     auto* column = new QVBoxLayout(cards);
     column->setContentsMargins(0, 0, kSpace4, 0);
     column->setSpacing(kSpace4);
-    m_help = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, cards);
+    m_help = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, cards);
     m_help->setObjectName(QStringLiteral("deviceHelp"));
     m_progress = new QProgressBar(cards);
     m_progress->setRange(0, kPercentFull);
@@ -200,9 +200,9 @@ QWidget* DevicesPage::makeHead()
     row->addWidget(m_sign, 0, Qt::AlignTop);
     auto* words = new QVBoxLayout;
     words->setSpacing(0);
-    m_name = study::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, head);
+    m_name = kit::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, head);
     m_name->setObjectName(QStringLiteral("deviceName"));
-    m_state = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, head);
+    m_state = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, head);
     m_state->setObjectName(QStringLiteral("deviceState"));
     words->addWidget(m_name);
     words->addWidget(m_state);
@@ -227,9 +227,9 @@ QWidget* DevicesPage::makeHoming(QWidget* parent)
     auto* column = new QVBoxLayout(card);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace4);
-    auto* what = study::formWords({}, kTitle, QFont::Medium, QPalette::WindowText, card);
+    auto* what = kit::formWords({}, kTitle, QFont::Medium, QPalette::WindowText, card);
     what->setObjectName(QStringLiteral("homingWords"));
-    auto* hint = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, card);
+    auto* hint = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, card);
     m_marks = new HomingMarks(card);
     column->addWidget(what);
     column->addWidget(m_marks);

@@ -8,7 +8,7 @@
 
 #include "core/session/DeviceReport.h"
 #include "ui/devices/DeviceKind.h"
-#include "ui/shell/Page.h"
+#include "ui/kit/Page.h"
 
 class QCheckBox;
 class QLabel;
@@ -34,11 +34,11 @@ class SoundCard;
 ///
 /// The page finds and opens nothing itself: the reports of the devices are given to it, and its signals ask for the
 /// rest.
-class DevicesPage : public shell::Page
+class DevicesPage : public kit::Page
 {
     Q_OBJECT
 public:
-    DevicesPage(const shell::Actions& actions, QWidget* parent);
+    DevicesPage(const kit::Actions& actions, QWidget* parent);
 
     /// The kinds of force devices, in the order of the list. None has a report yet.
     void setKinds(const QList<DeviceKind>& kinds);

@@ -7,21 +7,21 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "ui/shell/FileDialog.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FileDialog.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/FaultWords.h"
 
 namespace ui::devices {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 FirmwareCard::FirmwareCard(QWidget* parent)
-    : QFrame(parent), m_heading(study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this)),
-      m_name(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
-      m_path(study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this)),
-      m_fault(study::faultLabel(this)), m_choose(new QPushButton(this))
+    : QFrame(parent), m_heading(kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this)),
+      m_name(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+      m_path(kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this)),
+      m_fault(kit::faultLabel(this)), m_choose(new QPushButton(this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("firmware"));
@@ -67,8 +67,8 @@ void FirmwareCard::describe()
     m_name->setToolTip(isFirmware ? QStringLiteral("SHA-256 ") + m_file.sha256 : QString());
     m_path->setText(QDir::toNativeSeparators(m_file.path));
     m_path->setVisible(isFirmware);
-    study::showFault(m_fault,
-                     m_file.path.isEmpty() || isFirmware ? QString() : text::faultWords(core::wordsOf(m_file.error)));
+    kit::showFault(m_fault,
+                   m_file.path.isEmpty() || isFirmware ? QString() : text::faultWords(core::wordsOf(m_file.error)));
 }
 
 void FirmwareCard::choose()

@@ -4,7 +4,7 @@
 #include <QGridLayout>
 #include <QPushButton>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
@@ -37,7 +37,7 @@ ForceTest::ForceTest(QWidget* parent) : QWidget(parent)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(shell::kSpace1);
+    grid->setSpacing(kit::kSpace1);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     for (const int column : {0, 1, 2, 3})
         grid->setColumnMinimumWidth(column, kButtonPx);

@@ -18,10 +18,10 @@
 #include "core/session/RestHeight.h"
 #include "ui/devices/HandGuidePicture.h"
 #include "ui/devices/StillnessTest.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
@@ -31,7 +31,7 @@ namespace {
 using core::session::DeviceReport;
 using core::session::DeviceSetup;
 using core::session::DeviceStage;
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kGuideSteps = 5;
 constexpr int kWidestGuidePx = 900;
@@ -40,7 +40,7 @@ constexpr double kSameHeightMm = 0.05;
 
 QLabel* guideCaption(QWidget* parent)
 {
-    return study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
+    return kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
 }
 
 QString millimetres(double mm)
@@ -52,7 +52,7 @@ QString millimetres(double mm)
 
 HandGuide::HandGuide(const Actions& actions, QWidget* parent)
     : QWidget(parent), m_otherHand(actions.otherHand), m_count(guideCaption(this)),
-      m_title(study::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, this))
+      m_title(kit::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, this))
 {
     setObjectName(QStringLiteral("handGuide"));
     m_title->setObjectName(QStringLiteral("guideTitle"));
@@ -79,7 +79,7 @@ QWidget* HandGuide::makeCard(QWidget* parent)
     card->setProperty("kind", "card");
     card->setObjectName(QStringLiteral("handGuideCard"));
     m_picture = new HandGuidePicture(card);
-    m_help = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, card);
+    m_help = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, card);
     m_help->setObjectName(QStringLiteral("guideHelp"));
     auto* words = new QVBoxLayout;
     words->setSpacing(kSpace4);
@@ -150,9 +150,9 @@ QWidget* HandGuide::makeRest(QWidget* parent)
     auto* inside = new QVBoxLayout(m_rest);
     inside->setContentsMargins(0, 0, 0, 0);
     inside->setSpacing(kSpace2);
-    m_height = study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, m_rest);
+    m_height = kit::formWords({}, kBody, QFont::Medium, QPalette::WindowText, m_rest);
     m_height->setObjectName(QStringLiteral("gripHeight"));
-    m_stored = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_rest);
+    m_stored = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_rest);
     m_stored->setObjectName(QStringLiteral("restHeight"));
     m_store = new QPushButton(m_rest);
     m_store->setObjectName(QStringLiteral("storeHeight"));
@@ -182,10 +182,10 @@ QWidget* HandGuide::makeSummary(QWidget* parent)
     inside->setSpacing(kSpace1);
     auto* caption = guideCaption(m_summary);
     auto* help = guideCaption(m_summary);
-    m_scale = study::numberInput(DeviceSetup::kLeastScale, DeviceSetup::kMostScale, 1, {}, {}, m_summary);
+    m_scale = kit::numberInput(DeviceSetup::kLeastScale, DeviceSetup::kMostScale, 1, {}, {}, m_summary);
     m_scale->setObjectName(QStringLiteral("guideScale"));
     m_scale->setSingleStep(kGuideScaleStep);
-    m_scale->setFixedWidth(study::kInputPx);
+    m_scale->setFixedWidth(kit::kInputPx);
     inside->addWidget(caption);
     inside->addWidget(m_scale, 0, Qt::AlignLeft);
     inside->addWidget(help);
@@ -237,7 +237,7 @@ void HandGuide::setSetup(const DeviceSetup& setup)
     m_setup = setup;
     m_refusedMm.reset();
     const QSignalBlocker silent(m_scale);
-    study::showNumber(*m_scale, setup.scale);
+    kit::showNumber(*m_scale, setup.scale);
     showWords();
 }
 

@@ -14,7 +14,7 @@ class QLayout;
 class QPushButton;
 class QRadioButton;
 
-namespace ui::shell {
+namespace ui::kit {
 class Actions;
 }
 
@@ -29,7 +29,7 @@ class HandGuide : public QWidget
 {
     Q_OBJECT
 public:
-    HandGuide(const shell::Actions& actions, QWidget* parent);
+    HandGuide(const kit::Actions& actions, QWidget* parent);
 
     /// Shows the first step for a mouse or a pen.
     void begin();

@@ -7,13 +7,13 @@
 #include <QPainterPath>
 
 #include "core/session/RestHeight.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 // The drawings are made in a box of this size.
 constexpr double kWide = 360.0;

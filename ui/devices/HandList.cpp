@@ -7,13 +7,13 @@
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kHandRowPx = 76;
 constexpr int kSignPx = 22;

@@ -16,13 +16,13 @@
 #include "ui/devices/TagPicture.h"
 #include "ui/devices/TrackingFigures.h"
 #include "ui/devices/TrackingSetupCard.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using core::tracking::TrackerReport;
 using core::tracking::TrackerStage;
 
@@ -81,7 +81,7 @@ QWidget* HeadTrackingCard::makeLive()
     below->setSpacing(kSpace4);
     m_mirrored = new QCheckBox(m_live);
     m_mirrored->setObjectName(QStringLiteral("mirrored"));
-    auto* privacy = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, m_live);
+    auto* privacy = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, m_live);
     privacy->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     below->addWidget(m_mirrored);
     below->addWidget(privacy, 1);

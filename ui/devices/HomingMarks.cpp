@@ -5,14 +5,14 @@
 
 #include <QPainter>
 
-#include "ui/shell/LineIcon.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/LineIcon.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kRingPx = 36;
 constexpr int kCaptionPx = 20;

@@ -6,7 +6,7 @@
 
 #include <QPainter>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
@@ -14,7 +14,7 @@ namespace ui::devices {
 namespace {
 
 using core::session::ExchangeFigures;
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kScalePx = 18;
 constexpr double kWholeMs = static_cast<double>(ExchangeFigures::kBins) * ExchangeFigures::kBinUs / 1000.0;

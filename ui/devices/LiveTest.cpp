@@ -11,22 +11,22 @@
 #include "ui/devices/ForceTest.h"
 #include "ui/devices/IntervalChart.h"
 #include "ui/devices/PositionView.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr double kUsPerMs = 1000.0;
 
 QLabel* captionLabel(QWidget* parent)
 {
-    return study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
+    return kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ void LiveTest::setNarrow(bool isNarrow)
     m_columns->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
-shell::TabularLabel* LiveTest::addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption)
+kit::TabularLabel* LiveTest::addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption)
 {
     caption = captionLabel(this);
     auto* value = new TabularLabel(this);

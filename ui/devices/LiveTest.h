@@ -9,7 +9,7 @@ class QBoxLayout;
 class QGridLayout;
 class QLabel;
 
-namespace ui::shell {
+namespace ui::kit {
 class TabularLabel;
 }
 
@@ -35,18 +35,18 @@ public:
     [[nodiscard]] const ForceTest& force() const { return *m_force; }
 
 private:
-    shell::TabularLabel* addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption);
+    kit::TabularLabel* addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption);
 
     QBoxLayout* m_columns;
     PositionView* m_position;
     ForceTest* m_force;
     ButtonLights* m_buttons;
     IntervalChart* m_intervals;
-    shell::TabularLabel* m_rate = nullptr;
-    shell::TabularLabel* m_trip = nullptr;
-    shell::TabularLabel* m_slowTrip = nullptr;
-    shell::TabularLabel* m_lost = nullptr;
-    shell::TabularLabel* m_rejected = nullptr;
+    kit::TabularLabel* m_rate = nullptr;
+    kit::TabularLabel* m_trip = nullptr;
+    kit::TabularLabel* m_slowTrip = nullptr;
+    kit::TabularLabel* m_lost = nullptr;
+    kit::TabularLabel* m_rejected = nullptr;
 };
 
 }  // namespace ui::devices

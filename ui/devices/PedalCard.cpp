@@ -15,13 +15,13 @@
 #include "ui/devices/AxisBars.h"
 #include "ui/devices/ControllerButtonsCard.h"
 #include "ui/devices/PedalSetupCard.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using core::session::Controller;
 using core::session::ControllerReport;
 
@@ -49,7 +49,7 @@ PedalCard::PedalCard(QWidget* parent)
     connect(m_setup, &PedalSetupCard::taught, this, [this] { m_runsBur->setChecked(true); });
     connect(m_buttons, &ControllerButtonsCard::settingsChanged, this, &PedalCard::change);
     text::inEveryLanguage(this, [this] {
-        study::nameInput(m_choice, tr("Pedal or gamepad"));
+        kit::nameInput(m_choice, tr("Pedal or gamepad"));
         m_runsBur->setText(tr("The bur turns only while this pedal is pressed"));
         m_runsBur->setAccessibleName(m_runsBur->text());
         m_forget->setText(tr("Work without this pedal"));
@@ -68,9 +68,9 @@ void PedalCard::makeLive()
     auto* column = new QVBoxLayout(m_live);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    m_choice = study::choiceInput({}, m_live);
+    m_choice = kit::choiceInput({}, m_live);
     m_choice->setObjectName(QStringLiteral("controller"));
-    m_twice = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, m_live);
+    m_twice = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, m_live);
     m_twice->hide();
     m_bars = new AxisBars(m_live);
     m_runsBur = new QCheckBox(m_live);

@@ -15,14 +15,14 @@
 
 #include "ui/devices/ControllerWords.h"
 #include "ui/devices/ResponseCurve.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using core::settings::PedalSettings;
 
 constexpr double kWholePercent = 100.0;
@@ -32,10 +32,10 @@ constexpr double kMsPerSecond = 1000.0;
 }  // namespace
 
 PedalSetupCard::PedalSetupCard(QWidget* parent)
-    : QFrame(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+    : QFrame(parent), m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_teach(new QPushButton(this)), m_inverted(new QCheckBox(this)),
-      m_deadZone(study::countInput(0, static_cast<int>(kWholePercent * PedalSettings::kMostDeadZone), this)),
-      m_curve(study::numberInput(PedalSettings::kLeastCurve, PedalSettings::kMostCurve, 1, {}, {}, this)),
+      m_deadZone(kit::countInput(0, static_cast<int>(kWholePercent * PedalSettings::kMostDeadZone), this)),
+      m_curve(kit::numberInput(PedalSettings::kLeastCurve, PedalSettings::kMostCurve, 1, {}, {}, this)),
       m_picture(new ResponseCurve(this))
 {
     setProperty("kind", "card");
@@ -46,7 +46,7 @@ PedalSetupCard::PedalSetupCard(QWidget* parent)
     m_inverted->setObjectName(QStringLiteral("pedalInverted"));
     m_deadZone->setObjectName(QStringLiteral("pedalDeadZone"));
     m_deadZone->setSuffix(QStringLiteral(" %"));
-    m_deadZone->setFixedWidth(study::kInputPx);
+    m_deadZone->setFixedWidth(kit::kInputPx);
     m_curve->setObjectName(QStringLiteral("pedalCurve"));
     m_curve->setSingleStep(kCurveStep);
 
@@ -60,8 +60,8 @@ PedalSetupCard::PedalSetupCard(QWidget* parent)
     auto* inputs = new QGridLayout;
     inputs->setHorizontalSpacing(kSpace4);
     inputs->setVerticalSpacing(kSpace1);
-    auto* deadCaption = study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
-    auto* curveCaption = study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
+    auto* deadCaption = kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
+    auto* curveCaption = kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
     inputs->addWidget(deadCaption, 0, 0);
     inputs->addWidget(curveCaption, 0, 1);
     inputs->addWidget(m_deadZone, 1, 0, Qt::AlignLeft);
@@ -111,7 +111,7 @@ void PedalSetupCard::setSettings(const ControllerSettings& settings)
     const QSignalBlocker silentDeadZone(m_deadZone);
     m_deadZone->setValue(static_cast<int>(std::lround(kWholePercent * settings.shape.deadZone)));
     const QSignalBlocker silentCurve(m_curve);
-    study::showNumber(*m_curve, settings.shape.curve);
+    kit::showNumber(*m_curve, settings.shape.curve);
     showCurve();
     for (QWidget* input : {static_cast<QWidget*>(m_inverted), static_cast<QWidget*>(m_deadZone),
                            static_cast<QWidget*>(m_curve), static_cast<QWidget*>(m_picture)})

@@ -11,15 +11,15 @@
 
 #include "ui/devices/PenField.h"
 #include "ui/devices/ResponseCurve.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using core::settings::PenSettings;
 
 constexpr double kPenCurveStep = 0.1;
@@ -30,8 +30,8 @@ constexpr int kForceDecimals = 2;
 
 PenCard::PenCard(QWidget* parent)
     : QFrame(parent), m_field(new PenField(this)),
-      m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
-      m_curve(study::numberInput(PenSettings::kLeastCurve, PenSettings::kMostCurve, 1, {}, {}, this)),
+      m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+      m_curve(kit::numberInput(PenSettings::kLeastCurve, PenSettings::kMostCurve, 1, {}, {}, this)),
       m_picture(new ResponseCurve(this))
 {
     setProperty("kind", "card");
@@ -39,9 +39,9 @@ PenCard::PenCard(QWidget* parent)
     m_words->setObjectName(QStringLiteral("penWords"));
     m_curve->setObjectName(QStringLiteral("penCurve"));
     m_curve->setSingleStep(kPenCurveStep);
-    auto* title = study::formWords({}, kTitle, QFont::Medium, QPalette::WindowText, this);
-    auto* tilt = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
-    auto* caption = study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
+    auto* title = kit::formWords({}, kTitle, QFont::Medium, QPalette::WindowText, this);
+    auto* tilt = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
+    auto* caption = kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
     auto* column = new QVBoxLayout;
     column->setSpacing(kSpace2);
     column->addWidget(title);
@@ -99,7 +99,7 @@ void PenCard::setSettings(const PenSettings& settings)
 {
     m_settings = settings;
     const QSignalBlocker silent(m_curve);
-    study::showNumber(*m_curve, settings.curve);
+    kit::showNumber(*m_curve, settings.curve);
     showCurve();
     showWords();
 }

@@ -8,13 +8,13 @@
 #include <QPainter>
 #include <QTabletEvent>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr double kFieldRadiusPx = 6.0;
 constexpr double kPenBarPx = 8.0;

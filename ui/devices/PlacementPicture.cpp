@@ -6,14 +6,14 @@
 
 #include <QPainter>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
 using core::session::DeviceSetup;
-using namespace ui::shell;
+using namespace ui::kit;
 
 // The drawings are made in a square of this side.
 constexpr double kSquare = 160.0;

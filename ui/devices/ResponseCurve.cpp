@@ -6,12 +6,12 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kCurveSteps = 60;
 constexpr double kCurveMarginPx = 6.0;

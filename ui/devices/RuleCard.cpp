@@ -9,21 +9,21 @@
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kRulePx = 74;
 
 }  // namespace
 
 RuleCard::RuleCard(QWidget* parent)
-    : QFrame(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+    : QFrame(parent), m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_rule(new QPlainTextEdit(this)), m_copy(new QPushButton(this))
 {
     setProperty("kind", "card");

@@ -11,28 +11,28 @@
 
 #include "core/session/RestHeight.h"
 #include "ui/devices/PlacementPicture.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
 using core::session::DeviceSetup;
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr double kScaleStep = 0.1;
 
 QLabel* headingLabel(QWidget* parent)
 {
-    return study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
+    return kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
 }
 
 }  // namespace
 
 SetupCard::SetupCard(QWidget* parent)
     : QFrame(parent), m_columns(new QBoxLayout(QBoxLayout::LeftToRight, this)), m_picture(new PlacementPicture(this)),
-      m_scale(study::numberInput(DeviceSetup::kLeastScale, DeviceSetup::kMostScale, 1, {}, {}, this))
+      m_scale(kit::numberInput(DeviceSetup::kLeastScale, DeviceSetup::kMostScale, 1, {}, {}, this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("setup"));
@@ -80,7 +80,7 @@ SetupCard::SetupCard(QWidget* parent)
     scaleRow->setSpacing(kSpace2);
     m_scale->setObjectName(QStringLiteral("scale"));
     m_scale->setSingleStep(kScaleStep);
-    m_scale->setFixedWidth(study::kInputPx);
+    m_scale->setFixedWidth(kit::kInputPx);
     scaleRow->addWidget(m_scale);
     auto* scaleHelp = headingLabel(this);
     scaleRow->addWidget(scaleHelp, 1);
@@ -125,7 +125,7 @@ void SetupCard::setSetup(const DeviceSetup& setup)
     m_stands.at(static_cast<std::size_t>(setup.stand))->setChecked(true);
     m_sides.at(static_cast<std::size_t>(setup.side))->setChecked(true);
     const QSignalBlocker silent(m_scale);
-    study::showNumber(*m_scale, setup.scale);
+    kit::showNumber(*m_scale, setup.scale);
     m_picture->setSetup(setup);
 }
 

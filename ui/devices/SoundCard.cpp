@@ -15,15 +15,15 @@
 #include <QVBoxLayout>
 
 #include "ui/devices/NextStep.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using sound::OutputInfo;
 using sound::SoundReport;
 using sound::SoundSettings;
@@ -84,7 +84,7 @@ SoundCard::SoundCard(QWidget* parent) : QWidget(parent), m_switch(new QCheckBox(
         }
         //: Of sound: loudspeakers or headphones
         m_outputCaption->setText(tr("Output"));
-        study::nameInput(m_output, m_outputCaption->text());
+        kit::nameInput(m_output, m_outputCaption->text());
         m_sample->setText(tr("Play a sample"));
         m_sample->setAccessibleName(m_sample->text());
         m_sample->setToolTip(tr("The turbine runs free, cuts enamel, then dentin"));
@@ -131,7 +131,7 @@ void SoundCard::makeOutput(QWidget* card)
     row->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     row->setSpacing(kSpace4);
     m_outputCaption = new QLabel(card);
-    m_output = study::choiceInput({}, card);
+    m_output = kit::choiceInput({}, card);
     m_output->setObjectName(QStringLiteral("audioOutput"));
     m_output->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_sample = new QPushButton(card);

@@ -13,7 +13,7 @@ class QLabel;
 class QPushButton;
 class QSlider;
 
-namespace ui::shell {
+namespace ui::kit {
 class TabularLabel;
 }
 
@@ -49,7 +49,7 @@ private:
     {
         QLabel* caption = nullptr;
         QSlider* slider = nullptr;
-        shell::TabularLabel* percent = nullptr;
+        kit::TabularLabel* percent = nullptr;
     };
     void makeVolumes(QWidget* card);
     void makeOutput(QWidget* card);

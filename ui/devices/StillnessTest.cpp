@@ -12,15 +12,15 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using core::session::Stillness;
 using core::session::StillnessCheck;
 
@@ -42,8 +42,8 @@ double steadySeconds()
 
 StillnessTest::StillnessTest(QWidget* parent)
     : QWidget(parent), m_clock(steadySeconds),
-      m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
-      m_progress(new QProgressBar(this)), m_start(new QPushButton(this))
+      m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)), m_progress(new QProgressBar(this)),
+      m_start(new QPushButton(this))
 {
     m_words->setObjectName(QStringLiteral("stillWords"));
     m_progress->setObjectName(QStringLiteral("stillProgress"));

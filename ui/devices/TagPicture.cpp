@@ -8,13 +8,13 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr double kOutlinePx = 3.0;
 constexpr double kHaloPx = 6.0;

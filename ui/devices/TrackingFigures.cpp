@@ -6,16 +6,16 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 enum Figure : std::size_t { Rate, Seen, Find, Latency, Jitter };
 constexpr std::array<const char*, 5> kFigureNames{"trackingRate", "trackingSeen", "trackingFind", "trackingLatency",
@@ -36,7 +36,7 @@ TrackingFigures::TrackingFigures(QWidget* parent) : QWidget(parent)
     for (std::size_t k = 0; k < kFigureNames.size(); ++k) {
         const int row = 3 * (static_cast<int>(k) / kFigureColumns);
         const int column = static_cast<int>(k) % kFigureColumns;
-        captions.at(k) = study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
+        captions.at(k) = kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
         m_values.at(k) = new TabularLabel(this);
         m_values.at(k)->setFont(typeface(kFigure, QFont::Medium));
         m_values.at(k)->setObjectName(QLatin1String(kFigureNames.at(k)));

@@ -7,7 +7,7 @@
 
 #include "core/tracking/TrackerReport.h"
 
-namespace ui::shell {
+namespace ui::kit {
 class TabularLabel;
 }
 
@@ -25,7 +25,7 @@ public:
     void clear();
 
 private:
-    std::array<shell::TabularLabel*, 5> m_values{};
+    std::array<kit::TabularLabel*, 5> m_values{};
 };
 
 }  // namespace ui::devices

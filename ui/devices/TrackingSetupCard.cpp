@@ -14,15 +14,15 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 
-#include "ui/shell/FileDialog.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FileDialog.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::devices {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using core::tracking::CameraInfo;
 using Settings = HeadTrackingSettings;
 
@@ -44,19 +44,19 @@ constexpr int kNarrowColumns = 2;
 
 QLabel* quietLabel(QWidget* parent)
 {
-    return study::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
+    return kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, parent);
 }
 
 }  // namespace
 
 TrackingSetupCard::TrackingSetupCard(QWidget* parent)
-    : QFrame(parent), m_grid(new QGridLayout(this)), m_camera(study::choiceInput({}, this)),
-      m_size(study::choiceInput({}, this)), m_rate(study::choiceInput({}, this)), m_lens(study::choiceInput({}, this)),
-      m_fov(study::numberInput(Settings::kLeastFovDeg, Settings::kMostFovDeg, 0, QStringLiteral("°"), {}, this)),
-      m_tagId(study::countInput(0, Settings::kMostTagId, this)),
-      m_tagMm(study::numberInput(Settings::kLeastTagMm, Settings::kMostTagMm, 1, QStringLiteral("mm"), {}, this)),
-      m_gain(study::numberInput(Settings::kLeastGain, Settings::kMostGain, 1, QStringLiteral("°"), {}, this)),
-      m_way(study::choiceInput({}, this)), m_print(new QPushButton(this)), m_measure(new QPushButton(this))
+    : QFrame(parent), m_grid(new QGridLayout(this)), m_camera(kit::choiceInput({}, this)),
+      m_size(kit::choiceInput({}, this)), m_rate(kit::choiceInput({}, this)), m_lens(kit::choiceInput({}, this)),
+      m_fov(kit::numberInput(Settings::kLeastFovDeg, Settings::kMostFovDeg, 0, QStringLiteral("°"), {}, this)),
+      m_tagId(kit::countInput(0, Settings::kMostTagId, this)),
+      m_tagMm(kit::numberInput(Settings::kLeastTagMm, Settings::kMostTagMm, 1, QStringLiteral("mm"), {}, this)),
+      m_gain(kit::numberInput(Settings::kLeastGain, Settings::kMostGain, 1, QStringLiteral("°"), {}, this)),
+      m_way(kit::choiceInput({}, this)), m_print(new QPushButton(this)), m_measure(new QPushButton(this))
 {
     setProperty("kind", "card");
     setObjectName(QStringLiteral("trackingSetup"));
@@ -68,7 +68,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     m_lens->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_fov->setObjectName(QStringLiteral("fieldOfView"));
     m_tagId->setObjectName(QStringLiteral("tagNumber"));
-    m_tagId->setFixedWidth(study::kInputPx);
+    m_tagId->setFixedWidth(kit::kInputPx);
     m_tagMm->setObjectName(QStringLiteral("tagEdge"));
     m_gain->setObjectName(QStringLiteral("gain"));
     m_gain->setSingleStep(kGainStep);
@@ -128,7 +128,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
                 std::find_if(m_cells.begin(), m_cells.end(), [input](const Cell& one) { return one.input == input; });
             cell->caption->setText(words);
             if (auto* choice = qobject_cast<QComboBox*>(input))
-                study::nameInput(choice, words);
+                kit::nameInput(choice, words);
             else
                 input->setAccessibleName(words);
         };
@@ -207,7 +207,7 @@ void TrackingSetupCard::setSettings(const HeadTrackingSettings& settings)
     for (auto [input, value] :
          {std::pair(m_fov, settings.fovDeg), {m_tagMm, settings.tagMm}, {m_gain, settings.gain}}) {
         const QSignalBlocker silent(input);
-        study::showNumber(*input, value);
+        kit::showNumber(*input, value);
     }
     const QSignalBlocker silent(m_tagId);
     m_tagId->setValue(settings.tagId);

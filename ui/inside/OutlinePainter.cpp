@@ -15,7 +15,7 @@
 #include "core/grading/Columns.h"
 #include "core/grading/Outline.h"
 #include "ui/inside/PictureKey.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/Texts.h"
 
 namespace ui::inside {
@@ -291,7 +291,7 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
         painter.restore();
     }
 
-    painter.setFont(shell::typeface(shell::kSmall, QFont::Medium));
+    painter.setFont(kit::typeface(kit::kSmall, QFont::Medium));
     painter.setPen(QColor(kWords));
     const QRectF words = area.adjusted(8.0, 4.0, -8.0, -kMarginPx);
     const auto side = [&](double angleRad) { return text::directionName(*scene.anatomy, angleRad); };

@@ -5,7 +5,7 @@
 
 #include <QFontMetricsF>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 
 namespace ui::inside {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kApartPx = 12.0;
 
 QFont wordsFont()
 {
-    return shell::typeface(shell::kSmall);
+    return kit::typeface(kit::kSmall);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 #include "core/imaging/Canals.h"
 #include "core/terrain/DecayZones.h"
 #include "ui/inside/PictureKey.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/Texts.h"
 
 namespace ui::inside {
@@ -125,7 +125,7 @@ void paintGrid(QPainter& painter, const Frame& frame, const QColor& colour)
 void paintLabels(QPainter& painter, const Frame& frame, const QColor& words)
 {
     painter.setPen(words);
-    painter.setFont(shell::typeface(shell::kSmall));
+    painter.setFont(kit::typeface(kit::kSmall));
     const auto stepFor = [&frame](double labelPx) {
         return frame.pxPerMm >= labelPx ? 1 : frame.pxPerMm >= labelPx / 2 ? 2 : frame.pxPerMm >= labelPx / 5 ? 5 : 10;
     };
@@ -191,15 +191,15 @@ QImage tissue(const Section& section, const Frame& frame, double pixelRatio, ren
     image.fill(Qt::transparent);
     auto* pixels = reinterpret_cast<QRgb*>(image.bits());
     const qsizetype stride = image.bytesPerLine() / static_cast<qsizetype>(sizeof(QRgb));
-    std::array<shell::MaterialLook, core::terrain::kMaterialCount> looks;
+    std::array<kit::MaterialLook, core::terrain::kMaterialCount> looks;
     for (std::size_t m = 0; m < looks.size(); ++m)
-        looks.at(m) = shell::materialLook(static_cast<Material>(m), palette);
+        looks.at(m) = kit::materialLook(static_cast<Material>(m), palette);
     const double scale = frame.pxPerMm * pixelRatio;
     for (int x = 0; x < width; ++x) {
         const SectionSample& sample = section.samples[static_cast<std::size_t>(x)];
         const MaterialSpan* below = nullptr;
         for (const MaterialSpan& span : sample.present) {
-            const shell::MaterialLook& look = looks.at(static_cast<std::size_t>(span.material));
+            const kit::MaterialLook& look = looks.at(static_cast<std::size_t>(span.material));
             const QRgb plainFill = look.fill.rgb();
             const QRgb plainInk = mixed(plainFill, look.letter.rgb(), kInkShare);
             const double top = (frame.topMm - static_cast<double>(span.highMm)) * scale;
@@ -335,13 +335,13 @@ bool meetsTooth(const Section& section)
 void paintNothingHere(QPainter& painter, const QRectF& plot, const Ground& ground)
 {
     const QString words = QCoreApplication::translate("Section", "The plane does not meet the tooth here.");
-    painter.setFont(shell::typeface(shell::kBody));
+    painter.setFont(kit::typeface(kit::kBody));
     const QRectF room(plot.left() + 12.0, plot.center().y(), plot.width() - 24.0, 0.4 * plot.height());
     const int flags = Qt::AlignCenter | Qt::TextWordWrap;
     const QRectF plate = painter.boundingRect(room, flags, words).adjusted(-10.0, -6.0, 10.0, 6.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(ground.ground));
-    painter.drawRoundedRect(plate, shell::kRadius, shell::kRadius);
+    painter.drawRoundedRect(plate, kit::kRadius, kit::kRadius);
     painter.setPen(QColor(ground.words));
     painter.drawText(room, flags, words);
 }
@@ -350,7 +350,7 @@ void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
 {
     const ToothAnatomy& anatomy = *scene.tooth->anatomy;
     painter.setPen(QColor((scene.onPaper ? kPaper : kScreen).words));
-    painter.setFont(shell::typeface(shell::kSmall, QFont::Medium));
+    painter.setFont(kit::typeface(kit::kSmall, QFont::Medium));
     painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
                      QChar(0x2190) + QStringLiteral(" ") +
                          text::directionName(anatomy, scene.plane.angleRad + std::numbers::pi));
@@ -361,7 +361,7 @@ void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
 PictureKey keyOf(const SectionScene& scene)
 {
     PictureKey key;
-    const auto area = [&key](const shell::MaterialLook& look, const QString& words) {
+    const auto area = [&key](const kit::MaterialLook& look, const QString& words) {
         key.add(words, PictureKey::kSignPx, [look](QPainter& painter, const QRectF& box) {
             painter.fillRect(box, look.fill);
             if (look.pattern == Qt::NoBrush)
@@ -372,13 +372,13 @@ PictureKey keyOf(const SectionScene& scene)
         });
     };
     for (const Material material : {Material::Enamel, Material::Dentin, Material::Caries, Material::Pulp}) {
-        const shell::MaterialLook look = shell::materialLook(material, scene.palette);
+        const kit::MaterialLook look = kit::materialLook(material, scene.palette);
         if (material != Material::Caries || !scene.tooth->anatomy->hasDecayZones) {
             area(look, text::materialName(material));
             continue;
         }
         const auto paler = [&look](double share) {
-            shell::MaterialLook zone = look;
+            kit::MaterialLook zone = look;
             zone.fill = QColor(mixed(look.fill.rgb(), kPale, share));
             return zone;
         };

@@ -11,7 +11,7 @@
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/preparation/ToleranceBand.h"
-#include "ui/shell/MaterialLook.h"
+#include "ui/kit/MaterialLook.h"
 
 class QPainter;
 

@@ -17,15 +17,15 @@
 
 #include "core/bur/Bur.h"
 #include "ui/inside/SectionPainter.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::inside {
 namespace {
 
-using namespace shell;
+using namespace kit;
 
 constexpr qint64 kPaintEveryMs = 30;
 /// At most every second frame of the view: where that is slow, the section does not make it slower still.

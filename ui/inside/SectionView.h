@@ -10,12 +10,12 @@
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/servo/ServoState.h"
-#include "ui/shell/MaterialLook.h"
+#include "ui/kit/MaterialLook.h"
 
 class QPushButton;
 class QSlider;
 
-namespace ui::shell {
+namespace ui::kit {
 class TabularLabel;
 }
 
@@ -62,11 +62,11 @@ private:
     QPushButton* m_alongX;
     QPushButton* m_alongY;
     QSlider* m_angle;
-    shell::TabularLabel* m_angleText;
-    shell::TabularLabel* m_depth;
-    shell::TabularLabel* m_dentin;
-    shell::TabularLabel* m_down;
-    shell::TabularLabel* m_nearest;
+    kit::TabularLabel* m_angleText;
+    kit::TabularLabel* m_depth;
+    kit::TabularLabel* m_dentin;
+    kit::TabularLabel* m_down;
+    kit::TabularLabel* m_nearest;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< whose sides are named
     std::uint64_t m_revision = 0;
     std::optional<glm::dvec3> m_held;

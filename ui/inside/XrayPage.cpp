@@ -21,16 +21,16 @@
 
 #include "core/teeth/ToothBuilder.h"
 #include "ui/inside/RadiographPicture.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::inside {
 namespace {
 
-using namespace shell;
+using namespace kit;
 using core::imaging::Neighbour;
 using core::imaging::XrayedTooth;
 

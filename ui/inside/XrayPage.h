@@ -8,12 +8,12 @@
 #include <QImage>
 
 #include "core/imaging/Bitewing.h"
-#include "ui/shell/Page.h"
+#include "ui/kit/Page.h"
 
 class QPushButton;
 class QSlider;
 
-namespace ui::shell {
+namespace ui::kit {
 class TabularLabel;
 }
 
@@ -23,11 +23,11 @@ class FilmView;
 
 /// The X-ray pictures of the tooth: before anything was cut, and now, side by side; the beam and the exposure can be
 /// changed. Films are developed on a pool thread, the newest wish only.
-class XrayPage : public shell::Page
+class XrayPage : public kit::Page
 {
     Q_OBJECT
 public:
-    XrayPage(const shell::Actions& actions, QWidget* parent);
+    XrayPage(const kit::Actions& actions, QWidget* parent);
 
     /// Shows this tooth, with the beam as it was left.
     void setTooth(const core::terrain::Tooth& tooth);
@@ -58,7 +58,7 @@ private:
         std::shared_ptr<const std::vector<core::imaging::Neighbour>> neighbours;
     };
 
-    QWidget* makeControls(const shell::Actions& actions);
+    QWidget* makeControls(const kit::Actions& actions);
     [[nodiscard]] core::imaging::Beam ownBeam() const;
     [[nodiscard]] Wish wish() const;
     void speak();
@@ -78,9 +78,9 @@ private:
     QSlider* m_angle = nullptr;
     QSlider* m_tilt = nullptr;
     QSlider* m_exposure = nullptr;
-    shell::TabularLabel* m_angleText = nullptr;
-    shell::TabularLabel* m_tiltText = nullptr;
-    shell::TabularLabel* m_exposureText = nullptr;
+    kit::TabularLabel* m_angleText = nullptr;
+    kit::TabularLabel* m_tiltText = nullptr;
+    kit::TabularLabel* m_exposureText = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_back = nullptr;
     bool m_working = false;

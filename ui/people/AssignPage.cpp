@@ -23,18 +23,18 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "ui/kit/Announce.h"
+#include "ui/kit/ListTable.h"
+#include "ui/kit/Theme.h"
 #include "ui/people/ClassModel.h"
-#include "ui/people/ListTable.h"
-#include "ui/people/PeopleWords.h"
-#include "ui/shell/Announce.h"
-#include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PeopleWords.h"
 #include "ui/text/Search.h"
 
 namespace ui::people {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 enum Role { kId = Qt::UserRole + 1, kSecondLine, kShare, kSortBy };
 enum Column { kLesson, kDue, kAttempts, kPassed, kColumns };
@@ -266,7 +266,7 @@ QWidget* AssignPage::makeGiven()
     m_stack = new QStackedWidget(part);
     m_rows = new QStandardItemModel(0, kColumns, part);
     m_rows->setSortRole(kSortBy);
-    m_table = new ListTable(m_stack);
+    m_table = new kit::ListTable(m_stack);
     m_table->setObjectName(QStringLiteral("given"));
     m_table->setModel(m_rows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -461,7 +461,7 @@ void AssignPage::fillOffers()
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
             item->setData(given->dueUtc.empty() ? tr("given")
                                                 //: %1: a date
-                                                : tr("given, due %1").arg(dueShort(given->dueUtc, m_now)),
+                                                : tr("given, due %1").arg(text::dueShort(given->dueUtc, m_now)),
                           kSecondLine);
         }
         item->setData(item->data(kSecondLine), Qt::AccessibleDescriptionRole);
@@ -550,14 +550,14 @@ void AssignPage::fillGiven()
         const QString title = titleOf(given.lessonId);
         add(title, title)->setToolTip(title);
         const bool isOver = !given.dueUtc.empty() && given.dueUtc < nowUtc;
-        const QString due = dueShort(given.dueUtc, m_now);
+        const QString due = text::dueShort(given.dueUtc, m_now);
         // Those without a day come last; their end of days is written like that of others.
         auto* dueItem = add(given.dueUtc.empty() ? QStringLiteral("–")
                             //: %1: a date that is over
                             : isOver ? tr("%1, over").arg(due)
                                      : due,
                             given.dueUtc.empty() ? QStringLiteral("9999") : QString::fromStdString(given.dueUtc));
-        dueItem->setToolTip(given.dueUtc.empty() ? tr("There is no day when it is due") : when(given.dueUtc));
+        dueItem->setToolTip(given.dueUtc.empty() ? tr("There is no day when it is due") : text::when(given.dueUtc));
         add(given.attemptLimit == 0 ? tr("no limit") : QLocale().toString(given.attemptLimit),
             given.attemptLimit == 0 ? 1000 : given.attemptLimit);
         //: %1 of %2 students

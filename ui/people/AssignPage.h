@@ -13,8 +13,8 @@
 
 #include "database/overview.h"
 #include "database/people.h"
+#include "ui/kit/Page.h"
 #include "ui/people/AssignTerms.h"
-#include "ui/shell/Page.h"
 
 class QLabel;
 class QLineEdit;
@@ -23,9 +23,11 @@ class QPushButton;
 class QStackedWidget;
 class QStandardItemModel;
 
-namespace ui::people {
-
+namespace ui::kit {
 class ListTable;
+}
+
+namespace ui::people {
 
 /// A lesson that can be given.
 struct LessonOffer
@@ -47,11 +49,11 @@ struct AssignmentChange
 
 /// What a class is to do: beside all lessons, which are searched and given, several at once, those that are given, with
 /// due date, attempts and how many have passed. What was done can be undone.
-class AssignPage final : public shell::Page
+class AssignPage final : public kit::Page
 {
     Q_OBJECT
 public:
-    AssignPage(const shell::Actions& actions, QWidget* parent);
+    AssignPage(const kit::Actions& actions, QWidget* parent);
 
     /// In the order in which they are to be listed.
     void setLessons(const std::vector<LessonOffer>& lessons);
@@ -113,7 +115,7 @@ private:
     QLabel* m_givenTitle = nullptr;
     QStackedWidget* m_stack = nullptr;
     QStandardItemModel* m_rows = nullptr;
-    ListTable* m_table = nullptr;
+    kit::ListTable* m_table = nullptr;
     QLabel* m_empty = nullptr;
     AssignTerms* m_terms = nullptr;
     QPushButton* m_change = nullptr;

@@ -17,10 +17,10 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "ui/people/PeopleWords.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PeopleWords.h"
 
 namespace ui::people {
 namespace {
@@ -33,7 +33,7 @@ constexpr int kInputHighPx = 30;
 
 AssignTerms::AssignTerms(QWidget* parent)
     : QWidget(parent), m_isDue(new QCheckBox(this)), m_day(new QDateEdit(this)), m_limitWord(new QLabel(this)),
-      m_limit(study::countInput(0, kMostAttempts, this)), m_note(new QLabel(this))
+      m_limit(kit::countInput(0, kMostAttempts, this)), m_note(new QLabel(this))
 {
     m_isDue->setObjectName(QStringLiteral("isDue"));
     m_isDue->setChecked(true);
@@ -47,10 +47,10 @@ AssignTerms::AssignTerms(QWidget* parent)
         input->setMinimumHeight(kInputHighPx);
         input->setFocusPolicy(Qt::StrongFocus);
     }
-    study::bindToForm(m_day);
+    kit::bindToForm(m_day);
     m_note->setObjectName(QStringLiteral("termsNote"));
     m_note->setTextFormat(Qt::PlainText);
-    m_note->setFont(shell::typeface(shell::kSmall));
+    m_note->setFont(kit::typeface(kit::kSmall));
     m_note->setWordWrap(true);
     connect(m_isDue, &QCheckBox::toggled, m_day, &QWidget::setEnabled);
     const auto takeDue = [this] {
@@ -62,8 +62,8 @@ AssignTerms::AssignTerms(QWidget* parent)
     connect(m_limit, &QSpinBox::valueChanged, this, [this] { m_isLimitChanged = true; });
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(shell::kSpace2);
-    grid->setVerticalSpacing(shell::kSpace1);
+    grid->setHorizontalSpacing(kit::kSpace2);
+    grid->setVerticalSpacing(kit::kSpace1);
     grid->addWidget(m_isDue, 0, 0);
     grid->addWidget(m_day, 0, 1);
     grid->addWidget(m_limitWord, 1, 0);
@@ -75,7 +75,7 @@ AssignTerms::AssignTerms(QWidget* parent)
 
 void AssignTerms::setTerms(const Terms& terms, int lessons)
 {
-    const QDate day = dueDay(terms.dueUtc);
+    const QDate day = text::dueDay(terms.dueUtc);
     m_isDue->setChecked(day.isValid());
     if (day.isValid())
         m_day->setDate(day);
@@ -88,12 +88,12 @@ void AssignTerms::setTerms(const Terms& terms, int lessons)
 
 void AssignTerms::reset()
 {
-    setTerms({endOfDay(QDate::currentDate().addDays(kDaysGiven)), 0});
+    setTerms({text::endOfDay(QDate::currentDate().addDays(kDaysGiven)), 0});
 }
 
 AssignTerms::Terms AssignTerms::terms() const
 {
-    return {m_isDue->isChecked() ? endOfDay(m_day->date()) : std::string(), m_limit->value()};
+    return {m_isDue->isChecked() ? text::endOfDay(m_day->date()) : std::string(), m_limit->value()};
 }
 
 AssignTerms::Terms AssignTerms::changed(const Terms& before) const

@@ -6,8 +6,8 @@
 #include <QCoreApplication>
 
 #include "lessons/ClassStanding.h"
-#include "ui/people/HistoryCharts.h"
-#include "ui/people/PeopleWords.h"
+#include "ui/scoring/HistoryCharts.h"
+#include "ui/text/PeopleWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::people {
@@ -63,7 +63,7 @@ Chart distributionChart(const database::LessonResults& results, int passMarkTent
 Chart learningChart(const database::LessonResults& results, int passMarkTenths)
 {
     Curve curve;
-    curve.band = bandOf(results.curve);
+    curve.band = scoring::bandOf(results.curve);
     double last = 5.0;
     for (const Slice& slice : curve.band.slices)
         last = std::max(last, slice.x);
@@ -104,7 +104,7 @@ Chart difficultyChart(const database::LessonResults& results, const std::map<std
     const bool isShown = results.difficulty.people >= ::lessons::kFewestPeople;
     if (isShown)
         for (const database::LessonDifficulty::Item& item : results.difficulty.items) {
-            const QString name = criterionName(names, item.criterion);
+            const QString name = text::criterionName(names, item.criterion);
             bars.bars << Bars::Bar{name, kWholeScore * item.share,
                                    Words::tr("%1: the class loses %2 % of its points")
                                        .arg(name, text::number(kWholeScore * item.share, 0))};

@@ -9,7 +9,7 @@
 #include <QStyleOptionHeader>
 
 #include "lessons/Stuck.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 
@@ -17,7 +17,7 @@ namespace ui::people {
 
 using database::MatrixCell;
 using database::MatrixStudent;
-using namespace ui::shell;
+using namespace ui::kit;
 
 namespace {
 
@@ -81,7 +81,7 @@ QString needWord(Need need)
 
 bool mayGoOn(const MatrixCell& cell, const QDateTime& now)
 {
-    return !cell.begunUtc.empty() && momentOf(cell.begunUtc).addSecs(kLongestExamS) > now;
+    return !cell.begunUtc.empty() && text::momentOf(cell.begunUtc).addSecs(kLongestExamS) > now;
 }
 
 QString nameOf(const MatrixStudent& student)
@@ -161,7 +161,7 @@ void ClassModel::findNeeds()
 bool ClassModel::isLate(std::size_t student, std::size_t lesson) const
 {
     const auto given = m_given.find(m_overview.lessons[lesson]);
-    return given != m_given.end() && !given->second.dueUtc.empty() && momentOf(given->second.dueUtc) < m_now &&
+    return given != m_given.end() && !given->second.dueUtc.empty() && text::momentOf(given->second.dueUtc) < m_now &&
            !m_overview.cells[student][lesson].passed && !m_overview.students[student].isDisabled;
 }
 
@@ -190,7 +190,7 @@ bool ClassModel::hasDueDates() const
     return std::any_of(m_given.begin(), m_given.end(), [](const auto& one) { return !one.second.dueUtc.empty(); });
 }
 
-void ClassModel::setTitles(const LessonTitles& titles)
+void ClassModel::setTitles(const text::LessonTitles& titles)
 {
     m_titles = titles;
     retell();
@@ -261,9 +261,9 @@ QString ClassModel::cellWords(const QModelIndex& index) const
     if (one == nullptr)
         return student.lastAttemptUtc.empty()
                    ? tr("%1: no attempt yet").arg(nameOf(student))
-                   : tr("%1: last attempt %2").arg(nameOf(student), when(student.lastAttemptUtc));
+                   : tr("%1: last attempt %2").arg(nameOf(student), text::when(student.lastAttemptUtc));
     const QString who = QStringLiteral("%1, %2").arg(
-        nameOf(student), lessonTitle(m_titles, m_overview.lessons[*lessonOf(index.column())]));
+        nameOf(student), text::lessonTitle(m_titles, m_overview.lessons[*lessonOf(index.column())]));
     if (one->attempts == 0 && one->withoutScore > 0)
         return (hasNoneLeft(index) ? tr("%1: begun, without a score so far, and no attempts left")
                 : isLate(index)    ? tr("%1: begun, without a score so far, and overdue")
@@ -278,7 +278,7 @@ QString ClassModel::cellWords(const QModelIndex& index) const
             : hasNoneLeft(index) ? tr("%1: best %2, not passed and no attempts left, %3, last %4")
             : isLate(index)      ? tr("%1: best %2, not passed and overdue, %3, last %4")
                                  : tr("%1: best %2, not passed, %3, last %4"))
-        .arg(who, best, count, when(one->lastUtc));
+        .arg(who, best, count, text::when(one->lastUtc));
 }
 
 QVariant ClassModel::data(const QModelIndex& index, int role) const
@@ -290,7 +290,7 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         if (one == nullptr) {
             const std::string& last = m_overview.students[static_cast<std::size_t>(index.row())].lastAttemptUtc;
-            return last.empty() ? QStringLiteral("–") : whenShort(last, m_now);
+            return last.empty() ? QStringLiteral("–") : text::whenShort(last, m_now);
         }
         // 74.9 of the 75 that were needed are not 75.
         return one->attempts == 0 ? QStringLiteral("–")
@@ -309,11 +309,12 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
 QString ClassModel::headWords(std::size_t lesson, bool isTip) const
 {
     const std::string& id = m_overview.lessons[lesson];
-    QStringList words{lessonTitle(m_titles, id)};
+    QStringList words{text::lessonTitle(m_titles, id)};
     const auto given = m_given.find(id);
     if (given != m_given.end() && !given->second.dueUtc.empty())
         //: %1: a date
-        words << tr("due %1").arg(isTip ? when(given->second.dueUtc) : dueShort(given->second.dueUtc, m_now));
+        words << tr("due %1").arg(isTip ? text::when(given->second.dueUtc)
+                                        : text::dueShort(given->second.dueUtc, m_now));
     if (isTip && given != m_given.end() && given->second.attemptLimit > 0)
         words << tr("%n attempt(s) at most", nullptr, given->second.attemptLimit);
     if (const Passed of = passed(lesson); isTip && of.tried > 0)
@@ -357,7 +358,8 @@ QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int ro
         return student.lastLoginUtc.empty()
                    ? tr("%1, %2: never logged in").arg(nameOf(student), QString::fromStdString(student.username))
                    : tr("%1, %2: last login %3")
-                         .arg(nameOf(student), QString::fromStdString(student.username), when(student.lastLoginUtc));
+                         .arg(nameOf(student), QString::fromStdString(student.username),
+                              text::when(student.lastLoginUtc));
     case Qt::TextAlignmentRole:
         return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
     default:
@@ -370,7 +372,7 @@ charts::Table ClassModel::table() const
     charts::Table made;
     made.heads << tr("user name") << tr("name") << tr("needs") << tr("last login, UTC") << tr("last attempt, UTC");
     for (const std::string& id : m_overview.lessons) {
-        const QString title = lessonTitle(m_titles, id);
+        const QString title = text::lessonTitle(m_titles, id);
         made.heads << tr("%1: best score").arg(title) << tr("%1: attempts").arg(title) << tr("%1: passed").arg(title);
     }
     for (std::size_t k = 0; k < m_overview.students.size(); ++k) {

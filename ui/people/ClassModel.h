@@ -16,7 +16,7 @@
 #include "database/overview.h"
 #include "database/people.h"
 #include "ui/charts/Table.h"
-#include "ui/people/PeopleWords.h"
+#include "ui/text/PeopleWords.h"
 
 namespace ui::people {
 
@@ -58,7 +58,7 @@ public:
     void setOverview(const database::ClassOverview& overview, const QDateTime& now);
     /// What the class is to do; others' assignments are left out. After setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
-    void setTitles(const LessonTitles& titles);
+    void setTitles(const text::LessonTitles& titles);
     void retell();
 
     [[nodiscard]] const database::ClassOverview& overview() const { return m_overview; }
@@ -103,7 +103,7 @@ private:
     std::map<std::string, database::ClassAssignment> m_given;  ///< by lesson
     QList<Need> m_needs;
     QList<bool> m_areLate;
-    LessonTitles m_titles;
+    text::LessonTitles m_titles;
     QDateTime m_now;
 };
 

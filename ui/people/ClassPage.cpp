@@ -24,22 +24,22 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/ChartPanel.h"
+#include "ui/kit/Announce.h"
+#include "ui/kit/FileDialog.h"
+#include "ui/kit/Folders.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ListTable.h"
+#include "ui/kit/SavedFile.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/Theme.h"
 #include "ui/people/ClassCharts.h"
-#include "ui/people/ListTable.h"
-#include "ui/shell/Announce.h"
-#include "ui/shell/FileDialog.h"
-#include "ui/shell/Folders.h"
-#include "ui/shell/SavedFile.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
 namespace {
 
 using database::MatrixStudent;
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kLessonPx = 104;
 constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
@@ -161,7 +161,7 @@ QWidget* ClassPage::makeMatrix()
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(kSpace2, 0, kSpace2, 0);
     column->setSpacing(kSpace1);
-    m_table = new ListTable(part);
+    m_table = new kit::ListTable(part);
     m_table->setObjectName(QStringLiteral("matrix"));
     m_table->installEventFilter(this);
     // Before the model, so that it learns of fewer rows before the view asks how wide it wants to be.
@@ -423,7 +423,7 @@ void ClassPage::setAssignments(const QList<database::ClassAssignment>& given)
     tellNeeds();
 }
 
-void ClassPage::setLessonTitles(const LessonTitles& titles)
+void ClassPage::setLessonTitles(const text::LessonTitles& titles)
 {
     m_titles = titles;
     m_model->setTitles(titles);
@@ -464,7 +464,7 @@ void ClassPage::fillLessons()
     for (std::size_t k = 0; k < lessons.size(); ++k) {
         // So that the hard ones are seen before any chart is opened.
         const ClassModel::Passed of = m_model->passed(k);
-        const QString title = lessonTitle(m_titles, lessons[k]);
+        const QString title = text::lessonTitle(m_titles, lessons[k]);
         m_lesson->addItem(
             of.tried == 0
                 ? title
@@ -524,7 +524,7 @@ void ClassPage::tellNeeds()
     }
     const auto explain = [this](Need need, const QString& words) {
         QAbstractButton* button = m_need->button(static_cast<int>(need));
-        button->setToolTip(shell::brokenIntoLines(words));
+        button->setToolTip(kit::brokenIntoLines(words));
         button->setAccessibleName(button->text());
         button->setAccessibleDescription(words);
     };
@@ -588,8 +588,8 @@ void ClassPage::tellEmpty()
 void ClassPage::drawCharts()
 {
     //: %1: a class; %2: a lesson
-    const QString of =
-        tr("%1, %2").arg(QString::fromStdString(m_model->overview().name), lessonTitle(m_titles, m_results.lessonId));
+    const QString of = tr("%1, %2").arg(QString::fromStdString(m_model->overview().name),
+                                        text::lessonTitle(m_titles, m_results.lessonId));
     const auto show = [&](charts::ChartPanel* panel, charts::Chart chart) {
         chart.of = of;
         panel->setChart(chart);
@@ -651,7 +651,7 @@ QByteArray ClassPage::csv() const
 bool ClassPage::save(const QString& path, const QByteArray& csv)
 {
     QSaveFile file(path);
-    const bool isWritten = shell::openForOwner(file) && file.write(csv) == csv.size() && file.flush() && file.commit();
+    const bool isWritten = kit::openForOwner(file) && file.write(csv) == csv.size() && file.flush() && file.commit();
     const QString name = QDir::toNativeSeparators(path);
     say([isWritten, name, why = file.errorString()] {
         return isWritten ? tr("Saved: %1").arg(name)
@@ -664,7 +664,7 @@ bool ClassPage::save(const QString& path, const QByteArray& csv)
 void ClassPage::askForFile()
 {
     auto* dialog =
-        new shell::FileDialog(this, tr("Save the matrix"), shell::documentsFolder(), QStringLiteral("CSV (*.csv)"));
+        new kit::FileDialog(this, tr("Save the matrix"), kit::documentsFolder(), QStringLiteral("CSV (*.csv)"));
     connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::tableWanted);
     dialog->askWhere(QString::fromStdString(m_model->overview().name), QStringLiteral("csv"));
 }
@@ -673,11 +673,11 @@ void ClassPage::retell()
 {
     setTitle(tr("Class"));
     tellSaying();
-    study::nameInput(m_class, tr("Class"));
+    kit::nameInput(m_class, tr("Class"));
     m_search->setPlaceholderText(tr("Search: a student"));
     m_search->setAccessibleName(m_search->placeholderText());
     m_lessonWord->setText(tr("How the class does at"));
-    study::nameInput(m_lesson, tr("Lesson whose charts are shown"));
+    kit::nameInput(m_lesson, tr("Lesson whose charts are shown"));
     m_table->setAccessibleName(tr("Best scores, students by lessons"));
     m_assign->setText(tr("Assign lessons"));
     m_assign->setAccessibleName(m_assign->text());
@@ -692,7 +692,7 @@ void ClassPage::retell()
     m_legend->setText(tr("Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading "
                          "sorts, once more the other way, then by "
                          "name. A cell opens the attempts."));
-    m_legend->setToolTip(shell::brokenIntoLines(m_legend->text()));
+    m_legend->setToolTip(kit::brokenIntoLines(m_legend->text()));
     m_model->retell();
     fitColumns();
     fillClasses();

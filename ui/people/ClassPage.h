@@ -11,8 +11,8 @@
 
 #include "database/overview.h"
 #include "database/people.h"
+#include "ui/kit/Page.h"
 #include "ui/people/ClassModel.h"
-#include "ui/shell/Page.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -22,21 +22,23 @@ class QPushButton;
 class QStackedWidget;
 class QToolButton;
 
+namespace ui::kit {
+class ListTable;
+}
+
 namespace ui::charts {
 class ChartPanel;
 }
 
 namespace ui::people {
 
-class ListTable;
-
 /// A class as its teacher sees it: who needs him, every student's best score at every lesson, and of one lesson how the
 /// class does: distribution, learning curve, difficulty.
-class ClassPage final : public shell::Page
+class ClassPage final : public kit::Page
 {
     Q_OBJECT
 public:
-    ClassPage(const shell::Actions& actions, QWidget* parent);
+    ClassPage(const kit::Actions& actions, QWidget* parent);
 
     /// Whether who looks at it enters people and makes classes.
     void setMayEnter(bool may);
@@ -55,7 +57,7 @@ public:
     void refuse(std::function<QString()> why);
     /// The class that is chosen is there; without a class, that there is none.
     [[nodiscard]] bool isRead() const { return m_isListed && m_model->overview().id == chosenClass(); }
-    void setLessonTitles(const LessonTitles& titles);
+    void setLessonTitles(const text::LessonTitles& titles);
     /// Of the lesson that is chosen.
     /// @param passMarkTenths  of its rubric; 0: not known
     /// @param criteria        names by id
@@ -135,7 +137,7 @@ private:
     database::LessonResults m_results;
     int m_passMarkTenths = 0;
     std::map<std::string, QString> m_criteria;
-    LessonTitles m_titles;
+    text::LessonTitles m_titles;
     ClassModel* m_model;
     ClassFilter* m_filter;
     QComboBox* m_class = nullptr;
@@ -149,7 +151,7 @@ private:
     QAction* m_savePdf = nullptr;
     QAction* m_print = nullptr;
     QStackedWidget* m_stack = nullptr;
-    ListTable* m_table = nullptr;
+    kit::ListTable* m_table = nullptr;
     QLabel* m_legend = nullptr;
     QLabel* m_empty = nullptr;
     QPushButton* m_people = nullptr;  ///< below it

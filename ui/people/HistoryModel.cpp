@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/HistoryModel.h"
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/Texts.h"
 
 namespace ui::people {
@@ -22,7 +22,7 @@ void HistoryModel::setFeedback(std::map<std::int64_t, bool> isNew, bool isOwn)
     retell();
 }
 
-void HistoryModel::setTitles(const LessonTitles& titles)
+void HistoryModel::setTitles(const text::LessonTitles& titles)
 {
     m_titles = titles;
     retell();
@@ -49,15 +49,15 @@ QString HistoryModel::words(const AttemptRecord& attempt, int column) const
 {
     switch (column) {
     case When:
-        return when(attempt.finishedUtc);
+        return text::when(attempt.finishedUtc);
     case Lesson:
-        return lessonTitle(m_titles, attempt.lessonId);
+        return text::lessonTitle(m_titles, attempt.lessonId);
     case Score:
         return text::points(attempt.countingTenths());
     case Result:
         return attempt.countsAsPassed() ? tr("passed") : tr("not passed");
     case Time:
-        return clock(attempt.durationMs);
+        return text::clock(attempt.durationMs);
     case Force:
         return text::number(0.001 * attempt.meanForceMn, 2) + QStringLiteral(" / ") +
                text::number(0.001 * attempt.peakForceMn, 2);
@@ -85,7 +85,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case Qt::FontRole:
         if (const auto found = m_feedback.find(attempt.id);
             index.column() == Feedback && found != m_feedback.end() && found->second)
-            return shell::typeface(shell::kBody, QFont::DemiBold);
+            return kit::typeface(kit::kBody, QFont::DemiBold);
         return {};
     case Qt::ToolTipRole:
         if (index.column() == Feedback && m_feedback.count(attempt.id) > 0)
@@ -163,8 +163,8 @@ bool HistoryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) 
     const AttemptRecord& b = m_source->at(right.row());
     switch (left.column()) {
     case HistoryModel::Lesson: {
-        const int order = QString::localeAwareCompare(lessonTitle(m_source->titles(), a.lessonId),
-                                                      lessonTitle(m_source->titles(), b.lessonId));
+        const int order = QString::localeAwareCompare(text::lessonTitle(m_source->titles(), a.lessonId),
+                                                      text::lessonTitle(m_source->titles(), b.lessonId));
         return order != 0 ? order < 0 : a.finishedUtc < b.finishedUtc;
     }
     case HistoryModel::Score:

@@ -11,7 +11,7 @@
 #include <QSortFilterProxyModel>
 
 #include "database/records.h"
-#include "ui/people/PeopleWords.h"
+#include "ui/text/PeopleWords.h"
 
 namespace ui::people {
 
@@ -28,11 +28,11 @@ public:
     /// @param isNew  of the attempts of which others have said something, by number: who made it has not read it yet
     /// @param isOwn  that is who looks at the list
     void setFeedback(std::map<std::int64_t, bool> isNew, bool isOwn);
-    void setTitles(const LessonTitles& titles);
+    void setTitles(const text::LessonTitles& titles);
     /// Says everything again, in another language.
     void retell();
     [[nodiscard]] const database::AttemptRecord& at(int row) const { return m_attempts[row]; }
-    [[nodiscard]] const LessonTitles& titles() const { return m_titles; }
+    [[nodiscard]] const text::LessonTitles& titles() const { return m_titles; }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -45,7 +45,7 @@ private:
     QList<database::AttemptRecord> m_attempts;
     std::map<std::int64_t, bool> m_feedback;
     bool m_isOwn = true;
-    LessonTitles m_titles;
+    text::LessonTitles m_titles;
 };
 
 /// The attempts of one lesson, or all; sorted by what they are, not by their words.

@@ -16,17 +16,17 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/ChartPanel.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ListTable.h"
+#include "ui/kit/Theme.h"
 #include "ui/people/HistoryModel.h"
-#include "ui/people/ListTable.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kArrowPx = 18;  ///< that tells the sorting
 constexpr int kEmptyPx = 460;
@@ -86,7 +86,7 @@ QWidget* HistoryPage::makeList()
         column->addWidget(words);
     }
 
-    m_table = new ListTable(part);
+    m_table = new kit::ListTable(part);
     m_table->setObjectName(QStringLiteral("attempts"));
     m_table->setModel(m_filter);
     m_table->sortByColumn(HistoryModel::When, Qt::DescendingOrder);
@@ -244,7 +244,8 @@ void HistoryPage::tellWithoutScore()
     for (const database::ExamStart& start : m_startsWithoutScore)
         if (!shown || start.lessonId == *shown)
             //: %1: an exam; %2: when it was begun
-            starts << tr("%1, begun %2").arg(lessonTitle(m_charted.titles, start.lessonId), when(start.begunUtc));
+            starts << tr("%1, begun %2")
+                          .arg(text::lessonTitle(m_charted.titles, start.lessonId), text::when(start.begunUtc));
     QStringList words = starts.first(std::min<qsizetype>(starts.size(), kMostStarts));
     if (starts.size() > kMostStarts)
         words << tr("and %n more", nullptr, static_cast<int>(starts.size() - kMostStarts));
@@ -269,7 +270,7 @@ void HistoryPage::tellWaiting()
     m_stack->setCurrentIndex(m_history.isEmpty() && m_startsWithoutScore.isEmpty() && m_waiting == 0 ? 1 : 0);
 }
 
-void HistoryPage::setLessonTitles(const LessonTitles& titles)
+void HistoryPage::setLessonTitles(const text::LessonTitles& titles)
 {
     m_charted.titles = titles;
     m_model->setTitles(titles);
@@ -278,7 +279,7 @@ void HistoryPage::setLessonTitles(const LessonTitles& titles)
     drawCharts();
 }
 
-void HistoryPage::setCriterionNames(const std::map<std::string, CriterionNames>& names)
+void HistoryPage::setCriterionNames(const std::map<std::string, text::CriterionNames>& names)
 {
     m_charted.criteria = names;
     drawCharts();
@@ -306,7 +307,7 @@ void HistoryPage::setBand(const std::vector<database::BandPoint>& band)
     drawCharts();
 }
 
-void HistoryPage::setClassMedians(const std::optional<ClassMedians>& medians)
+void HistoryPage::setClassMedians(const std::optional<scoring::ClassMedians>& medians)
 {
     m_charted.medians = medians;
     drawCharts();
@@ -321,7 +322,7 @@ void HistoryPage::fillLessons()
         ++tried[attempt.lessonId];
     QList<std::pair<QString, std::string>> titles;
     for (const auto& [id, count] : tried)
-        titles << std::pair(lessonTitle(m_charted.titles, id), id);
+        titles << std::pair(text::lessonTitle(m_charted.titles, id), id);
     std::sort(titles.begin(), titles.end(),
               [](const auto& a, const auto& b) { return QString::localeAwareCompare(a.first, b.first) < 0; });
     const QSignalBlocker quiet(m_lessons);
@@ -388,31 +389,31 @@ void HistoryPage::tellChosen()
 void HistoryPage::drawCharts()
 {
     const auto chosenLesson = lesson();
-    const QString of = chosenLesson ? lessonTitle(m_charted.titles, *chosenLesson) : tr("All lessons");
+    const QString of = chosenLesson ? text::lessonTitle(m_charted.titles, *chosenLesson) : tr("All lessons");
     const auto show = [&](charts::ChartPanel* panel, charts::Chart chart) {
         chart.of = m_person.isEmpty() ? of : QStringLiteral("%1, %2").arg(m_person, of);
         panel->setChart(chart);
     };
-    show(m_score, scoreChart(m_charted));
+    show(m_score, scoring::scoreChart(m_charted));
     switch (m_which->checkedId()) {
     case Time:
-        show(m_other, timeChart(m_charted));
+        show(m_other, scoring::timeChart(m_charted));
         break;
     case Force:
-        show(m_other, forceChart(m_charted));
+        show(m_other, scoring::forceChart(m_charted));
         break;
     case Speed:
-        show(m_other, speedChart(m_charted));
+        show(m_other, scoring::speedChart(m_charted));
         break;
     default:
-        show(m_other, criteriaChart(m_charted));
+        show(m_other, scoring::criteriaChart(m_charted));
     }
 }
 
 void HistoryPage::retell()
 {
     setTitle(m_person.isEmpty() ? tr("My attempts") : tr("Attempts of %1").arg(m_person));
-    study::nameInput(m_lessons, tr("Show the attempts at this lesson"));
+    kit::nameInput(m_lessons, tr("Show the attempts at this lesson"));
     m_table->setAccessibleName(tr("Attempts"));
     m_open->setText(tr("Open grade"));
     m_replay->setText(tr("Replay"));
@@ -458,7 +459,8 @@ void HistoryPage::fitColumns()
         m_columnPx[column] = px + kSpace6;
         m_table->horizontalHeader()->resizeSection(column, px + kSpace6);
     };
-    fit(HistoryModel::When, {when("2026-12-28T22:58:00Z"), when("2026-09-20T20:00:00Z"), when("2026-08-04T04:44:00Z")});
+    fit(HistoryModel::When,
+        {text::when("2026-12-28T22:58:00Z"), text::when("2026-09-20T20:00:00Z"), text::when("2026-08-04T04:44:00Z")});
     fit(HistoryModel::Score, {QStringLiteral("100.0")});
     fit(HistoryModel::Result, {HistoryModel::tr("passed"), HistoryModel::tr("not passed")});
     fit(HistoryModel::Feedback, {HistoryModel::tr("new"), HistoryModel::tr("unread"), HistoryModel::tr("read")});
@@ -474,7 +476,7 @@ void HistoryPage::makeRoom()
     const QFontMetrics letters(typeface(kBody));
     int titlePx = 0;
     for (int k = 1; k < m_lessons->count(); ++k)
-        titlePx = std::max(titlePx, letters.horizontalAdvance(lessonTitle(
+        titlePx = std::max(titlePx, letters.horizontalAdvance(text::lessonTitle(
                                         m_charted.titles, m_lessons->itemData(k).toString().toStdString())));
     int leftPx = m_table->viewport()->width() - std::min(kLeastTitlePx, titlePx + kSpace6);
     for (const auto& [column, px] : m_columnPx)

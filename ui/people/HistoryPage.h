@@ -10,14 +10,18 @@
 
 #include "database/overview.h"
 #include "database/records.h"
-#include "ui/people/HistoryCharts.h"
-#include "ui/shell/Page.h"
+#include "ui/kit/Page.h"
+#include "ui/scoring/HistoryCharts.h"
 
 class QButtonGroup;
 class QComboBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
+
+namespace ui::kit {
+class ListTable;
+}
 
 namespace ui::charts {
 class ChartPanel;
@@ -27,15 +31,14 @@ namespace ui::people {
 
 class HistoryFilter;
 class HistoryModel;
-class ListTable;
 
 /// All attempts of one person: a list that sorts and filters by lesson, and beside it how the score, the criteria, time
 /// and force went. One's own, or a student's, seen by a teacher.
-class HistoryPage final : public shell::Page
+class HistoryPage final : public kit::Page
 {
     Q_OBJECT
 public:
-    HistoryPage(const shell::Actions& actions, QWidget* parent);
+    HistoryPage(const kit::Actions& actions, QWidget* parent);
 
     /// Somebody else comes: nobody's attempts are shown.
     void forget();
@@ -49,15 +52,15 @@ public:
     void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
     /// Attempts of that person that wait on this computer until the school can take them.
     void setWaiting(int count);
-    void setLessonTitles(const LessonTitles& titles);
+    void setLessonTitles(const text::LessonTitles& titles);
     /// What criteria are called, by their ids; of the lessons that are known.
     /// @param names  of the criteria of each lesson, by its id
-    void setCriterionNames(const std::map<std::string, CriterionNames>& names);
+    void setCriterionNames(const std::map<std::string, text::CriterionNames>& names);
     /// Shows one lesson's attempts only; nothing: all.
     void setLesson(const std::optional<std::string>& lessonId);
     /// How the class did at the lesson that is shown. Empty until it is known, and of too few people.
     void setBand(const std::vector<database::BandPoint>& band);
-    void setClassMedians(const std::optional<ClassMedians>& medians);
+    void setClassMedians(const std::optional<scoring::ClassMedians>& medians);
 
     /// Asks for them once more: others may have said something of them meanwhile.
     void readAgain() { emit readAgainWanted(); }
@@ -84,7 +87,7 @@ protected:
 private:
     QWidget* makeList();
     QWidget* makeCharts();
-    QWidget* makeEmpty(const shell::Actions& actions);
+    QWidget* makeEmpty(const kit::Actions& actions);
     void fillLessons();
     void takeLesson();
     void retell();
@@ -99,7 +102,7 @@ private:
     QList<database::AttemptRecord> m_history;
     QList<database::ExamStart> m_startsWithoutScore;
     int m_waiting = 0;
-    ChartedAttempts m_charted;  ///< those of the lesson
+    scoring::ChartedAttempts m_charted;  ///< those of the lesson
     HistoryModel* m_model;
     HistoryFilter* m_filter;
     QStackedWidget* m_stack;
@@ -107,7 +110,7 @@ private:
     QLabel* m_count = nullptr;
     QLabel* m_withoutScore = nullptr;
     QLabel* m_waitingWords = nullptr;
-    ListTable* m_table = nullptr;
+    kit::ListTable* m_table = nullptr;
     std::map<int, int> m_columnPx;  ///< what each needs
     QLabel* m_missing = nullptr;    ///< why the chosen one cannot be opened
     QPushButton* m_open = nullptr;

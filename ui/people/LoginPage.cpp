@@ -15,19 +15,19 @@
 #include <QVBoxLayout>
 
 #include "database/Usernames.h"
+#include "ui/kit/Announce.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/LanguageMenu.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/Theme.h"
 #include "ui/people/WelcomeChoices.h"
-#include "ui/shell/Announce.h"
-#include "ui/shell/LanguageMenu.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Language.h"
 
 namespace ui::people {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kCardPx = 400;
 constexpr int kLongestInput = 300;
@@ -38,15 +38,15 @@ constexpr int kSoonMs = 600;  ///< what takes longer is told; to look at a passw
 
 LoginPage::LoginPage(QWidget* parent)
     : QWidget(parent), m_card(new QFrame(this)), m_column(new QVBoxLayout(m_card)), m_title(new QLabel(m_card)),
-      m_words(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
+      m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
       m_choices(new WelcomeChoices(m_card)), m_name(field("username", false)), m_given(field("givenName", false)),
       m_family(field("familyName", false)), m_old(field("oldPassword", true)), m_password(field("password", true)),
-      m_again(field("passwordAgain", true)), m_keep(new QCheckBox(m_card)), m_fault(study::faultLabel(m_card)),
-      m_waiting(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
+      m_again(field("passwordAgain", true)), m_keep(new QCheckBox(m_card)), m_fault(kit::faultLabel(m_card)),
+      m_waiting(kit::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
       m_untilTold(new QTimer(this)), m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)),
       m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
-      m_said(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
-      m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
+      m_said(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
+      m_unreachable(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_tryAgain(new QPushButton(m_card)), m_restore(new QPushButton(m_card)), m_language(new QToolButton(m_card))
 {
     setAutoFillBackground(true);
@@ -344,7 +344,7 @@ void LoginPage::say(std::function<QString()> sentence)
 void LoginPage::tellFault(std::function<QString()> sentence)
 {
     m_faultWords = std::move(sentence);
-    study::showFault(m_fault, m_faultWords ? m_faultWords() : QString());
+    kit::showFault(m_fault, m_faultWords ? m_faultWords() : QString());
 }
 
 void LoginPage::setOpening(bool isOpening)

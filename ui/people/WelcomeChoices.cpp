@@ -5,13 +5,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kHeightPx = 92;
 

@@ -13,10 +13,10 @@
 
 #include "core/cutting/Feed.h"
 #include "ui/charts/SaveButton.h"
-#include "ui/presets/PresetWords.h"
-#include "ui/shell/Announce.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Announce.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PresetWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::presets {
@@ -61,7 +61,7 @@ QString unbroken(const QString& words)
 
 FeedChart::FeedChart(QWidget* parent) : WalkedChart(parent), m_words(new QLabel(this))
 {
-    m_words->setFont(shell::typeface(shell::kSmall));
+    m_words->setFont(kit::typeface(kit::kSmall));
     m_words->setTextFormat(Qt::RichText);
     m_words->setWordWrap(true);
     m_words->setObjectName(QStringLiteral("feedWords"));
@@ -69,15 +69,15 @@ FeedChart::FeedChart(QWidget* parent) : WalkedChart(parent), m_words(new QLabel(
     save->beSmall();
     connect(save, &charts::SaveButton::told, this, [this](const QString& sentence) {
         say(sentence);
-        shell::announce(*m_words);
+        kit::announce(*m_words);
     });
     auto* row = new QHBoxLayout;  // beside the curves, which rise to the corner
     row->setSpacing(0);
     row->addWidget(view(), 1);
     row->addWidget(save, 0, Qt::AlignTop);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(shell::kSpace1, shell::kSpace1, shell::kSpace1, shell::kSpace1);
-    column->setSpacing(shell::kSpace1);
+    column->setContentsMargins(kit::kSpace1, kit::kSpace1, kit::kSpace1, kit::kSpace1);
+    column->setSpacing(kit::kSpace1);
     column->addLayout(row, 1);
     column->addWidget(m_words);
     text::inEveryLanguage(this, [this] {
@@ -121,7 +121,7 @@ bool FeedChart::differsIn(Substance substance) const
 QString FeedChart::figure(Substance substance, double newtons) const
 {
     //: %1 is a material, %2 a speed
-    return tr("%1 %2 mm/s").arg(substanceName(substance), text::number(feed(m_preset, substance, newtons), 1));
+    return tr("%1 %2 mm/s").arg(text::substanceName(substance), text::number(feed(m_preset, substance, newtons), 1));
 }
 
 QString FeedChart::words(double newtons) const
@@ -135,7 +135,7 @@ QString FeedChart::words(double newtons) const
 
 charts::Line FeedChart::lineOf(const FeelPreset& preset, Substance substance, int points) const
 {
-    charts::Line line{substanceName(substance), {}, charts::Mark::Plain};
+    charts::Line line{text::substanceName(substance), {}, charts::Mark::Plain};
     for (int k = 0; k <= points; ++k) {
         const double newtons = kMostN * k / points;
         line.dots << charts::Dot{newtons, feed(preset, substance, newtons), {}};
@@ -148,7 +148,7 @@ charts::Chart FeedChart::chart(bool isShown) const
 {
     charts::Curve curve;
     curve.x = {tr("Force, N"), 0.0, kMostN};
-    const bool isOnDark = isShown && shell::isDark(palette());
+    const bool isOnDark = isShown && kit::isDark(palette());
     const int points = isShown ? kPoints : kRows;
     double most = 0.5;
     for (const Line& one : kLines) {
@@ -192,7 +192,7 @@ void FeedChart::tell(double newtons)
 void FeedChart::walk(charts::Step step)
 {
     tell(stepped(step, m_toldN, kStepN, kMostN));
-    shell::announce(*this);
+    kit::announce(*this);
 }
 
 void FeedChart::point(std::optional<QPointF> at)
@@ -203,7 +203,7 @@ void FeedChart::point(std::optional<QPointF> at)
 /// Each figure with the colour of its line.
 void FeedChart::say(const QString& sentence)
 {
-    const bool dark = shell::isDark(palette());
+    const bool dark = kit::isDark(palette());
     QStringList parts;
     for (const Line& line : kLines)
         parts << QStringLiteral("<span style=\"color:%1\"><b>━━</b></span>&nbsp;%2")

@@ -8,17 +8,17 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "ui/presets/PresetWords.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PresetWords.h"
 
 namespace ui::presets {
 namespace {
 
 using core::settings::kSubstances;
 using core::settings::Substance;
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kDecimals = 3;
 constexpr int kWideInputPx = 152;
@@ -64,7 +64,7 @@ PresetTable::PresetTable(QWidget* parent) : QWidget(parent)
         auto* name = new QLabel(this);
         name->setWordWrap(true);
         name->setFixedWidth(kNamePx);
-        auto* help = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
+        auto* help = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
         rest.emplace_back(name, help);
         grid->addWidget(name, row, 0);
         grid->addWidget(input(k), row, 1);
@@ -77,16 +77,16 @@ PresetTable::PresetTable(QWidget* parent) : QWidget(parent)
         //: The force from which on a material is cut
         from->setText(tr("Cuts from"));
         for (std::size_t k = 0; k < kSubstances; ++k)
-            names[k]->setText(substanceName(static_cast<Substance>(k)));
+            names[k]->setText(text::substanceName(static_cast<Substance>(k)));
         for (std::size_t k = 0; k < rest.size(); ++k) {
-            rest[k].first->setText(fieldName(fields[2 * kSubstances + k].id));
-            rest[k].second->setText(fieldHelp(fields[2 * kSubstances + k].id));
+            rest[k].first->setText(text::feelFieldName(fields[2 * kSubstances + k].id));
+            rest[k].second->setText(text::fieldHelp(fields[2 * kSubstances + k].id));
         }
         for (std::size_t k = 0; k < fields.size(); ++k) {
-            m_inputs[k]->setAccessibleName(fieldName(fields[k].id));
-            m_inputs[k]->setAccessibleDescription(fieldHelp(fields[k].id));
-            m_inputs[k]->setToolTip(
-                brokenIntoLines(fieldHelp(fields[k].id) + u'\n' + tr("From %1.").arg(rangeWords(fields[k]))));
+            m_inputs[k]->setAccessibleName(text::feelFieldName(fields[k].id));
+            m_inputs[k]->setAccessibleDescription(text::fieldHelp(fields[k].id));
+            m_inputs[k]->setToolTip(brokenIntoLines(text::fieldHelp(fields[k].id) + u'\n' +
+                                                    tr("From %1.").arg(text::rangeWords(fields[k]))));
         }
     });
 }
@@ -94,8 +94,7 @@ PresetTable::PresetTable(QWidget* parent) : QWidget(parent)
 QDoubleSpinBox* PresetTable::input(std::size_t field)
 {
     const auto& number = core::settings::feelFields()[field];
-    auto* made =
-        study::numberInput(number.minimum, number.maximum, kDecimals, QString::fromUtf8(number.unit), {}, this);
+    auto* made = kit::numberInput(number.minimum, number.maximum, kDecimals, QString::fromUtf8(number.unit), {}, this);
     made->setFixedWidth(kWideInputPx);
     made->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     made->setObjectName(QLatin1String(number.id));
@@ -110,7 +109,7 @@ void PresetTable::setPreset(const core::settings::FeelPreset& preset)
     m_isQuiet = true;
     const auto fields = core::settings::feelFields();
     for (std::size_t k = 0; k < fields.size(); ++k)
-        study::showNumber(*m_inputs[k], preset.*fields[k].value);
+        kit::showNumber(*m_inputs[k], preset.*fields[k].value);
     m_isQuiet = false;
 }
 

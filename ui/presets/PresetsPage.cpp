@@ -18,22 +18,22 @@
 #include <QVBoxLayout>
 
 #include "core/bur/Bur.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/Theme.h"
+#include "ui/kit/UnsavedChanges.h"
 #include "ui/presets/FeedChart.h"
 #include "ui/presets/PresetTable.h"
-#include "ui/presets/PresetWords.h"
 #include "ui/presets/SimplePanel.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
-#include "ui/shell/UnsavedChanges.h"
-#include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PresetWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::presets {
 namespace {
 
 using core::settings::FeelPreset;
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kListPx = 250;
 constexpr int kNarrowListPx = 180;
@@ -151,15 +151,15 @@ QWidget* PresetsPage::makeDetails()
     column->setContentsMargins(0, 0, kSpace4, 0);
     column->setSpacing(kSpace2);
     column->addWidget(makePreset(side), 1);
-    m_bound = study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, side);
+    m_bound = kit::formWords({}, kBody, QFont::Medium, QPalette::WindowText, side);
     m_bound->setObjectName(QStringLiteral("presetBound"));
     column->addWidget(m_bound);
     column->addWidget(line(side));
     column->addWidget(makeCompare(side));
-    m_fault = study::faultLabel(side);
+    m_fault = kit::faultLabel(side);
     m_fault->setObjectName(QStringLiteral("presetFault"));
     column->addWidget(m_fault);
-    m_faultDetail = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
+    m_faultDetail = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
     m_faultDetail->setObjectName(QStringLiteral("presetFaultDetail"));
     m_faultDetail->setTextFormat(Qt::PlainText);
     column->addWidget(m_faultDetail);
@@ -202,7 +202,7 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
     m_name->setObjectName(QStringLiteral("presetName"));
     m_name->setMaxLength(static_cast<int>(lessons::kLongestPresetName));
     m_name->setMaximumWidth(280);
-    m_version = study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, side);
+    m_version = kit::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, side);
     m_version->setObjectName(QStringLiteral("presetVersion"));
     m_version->setTextFormat(Qt::PlainText);
     m_use = button("", "presetUse", side);
@@ -226,7 +226,7 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
     }
     simple->setChecked(true);
     choose->addStretch(1);
-    auto* bur = study::choiceInput({}, side);
+    auto* bur = kit::choiceInput({}, side);
     bur->setObjectName(QStringLiteral("presetBur"));
     auto* burName = new QLabel(side);
     burName->setBuddy(bur);
@@ -310,13 +310,13 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(0, 0, 0, 0);
     auto* words = new QLabel(whole);
-    m_other = study::choiceInput({}, whole);
+    m_other = kit::choiceInput({}, whole);
     m_other->setObjectName(QStringLiteral("presetOther"));
     m_other->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_other->setMinimumContentsLength(5);
     words->setBuddy(m_other);
     m_other->setMaximumWidth(kOtherPx);
-    m_trials = study::countInput(1, kMostTrials, whole);
+    m_trials = kit::countInput(1, kMostTrials, whole);
     m_trials->setObjectName(QStringLiteral("presetTrials"));
     m_trials->setValue(kUsualTrials);
     m_compare = button("", "presetCompare", whole);
@@ -373,7 +373,7 @@ void PresetsPage::fill()
     for (std::size_t k = 0; k < m_all.size(); ++k) {
         const lessons::ReadPreset& read = m_all[k];
         if (!read.preset) {
-            const QString words = faultWords(read);
+            const QString words = text::faultWords(read);
             auto* item = new QListWidgetItem(QStringLiteral("⚠ ") + words, m_list);
             item->setFlags(Qt::NoItemFlags);
             item->setSizeHint({0, kRowPx});
@@ -394,7 +394,7 @@ void PresetsPage::fill()
             lines << standing.join(QStringLiteral(" · "));
         auto* item = new QListWidgetItem(lines.join(u'\n'), m_list);
         item->setSizeHint({0, standing.isEmpty() ? kRowPx : kHighRowPx});  // as wide as the list is
-        item->setToolTip(brokenIntoLines((QStringList(presetWords(*read.preset)) + standing).join(u" · ")));
+        item->setToolTip(brokenIntoLines((QStringList(text::presetWords(*read.preset)) + standing).join(u" · ")));
         if (isSameVersion(*read.preset, m_base))
             m_list->setCurrentItem(item);
         if (read.isRetired)
@@ -420,7 +420,7 @@ void PresetsPage::offerOther()
         m_other->setCurrentIndex(m_other->count() > 0 ? offered : -1);
     }
     const bool differs = m_other->currentIndex() >= 0 && !isSameFeel(at(m_other->currentIndex()), m_draft);
-    enable(m_compare, differs && isHeld(m_draft) && !m_draft.name.empty(), m_list);
+    enable(m_compare, differs && text::isHeld(m_draft) && !m_draft.name.empty(), m_list);
     m_compare->setToolTip(differs ? tr("Drill with both, behind letters, and say which feels more like a tooth")
                                   : tr("These two feel the same: choose another, or change a number"));
 }
@@ -502,7 +502,7 @@ void PresetsPage::take(const FeelPreset& preset)
 QString PresetsPage::changedWords() const
 {
     //: %1 is a hardness preset
-    return tr("What you have changed of the hardness preset %1 is not saved.").arg(presetWords(m_base));
+    return tr("What you have changed of the hardness preset %1 is not saved.").arg(text::presetWords(m_base));
 }
 
 QString PresetsPage::unsavedChanges() const
@@ -560,15 +560,15 @@ std::vector<FeelPreset> PresetsPage::origins() const
 void PresetsPage::tell()
 {
     m_draft.hash = isChanged() ? std::string() : m_base.hash;
-    const bool held = isHeld(m_draft);
-    m_bound->setText((held ? QString() : QStringLiteral("⚠ ")) + boundWords(m_draft));
+    const bool held = text::isHeld(m_draft);
+    m_bound->setText((held ? QString() : QStringLiteral("⚠ ")) + text::boundWords(m_draft));
     QPalette colours = palette();
     if (!held)
         colours.setColor(QPalette::WindowText, tones(palette()).harmText);
     m_bound->setPalette(colours);
     m_chart->setPreset(m_draft, m_base);
     const bool isNamed = !m_draft.name.empty();
-    m_version->setText(isChanged() ? tr("changed from %1").arg(presetWords(m_base))
+    m_version->setText(isChanged() ? tr("changed from %1").arg(text::presetWords(m_base))
                                    : tr("version %1").arg(m_base.version) +
                                          QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
     m_save->setText(!isChanged() && !isNewest() ? tr("Restore as the newest version") : tr("Save as a new version"));
@@ -636,7 +636,7 @@ void PresetsPage::setMayRetire(bool may)
 
 void PresetsPage::setFault(const QString& sentence)
 {
-    study::showFault(m_fault, sentence.section(u'\n', 0, 0));
+    kit::showFault(m_fault, sentence.section(u'\n', 0, 0));
     m_faultDetail->setText(sentence.section(u'\n', 1));
     m_faultDetail->setVisible(!m_faultDetail->text().isEmpty());
 }

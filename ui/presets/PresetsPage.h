@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "lessons/PresetFile.h"
-#include "ui/shell/Page.h"
+#include "ui/kit/Page.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -25,11 +25,11 @@ class SimplePanel;
 
 /// The hardness presets there are, each in all its versions, and one of them to be looked at, tried, turned and kept as
 /// another version. Whatever is asked of files and of the servo goes out by signals.
-class PresetsPage : public shell::Page
+class PresetsPage : public kit::Page
 {
     Q_OBJECT
 public:
-    PresetsPage(const shell::Actions& actions, QWidget* parent);
+    PresetsPage(const kit::Actions& actions, QWidget* parent);
 
     /// What is on the shelf. What is being turned stays.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);

@@ -10,10 +10,10 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
-#include "ui/presets/PresetWords.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PresetWords.h"
 
 namespace ui::presets {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 QLabel* quiet(QWidget* parent, Qt::Alignment side)
 {
     auto* label = new QLabel(parent);
-    label->setFont(shell::typeface(shell::kSmall));
+    label->setFont(kit::typeface(kit::kSmall));
     label->setForegroundRole(QPalette::PlaceholderText);
     label->setAlignment(side | Qt::AlignVCenter);
     return label;
@@ -33,8 +33,8 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent), m_middle(quiet(this
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(shell::kSpace2);
-    grid->setVerticalSpacing(shell::kSpace1);
+    grid->setHorizontalSpacing(kit::kSpace2);
+    grid->setVerticalSpacing(kit::kSpace1);
     grid->setColumnStretch(2, 1);
     std::array<QLabel*, kDials> names{};
     std::array<QLabel*, kDials> lows{};
@@ -49,7 +49,7 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent), m_middle(quiet(this
         slider->setPageStep(kDialSteps / 4);
         // Who scrolls past a dial turns nothing.
         slider->setFocusPolicy(Qt::StrongFocus);
-        study::bindToForm(slider);
+        kit::bindToForm(slider);
         slider->setObjectName(QStringLiteral("dial%1").arg(k));
         connect(slider, &QSlider::valueChanged, this, &SimplePanel::tell);
         m_sliders[k] = slider;
@@ -109,10 +109,10 @@ void SimplePanel::setPreset(const std::vector<core::settings::FeelPreset>& bases
 void SimplePanel::say()
 {
     //: Of sliders. %1 is a hardness preset
-    m_middle->setText(m_isTyped
-                          ? tr("In the middle: the numbers that were typed.")
-                          : tr("In the middle: %1.")
-                                .arg(presetWords({QString::fromStdString(m_base.name), m_base.version, {}, false})));
+    m_middle->setText(
+        m_isTyped ? tr("In the middle: the numbers that were typed.")
+                  : tr("In the middle: %1.")
+                        .arg(text::presetWords({QString::fromStdString(m_base.name), m_base.version, {}, false})));
     m_middle->setVisible(!m_base.name.empty());
     for (QSlider* slider : m_sliders)
         slider->setAccessibleDescription(m_middle->text());

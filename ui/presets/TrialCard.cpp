@@ -12,18 +12,18 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/Theme.h"
 #include "ui/presets/FeedChart.h"
-#include "ui/presets/PresetWords.h"
 #include "ui/presets/SimplePanel.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/PresetWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::presets {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 using Answer = BlindTrial::Answer;
 
 constexpr int kCardPx = 412;
@@ -251,7 +251,7 @@ void TrialCard::turn(const core::settings::FeelPreset& preset)
 /// What the dials make of the feed.
 void TrialCard::draw()
 {
-    m_title->setText(presetWords(*m_tuned));
+    m_title->setText(text::presetWords(*m_tuned));
     setAccessibleName(m_title->text());
     m_chart->setPreset(*m_tuned, m_base);
 }
@@ -269,7 +269,7 @@ void TrialCard::say()
     m_back->setVisible(!isComparing());
     m_end->setVisible(isComparing());
     if (!isBlind) {
-        m_title->setText(m_tuned ? presetWords(*m_tuned) : QString());
+        m_title->setText(m_tuned ? text::presetWords(*m_tuned) : QString());
         m_words->setText(tr("Drill: each slider is felt at once."));
     } else if (!isOver) {
         //: %1 of %2 trials
@@ -282,7 +282,7 @@ void TrialCard::say()
         m_title->setText(tr("Compared"));
         const auto chosen = [](const core::settings::FeelPreset& preset, int times) {
             //: %1 is a hardness preset
-            return tr("%1: chosen %n time(s).", nullptr, times).arg(presetWords(preset));
+            return tr("%1: chosen %n time(s).", nullptr, times).arg(text::presetWords(preset));
         };
         QString words = chosen(m_trial->first(), outcome.first) + u' ' + chosen(m_trial->second(), outcome.second);
         if (outcome.neither > 0)

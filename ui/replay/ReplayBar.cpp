@@ -12,19 +12,20 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/kit/Actions.h"
+#include "ui/kit/FoldingBar.h"
+#include "ui/kit/TabularLabel.h"
+#include "ui/kit/Theme.h"
+#include "ui/practice/ViewMenu.h"
 #include "ui/replay/TimeLine.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/FoldingBar.h"
-#include "ui/shell/TabularLabel.h"
-#include "ui/shell/Theme.h"
-#include "ui/shell/ViewMenu.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::replay {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
+using namespace ui::practice;
 
 constexpr std::array<double, 8> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 constexpr std::size_t kAsMade = 3;

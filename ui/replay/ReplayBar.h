@@ -8,11 +8,13 @@
 
 class QLabel;
 
-namespace ui::shell {
+namespace ui::kit {
 class Actions;
 class TabularLabel;
+}  // namespace ui::kit
+namespace ui::practice {
 class ViewMenu;
-}  // namespace ui::shell
+}
 
 namespace ui::replay {
 
@@ -23,7 +25,7 @@ class ReplayBar final : public QFrame
 {
     Q_OBJECT
 public:
-    ReplayBar(const shell::Actions& actions, shell::ViewMenu& viewMenu, QWidget* parent);
+    ReplayBar(const kit::Actions& actions, practice::ViewMenu& viewMenu, QWidget* parent);
 
     /// A recording of this length begins, as fast as it was made; more of it is known by and by (setCourse).
     void begin(double lengthS);
@@ -59,8 +61,8 @@ private:
     std::size_t m_speed = 0;
     TimeLine* m_line = nullptr;
     QLabel* m_words = nullptr;
-    shell::TabularLabel* m_time = nullptr;
-    shell::TabularLabel* m_speedLabel = nullptr;
+    kit::TabularLabel* m_time = nullptr;
+    kit::TabularLabel* m_speedLabel = nullptr;
 };
 
 }  // namespace ui::replay

@@ -15,16 +15,16 @@
 #include "core/bur/Bur.h"
 #include "core/servo/ServoState.h"
 #include "core/session/Links.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/ExerciseCard.h"
-#include "ui/study/InfractionCard.h"
+#include "ui/kit/Theme.h"
+#include "ui/practice/ExerciseCard.h"
+#include "ui/practice/InfractionCard.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::replay {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kMarksPx = 16;
 constexpr int kStrokesPx = 14;
@@ -139,7 +139,7 @@ QString noteWords(std::uint64_t code)
     if (const auto answer = core::grading::answerOf(code); answer && answer->pad < core::grading::kPads)
         //: %1 is "Left", "Middle" or "Right", %2 a tissue
         return QCoreApplication::translate("TimeLine", "%1 pad: answer %2")
-            .arg(study::padName(answer->pad), text::materialName(answer->said));
+            .arg(practice::padName(answer->pad), text::materialName(answer->said));
     if (code == core::servo::kGradedNote)
         return QCoreApplication::translate("TimeLine", "Graded");
     return QCoreApplication::translate("TimeLine", "Note %1").arg(code);
@@ -274,7 +274,7 @@ QStringList TimeLine::saidAt(const QPoint& place) const
         };
         for (const core::grading::Infraction& infraction : lane.course.infractions)
             if (isHere(infraction.seconds))
-                said << at(infraction.seconds, study::breachName(infraction));
+                said << at(infraction.seconds, practice::breachName(infraction));
         for (const Remark& remark : lane.course.remarks)
             if (isHere(remark.atS))
                 said << at(remark.atS, remarkWords(remark));

@@ -6,11 +6,11 @@
 #include <QLocale>
 #include <QTextBoundaryFinder>
 
+#include "ui/kit/Theme.h"
 #include "ui/people/ClassCharts.h"
 #include "ui/people/ClassModel.h"
 #include "ui/report/Report.h"
 #include "ui/report/Sheet.h"
-#include "ui/shell/Theme.h"
 
 namespace ui::report {
 namespace {
@@ -55,7 +55,7 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
 /// On paper "yesterday" is soon wrong.
 QString day(const std::string& utc)
 {
-    const QDateTime at = people::momentOf(utc);
+    const QDateTime at = text::momentOf(utc);
     return at.isValid() ? QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat) : QStringLiteral("–");
 }
 
@@ -163,7 +163,7 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
     paintNeeds(sheet, model);
 
     if (!report.results.lessonId.empty()) {
-        sheet.head(Words::tr("The class at: %1").arg(people::lessonTitle(report.titles, report.results.lessonId)),
+        sheet.head(Words::tr("The class at: %1").arg(text::lessonTitle(report.titles, report.results.lessonId)),
                    kChartPt);
         sheet.chartRow({people::distributionChart(report.results, report.passMarkTenths),
                         people::learningChart(report.results, report.passMarkTenths)},

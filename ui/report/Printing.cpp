@@ -13,9 +13,9 @@
 #include <QScopeGuard>
 #include <QTemporaryDir>
 
-#include "ui/shell/FileDialog.h"
-#include "ui/shell/Folders.h"
-#include "ui/shell/SavedFile.h"
+#include "ui/kit/FileDialog.h"
+#include "ui/kit/Folders.h"
+#include "ui/kit/SavedFile.h"
 
 namespace ui::report {
 namespace {
@@ -27,7 +27,7 @@ template <typename Content>
 bool save(const QString& path, const QString& title, const Content& content, QPageSize::PageSizeId paper)
 {
     QSaveFile file(path);
-    if (!shell::openForOwner(file))
+    if (!kit::openForOwner(file))
         return false;
     {
         QPdfWriter writer(&file);
@@ -54,13 +54,13 @@ QPageSize::PageSizeId usualPaper()
 void askForPdf(QWidget* window, const QString& title, const QString& name,
                const std::function<void(const QString& path)>& chosen)
 {
-    auto* dialog = new shell::FileDialog(window, title, shell::documentsFolder(),
-                                         QCoreApplication::translate("Printing", "PDF (*.pdf)"));
+    auto* dialog = new kit::FileDialog(window, title, kit::documentsFolder(),
+                                       QCoreApplication::translate("Printing", "PDF (*.pdf)"));
     QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen);
     dialog->askWhere(name, QStringLiteral("pdf"));
 }
 
-bool savePdf(const QString& path, const QString& title, const ScoreCard& card, QPageSize::PageSizeId paper)
+bool savePdf(const QString& path, const QString& title, const scoring::ScoreCard& card, QPageSize::PageSizeId paper)
 {
     return save(path, title, card, paper);
 }

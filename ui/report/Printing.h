@@ -25,7 +25,7 @@ void askForPdf(QWidget* window, const QString& title, const QString& name,
                const std::function<void(const QString& path)>& chosen);
 
 /// Writes a PDF with margins of 15 mm. False: it could not be written, and what was there before is as it was.
-[[nodiscard]] bool savePdf(const QString& path, const QString& title, const ScoreCard& card,
+[[nodiscard]] bool savePdf(const QString& path, const QString& title, const scoring::ScoreCard& card,
                            QPageSize::PageSizeId paper = usualPaper());
 [[nodiscard]] bool savePdf(const QString& path, const QString& title, const ClassReport& report,
                            QPageSize::PageSizeId paper = usualPaper());

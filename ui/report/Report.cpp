@@ -39,7 +39,7 @@ bool paintPages(QPagedPaintDevice& device, const Content& content)
 
 }  // namespace
 
-bool paintOn(QPagedPaintDevice& device, const ScoreCard& card)
+bool paintOn(QPagedPaintDevice& device, const scoring::ScoreCard& card)
 {
     return paintPages(device, card);
 }

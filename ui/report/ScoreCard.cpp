@@ -7,15 +7,15 @@
 #include <QLocale>
 #include <QPicture>
 
-#include "ui/people/HistoryCharts.h"
+#include "ui/kit/Theme.h"
 #include "ui/report/Report.h"
 #include "ui/report/Sheet.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/ConductNotes.h"
-#include "ui/study/CriterionRow.h"
-#include "ui/study/HeatMap.h"
-#include "ui/study/ScorePage.h"
-#include "ui/study/WorstSection.h"
+#include "ui/scoring/ConductNotes.h"
+#include "ui/scoring/CriterionRow.h"
+#include "ui/scoring/HeatMap.h"
+#include "ui/scoring/HistoryCharts.h"
+#include "ui/scoring/ScorePage.h"
+#include "ui/scoring/WorstSection.h"
 #include "ui/text/Texts.h"
 
 namespace ui::report {
@@ -40,10 +40,10 @@ constexpr std::size_t kMomentsTold = 3;
 constexpr std::size_t kHashShown = 16;
 
 /// The places that comments are about, in the order of the comments, which have the same numbers.
-void paintNumbers(QPainter& painter, const study::HeatMap& map, const std::vector<database::AttemptComment>& comments)
+void paintNumbers(QPainter& painter, const scoring::HeatMap& map, const std::vector<database::AttemptComment>& comments)
 {
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(shell::typeface(kNumberPx, QFont::DemiBold));
+    painter.setFont(kit::typeface(kNumberPx, QFont::DemiBold));
     int number = 0;
     for (const database::AttemptComment& comment : comments) {
         if (!comment.placeMm)
@@ -66,7 +66,7 @@ void paintNumbers(QPainter& painter, const study::HeatMap& map, const std::vecto
 
 /// A picture of the score page, on white, in colours and patterns for every eye.
 template <typename Picture>
-QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node,
+QImage pictureOf(const scoring::ScoredWork& work, std::optional<std::size_t> node,
                  const std::function<void(QPainter&, const Picture&)>& paintOver = {})
 {
     Picture widget(nullptr);
@@ -75,7 +75,7 @@ QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node,
     widget.setColours(render::Palette::Distinct);
     widget.setWork(work);
     if (node)
-        widget.setMark(node, study::planeThrough(work, *node));
+        widget.setMark(node, scoring::planeThrough(work, *node));
     QImage image(kPicturePx * kPictureRatio, QImage::Format_RGB32);
     image.setDevicePixelRatio(kPictureRatio);
     image.fill(Qt::white);
@@ -87,31 +87,31 @@ QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node,
 }
 
 /// Breaches and aids, as the score page tells them.
-void paintConduct(Sheet& sheet, const ScoreCard& card)
+void paintConduct(Sheet& sheet, const scoring::ScoreCard& card)
 {
     if (!card.work || !card.work->measured.process)
         return;
-    QString breaches = study::ConductNotes::countWords(card.work->infractions);
+    QString breaches = scoring::ConductNotes::countWords(card.work->infractions);
     QStringList told;
     for (const core::grading::Infraction& infraction : card.work->infractions)
-        told << study::ConductNotes::breachWords(infraction);
+        told << scoring::ConductNotes::breachWords(infraction);
     if (!told.isEmpty())
         breaches += QStringLiteral(": ") + told.join(QStringLiteral("; "));
     sheet.say(breaches, kTextPt);
     sheet.say(text::aidWords(card.work->aids), kTextPt);
 }
 
-void paintResult(Sheet& sheet, const ScoreCard& card)
+void paintResult(Sheet& sheet, const scoring::ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
     sheet.say(CardWords::tr("Score card: %1").arg(card.lesson), kTitlePt, QFont::DemiBold);
     //: %1: a person; %2: date and time
-    sheet.say(CardWords::tr("%1, %2").arg(card.person, people::when(attempt.finishedUtc)), kHeadPt);
+    sheet.say(CardWords::tr("%1, %2").arg(card.person, text::when(attempt.finishedUtc)), kHeadPt);
     sheet.skip(4.0);
     //: %1 and %2: points; %3: "Passed", "Not passed: critical error"
     sheet.say(CardWords::tr("%1 of 100 points, pass mark %2. %3")
                   .arg(text::points(attempt.countingTenths()), text::points(attempt.passMarkTenths),
-                       study::ScorePage::verdictWords(card.sheet, attempt.givenTenths)),
+                       scoring::ScorePage::verdictWords(card.sheet, attempt.givenTenths)),
               kTitlePt, QFont::DemiBold);
     if (attempt.givenTenths) {
         sheet.say(
@@ -121,7 +121,7 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
             const database::AttemptOverride& given = card.talk.overrides.back();
             //: %1: a person; %2: date and time; %3: why
             sheet.say(CardWords::tr("%1, %2: %3")
-                          .arg(QString::fromStdString(given.author), people::when(given.givenUtc),
+                          .arg(QString::fromStdString(given.author), text::when(given.givenUtc),
                                QString::fromStdString(given.reason)),
                       kTextPt);
         }
@@ -132,20 +132,20 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
             kTextPt);
     //: "12:07"
     sheet.say(CardWords::tr("Time %1 min; cutting force: mean %2 N, maximum %3 N")
-                  .arg(people::clock(attempt.durationMs), text::number(0.001 * attempt.meanForceMn, 2),
+                  .arg(text::clock(attempt.durationMs), text::number(0.001 * attempt.meanForceMn, 2),
                        text::number(0.001 * attempt.peakForceMn, 2)),
               kTextPt);
     paintConduct(sheet, card);
 }
 
-QString momentsOf(const ScoreCard& card, std::size_t k)
+QString momentsOf(const scoring::ScoreCard& card, std::size_t k)
 {
     if (k >= card.moments.size())
         return {};
     QStringList told;
-    const auto read = study::asRead(card.moments[k]);
+    const auto read = scoring::asRead(card.moments[k]);
     for (std::size_t m = 0; m < std::min(kMomentsTold, read.size()); ++m)
-        told << study::momentWords(read[m], card.sheet.criteria[k]);
+        told << scoring::momentWords(read[m], card.sheet.criteria[k]);
     if (read.size() > kMomentsTold)
         told << CardWords::tr("and %n more", nullptr, static_cast<int>(read.size() - kMomentsTold));
     return told.join(QStringLiteral("; "));
@@ -160,7 +160,7 @@ QString lostWords(const lessons::Criterion& criterion)
         .arg(text::number(-0.1 * criterion.lostTenths, 1), text::points(criterion.weightTenths));
 }
 
-void paintCriteria(Sheet& sheet, const ScoreCard& card)
+void paintCriteria(Sheet& sheet, const scoring::ScoreCard& card)
 {
     sheet.head(CardWords::tr("Lost points"), 40.0);
     double lostWide = 0.0;
@@ -188,17 +188,17 @@ void paintCriteria(Sheet& sheet, const ScoreCard& card)
         sheet.skip(nameHigh + whyHigh + 4.0);
     }
     sheet.rule();
-    sheet.say(study::ScorePage::sumWords(card.sheet, card.attempt.givenTenths), kTextPt, QFont::DemiBold);
+    sheet.say(scoring::ScorePage::sumWords(card.sheet, card.attempt.givenTenths), kTextPt, QFont::DemiBold);
 }
 
 /// From above, and in a section through the place that is farthest off.
-QList<QImage> picturesOf(const ScoreCard& card)
+QList<QImage> picturesOf(const scoring::ScoreCard& card)
 {
-    const auto node = study::farthestOff(*card.work);
-    const auto numbers = [&](QPainter& painter, const study::HeatMap& map) {
+    const auto node = scoring::farthestOff(*card.work);
+    const auto numbers = [&](QPainter& painter, const scoring::HeatMap& map) {
         paintNumbers(painter, map, card.talk.comments);
     };
-    return {pictureOf<study::HeatMap>(*card.work, node, numbers), pictureOf<study::WorstSection>(*card.work, node)};
+    return {pictureOf<scoring::HeatMap>(*card.work, node, numbers), pictureOf<scoring::WorstSection>(*card.work, node)};
 }
 
 void paintPictures(Sheet& sheet, const QList<QImage>& pictures, double mostHigh)
@@ -222,7 +222,7 @@ void paintPictures(Sheet& sheet, const QList<QImage>& pictures, double mostHigh)
     sheet.skip(high + 4.0);
 }
 
-void paintTalk(Sheet& sheet, const ScoreCard& card)
+void paintTalk(Sheet& sheet, const scoring::ScoreCard& card)
 {
     if (card.talk.comments.empty())
         return;
@@ -234,10 +234,10 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
     int number = 0;
     for (const database::AttemptComment& comment : card.talk.comments) {
         const QString author = QString::fromStdString(comment.author);
-        const QString at = people::when(comment.writtenUtc);
+        const QString at = text::when(comment.writtenUtc);
         const QString who =
             comment.momentMs
-                ? CardWords::tr("%1, %2, at %3 of the replay").arg(author, at, people::clock(*comment.momentMs))
+                ? CardWords::tr("%1, %2, at %3 of the replay").arg(author, at, text::clock(*comment.momentMs))
                 : CardWords::tr("%1, %2").arg(author, at);
         const QString place =
             isNumbered(comment) ? QStringLiteral("(%1) ").arg(QLocale().toString(++number)) : QString();
@@ -305,7 +305,7 @@ QString viewWords(const std::string& view)
 }
 
 /// What has to be the same for the same score.
-void paintCircumstances(Sheet& sheet, const ScoreCard& card)
+void paintCircumstances(Sheet& sheet, const scoring::ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
     const auto shown = [](const std::string& hash) { return noted(hash.substr(0, kHashShown)); };
@@ -332,26 +332,26 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
               kTextPt);
 }
 
-int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card,
+int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const scoring::ScoreCard& card,
              const QList<QImage>& pictures, double picturePt)
 {
     Sheet sheet(painter, pagePt, next, QStringLiteral("%1, %2").arg(card.person, card.lesson), card.proof);
     paintResult(sheet, card);
     paintCriteria(sheet, card);
     paintPictures(sheet, pictures, picturePt);
-    people::ChartedAttempts charted;
+    scoring::ChartedAttempts charted;
     charted.newestFirst = card.history;
     charted.isOneLesson = true;
     charted.band = card.band;
     if (!card.history.isEmpty())
-        sheet.chartRow({people::scoreChart(charted), people::speedChart(charted)}, kScoreChartPt);
+        sheet.chartRow({scoring::scoreChart(charted), scoring::speedChart(charted)}, kScoreChartPt);
     paintTalk(sheet, card);
     paintCircumstances(sheet, card);
     return sheet.pages();
 }
 
 /// As high as they can be without asking for one more page.
-double pictureHeight(const QSizeF& pagePt, const ScoreCard& card, const QList<QImage>& pictures)
+double pictureHeight(const QSizeF& pagePt, const scoring::ScoreCard& card, const QList<QImage>& pictures)
 {
     const auto pages = [&](double picturePt) {
         QPicture nothing;
@@ -367,7 +367,7 @@ double pictureHeight(const QSizeF& pagePt, const ScoreCard& card, const QList<QI
 
 }  // namespace
 
-int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card)
+int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const scoring::ScoreCard& card)
 {
     // While pages are counted only their number matters.
     const QList<QImage> pictures = !card.work ? QList<QImage>() : next ? picturesOf(card) : QList<QImage>(2);

@@ -7,7 +7,7 @@
 #include <QLocale>
 
 #include "ui/charts/Drawing.h"
-#include "ui/shell/Theme.h"
+#include "ui/kit/Theme.h"
 
 namespace ui::report {
 namespace {
@@ -26,12 +26,13 @@ constexpr int kFoldedWords = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 
 QFont paperFont(int size, QFont::Weight weight)
 {
-    QFont font = shell::typeface(size, weight);
+    QFont font = kit::typeface(size, weight);
     font.setStyleStrategy(QFont::PreferNoShaping);  // of scripts that can be read without
     return font;
 }
 
-Sheet::Sheet(QPainter& painter, const QSizeF& page, const NextPage& next, const QString& title, const Proof& proof)
+Sheet::Sheet(QPainter& painter, const QSizeF& page, const NextPage& next, const QString& title,
+             const scoring::Proof& proof)
     : m_painter(painter), m_page(page), m_next(next), m_title(title), m_proof(proof)
 {
     foot();

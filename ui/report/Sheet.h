@@ -24,7 +24,8 @@ inline constexpr int kSmallPt = 7;
 class Sheet
 {
 public:
-    Sheet(QPainter& painter, const QSizeF& page, const NextPage& next, const QString& title, const Proof& proof);
+    Sheet(QPainter& painter, const QSizeF& page, const NextPage& next, const QString& title,
+          const scoring::Proof& proof);
 
     [[nodiscard]] QPainter& painter() { return m_painter; }
     [[nodiscard]] double top() const { return m_top; }
@@ -59,7 +60,7 @@ private:
     QSizeF m_page;
     const NextPage& m_next;
     QString m_title;
-    const Proof& m_proof;
+    const scoring::Proof& m_proof;
     double m_top = 0.0;
     int m_pages = 1;
 };

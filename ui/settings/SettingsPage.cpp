@@ -17,12 +17,12 @@
 #include <QVBoxLayout>
 
 #include "ui/console/ParameterWords.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/LanguageMenu.h"
-#include "ui/shell/LineIcon.h"
-#include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
-#include "ui/study/FormInputs.h"
+#include "ui/kit/Actions.h"
+#include "ui/kit/FormInputs.h"
+#include "ui/kit/LanguageMenu.h"
+#include "ui/kit/LineIcon.h"
+#include "ui/kit/ScrollPane.h"
+#include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Language.h"
 #include "ui/text/Search.h"
@@ -30,7 +30,7 @@
 namespace ui::settings {
 namespace {
 
-using namespace ui::shell;
+using namespace ui::kit;
 
 constexpr int kWidestPx = 760;
 constexpr int kLabelPx = 230;
@@ -47,9 +47,9 @@ QString groupOf(const core::settings::Parameter& parameter)
 
 SettingsPage::SettingsPage(const Actions& actions, const core::settings::Parameters& parameters, QWidget* parent)
     : Page(actions, parent), m_actions(actions), m_parameters(parameters), m_search(new QLineEdit(this)),
-      m_fault(study::faultLabel(this)), m_blind(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+      m_fault(kit::faultLabel(this)), m_blind(kit::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
       m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content)),
-      m_none(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this))
+      m_none(kit::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this))
 {
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(kWidestPx);
@@ -78,7 +78,7 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
         for (auto* clear : m_search->findChildren<QAbstractButton*>())
             clear->setAccessibleName(tr("Clear the search"));
         m_none->setText(tr("No setting is called so, and none speaks of it. Look for one word, such as \"force\"."));
-        study::showFault(m_fault, {});  // it was said in another language
+        kit::showFault(m_fault, {});  // it was said in another language
         m_blind->setText(console::blindWords());
         fill();
     });
@@ -100,7 +100,7 @@ void SettingsPage::fill()
         if (const QString own = groupOf(*parameter); own != group) {
             group = own;
             heading =
-                study::formWords(console::groupName(group), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
+                kit::formWords(console::groupName(group), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
             heading->setContentsMargins(0, kSpace4, 0, 0);
             m_column->addWidget(heading);
         }
@@ -120,23 +120,23 @@ void SettingsPage::fill()
 /// What the program itself remembers, and no parameter.
 void SettingsPage::addWindowRows()
 {
-    auto* heading = study::formWords(tr("Window"), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
+    auto* heading = kit::formWords(tr("Window"), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
     m_column->addWidget(heading);
     const auto addRow = [&](const QString& label, QWidget* input, const QString& help) {
         auto* whole = new QWidget(m_content);
         auto* line = new QHBoxLayout(whole);
         line->setContentsMargins(0, 0, 0, 0);
         line->setSpacing(kSpace4);
-        auto* words = study::formWords(label, kBody, QFont::Normal, QPalette::WindowText, whole);
+        auto* words = kit::formWords(label, kBody, QFont::Normal, QPalette::WindowText, whole);
         words->setFixedWidth(kLabelPx);
         line->addWidget(words);
         line->addWidget(input);
-        line->addWidget(study::formWords(help, kSmall, QFont::Normal, QPalette::PlaceholderText, whole), 1);
+        line->addWidget(kit::formWords(help, kSmall, QFont::Normal, QPalette::PlaceholderText, whole), 1);
         m_column->addWidget(whole);
         m_rows.push_back({whole, heading, {}, QStringLiteral("%1 %2").arg(label, help), [] {}});
     };
     const auto add = [&](const char* name, const QString& label, const QString& help) {
-        auto* choice = study::choiceInput(label, m_content);
+        auto* choice = kit::choiceInput(label, m_content);
         choice->setObjectName(QLatin1String(name));
         choice->setMinimumWidth(kNumberPx);
         choice->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // as wide as its words in this language
@@ -179,7 +179,7 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
     line->setSpacing(kSpace4);
     const QString label = QString::fromStdString(parameter.label());
     const QString help = QString::fromStdString(parameter.help());
-    auto* name = study::formWords(label, kBody, QFont::Normal, QPalette::WindowText, whole);
+    auto* name = kit::formWords(label, kBody, QFont::Normal, QPalette::WindowText, whole);
     name->setFixedWidth(kLabelPx);
     line->addWidget(name);
     const core::settings::Parameter* const bound = &parameter;
@@ -192,8 +192,8 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
         row.show = [box, bound] { box->setChecked(bound->read() != 0.0); };
         line->addWidget(box);
     } else {
-        auto* number = study::numberInput(parameter.minimum, parameter.maximum, kDecimals,
-                                          QString::fromStdString(parameter.unit), label, whole);
+        auto* number = kit::numberInput(parameter.minimum, parameter.maximum, kDecimals,
+                                        QString::fromStdString(parameter.unit), label, whole);
         number->setFixedWidth(kNumberPx);
         number->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         number->setKeyboardTracking(false);  // half a number is not felt
@@ -212,8 +212,8 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
         line->addWidget(number);
     }
     auto* words =
-        study::formWords(parameter.isSwitch ? help : help + u' ' + tr("From %1.").arg(console::rangeWords(parameter)),
-                         kSmall, QFont::Normal, QPalette::PlaceholderText, whole);
+        kit::formWords(parameter.isSwitch ? help : help + u' ' + tr("From %1.").arg(console::rangeWords(parameter)),
+                       kSmall, QFont::Normal, QPalette::PlaceholderText, whole);
     line->addWidget(words, 1);
     auto* back = new QToolButton(whole);
     back->setIcon(lineIcon(QStringLiteral("undo"), palette()));
@@ -224,7 +224,7 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
     back->setAutoRaise(true);
     connect(back, &QToolButton::clicked, this, [this, bound] {
         const auto answer = m_parameters.reset(bound->name);
-        study::showFault(m_fault, console::answerWords(answer, QString::fromStdString(bound->label()), bound));
+        kit::showFault(m_fault, console::answerWords(answer, QString::fromStdString(bound->label()), bound));
         refresh();
     });
     line->addWidget(back);
@@ -237,7 +237,7 @@ void SettingsPage::set(const std::string& name, double value)
         return;
     const core::settings::Parameter* parameter = m_parameters.find(name);
     const auto answer = m_parameters.set(name, value);
-    study::showFault(m_fault, console::answerWords(answer, QString::fromStdString(parameter->label()), parameter));
+    kit::showFault(m_fault, console::answerWords(answer, QString::fromStdString(parameter->label()), parameter));
     refresh();
 }
 
@@ -255,7 +255,7 @@ void SettingsPage::showEvent(QShowEvent* event)
 {
     Page::showEvent(event);
     if (!event->spontaneous())
-        study::showFault(m_fault, {});
+        kit::showFault(m_fault, {});
 }
 
 void SettingsPage::search(const QString& words)

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/settings/Parameters.h"
-#include "ui/shell/Page.h"
+#include "ui/kit/Page.h"
 
 class QLabel;
 class QLineEdit;
@@ -15,12 +15,12 @@ namespace ui::settings {
 
 /// Every parameter that can be turned, in groups, with range, unit, what it does and a way back; made from the registry
 /// that the console has.
-class SettingsPage : public shell::Page
+class SettingsPage : public kit::Page
 {
     Q_OBJECT
 public:
     /// @param parameters  must outlive the page; all of them registered by now
-    SettingsPage(const shell::Actions& actions, const core::settings::Parameters& parameters, QWidget* parent);
+    SettingsPage(const kit::Actions& actions, const core::settings::Parameters& parameters, QWidget* parent);
 
     /// Shows what the values are now.
     void refresh();
@@ -43,7 +43,7 @@ private:
     void set(const std::string& name, double value);
     void search(const QString& words);
 
-    const shell::Actions& m_actions;
+    const kit::Actions& m_actions;
     const core::settings::Parameters& m_parameters;
     QLineEdit* m_search;
     QLabel* m_fault;

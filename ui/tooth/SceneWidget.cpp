@@ -11,10 +11,10 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "ui/kit/LineIcon.h"
+#include "ui/kit/Theme.h"
 #include "ui/render/Canvas.h"
 #include "ui/render/Driver.h"
-#include "ui/shell/LineIcon.h"
-#include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::tooth {
@@ -188,7 +188,7 @@ void SceneWidget::paintEvent(QPaintEvent* /*event*/)
     const QImage* drawn = isUsable() ? draw(smooth ? render::Canvas::kSamples : 0, coarse ? kCoarse : 1) : nullptr;
     QPainter painter(this);
     if (drawn == nullptr) {
-        painter.fillRect(rect(), shell::roomPalette().window());
+        painter.fillRect(rect(), kit::roomPalette().window());
         return;
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform, coarse);
@@ -214,14 +214,14 @@ void SceneWidget::fail(const QString& detail)
 {
     qWarning("No picture of a tooth can be drawn: %s.", qPrintable(detail));
     m_whyNot = new QWidget(this);
-    m_whyNot->setPalette(shell::roomPalette());
+    m_whyNot->setPalette(kit::roomPalette());
     m_whyNot->setAutoFillBackground(true);
     auto* icon = new QLabel(m_whyNot);
-    icon->setPixmap(shell::linePixmap(QStringLiteral("tooth"), m_whyNot->palette().color(QPalette::PlaceholderText),
-                                      kWhyNotIconPx, devicePixelRatioF()));
+    icon->setPixmap(kit::linePixmap(QStringLiteral("tooth"), m_whyNot->palette().color(QPalette::PlaceholderText),
+                                    kWhyNotIconPx, devicePixelRatioF()));
     icon->setAlignment(Qt::AlignCenter);
     auto* heading = new QLabel(m_whyNot);
-    heading->setFont(shell::typeface(shell::kTitle, QFont::DemiBold));
+    heading->setFont(kit::typeface(kit::kTitle, QFont::DemiBold));
     heading->setAlignment(Qt::AlignCenter);
     auto* sentence = new QLabel(m_whyNot);
     text::inEveryLanguage(m_whyNot, [this, heading, sentence] {
@@ -229,15 +229,15 @@ void SceneWidget::fail(const QString& detail)
         heading->setText(tr("No picture"));
         sentence->setText(m_sentence());
     });
-    sentence->setFont(shell::typeface(shell::kBody));
+    sentence->setFont(kit::typeface(kit::kBody));
     sentence->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     sentence->setWordWrap(true);
     sentence->setObjectName(QStringLiteral("whyNot"));
     // Made before this widget has its place in a window, they would keep the application's colours.
     for (QLabel* words : {heading, sentence})
-        words->setPalette(shell::roomPalette());
+        words->setPalette(kit::roomPalette());
     auto* column = new QVBoxLayout;
-    column->setSpacing(shell::kSpace2);
+    column->setSpacing(kit::kSpace2);
     column->addStretch(1);
     column->addWidget(icon);
     column->addWidget(heading);

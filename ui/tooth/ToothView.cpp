@@ -23,10 +23,10 @@
 
 #include "core/bur/Bur.h"
 #include "core/teeth/ToothBuilder.h"
+#include "ui/kit/OffBur.h"
 #include "ui/render/SharedArch.h"
 #include "ui/render/WholeSurface.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/tooth/OffBur.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -481,7 +481,7 @@ void ToothView::paintMarks(QPainter& painter)
             continue;
         paintDepthScale(painter, size, m_settings.look, how, QPointF(bur.x, bur.y));
         if (const auto under = m_pointerHasLeft ? std::nullopt : m_surface->meetTooth(rayAt(m_pointer)))
-            paintPlate(painter, size, presented(m_pointer) - QPointF(0.0, kPlateBelowPx), kOffBurPx,
+            paintPlate(painter, size, presented(m_pointer) - QPointF(0.0, kPlateBelowPx), kit::kOffBurPx,
                        depthWords(*m_surface, *under, m_settings.look.depthColours), m_leftHanded);
     }
 }
@@ -630,7 +630,8 @@ void ToothView::drawForce(QPainter& painter)
         large.setPixelSize(18);
         painter.setFont(large);
         const double width = QFontMetricsF(large).horizontalAdvance(text) + 16.0;
-        const QRectF label(m_leftHanded ? tip.x + kOffBurPx : tip.x - kOffBurPx - width, tip.y - 14.0, width, 28.0);
+        const QRectF label(m_leftHanded ? tip.x + kit::kOffBurPx : tip.x - kit::kOffBurPx - width, tip.y - 14.0, width,
+                           28.0);
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor(20, 22, 24, 190));
         painter.drawRoundedRect(label, 6.0, 6.0);
@@ -672,7 +673,7 @@ void ToothView::drawStop(QPainter& painter)
             //: The depth at which the bur will stop
             : tr("Stop %1 mm").arg(figure(m_control.stopDepthMm(), 1));
     const glm::dvec2 tip = m_camera.pixelOf(m_pose.anchorMm);
-    paintPlate(painter, QSizeF(width(), height()), QPointF(tip.x, tip.y + kPlateBelowPx), kOffBurPx, words,
+    paintPlate(painter, QSizeF(width(), height()), QPointF(tip.x, tip.y + kPlateBelowPx), kit::kOffBurPx, words,
                m_leftHanded);
 }
 

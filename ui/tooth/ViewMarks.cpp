@@ -9,8 +9,8 @@
 #include <QLocale>
 #include <QPainterPath>
 
+#include "ui/kit/OffBur.h"
 #include "ui/text/Texts.h"
-#include "ui/tooth/OffBur.h"
 
 namespace ui::tooth {
 namespace {
@@ -117,7 +117,7 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     // At the right, half way up: at the left lies the history, below a hint or the bar of a replay.
     const QRectF usual(view.width() - kMargin - wide - 10.0, 0.5 * (view.height() - kScaleHigh) - 34.0, wide + 20.0,
                        kScaleHigh + 46.0);
-    const QRectF plate = placeOffBur(bur, usual, QRectF(QPointF(kMargin - 10.0, usual.top()), usual.size()));
+    const QRectF plate = kit::placeOffBur(bur, usual, QRectF(QPointF(kMargin - 10.0, usual.top()), usual.size()));
     const QRectF bar(plate.left() + 10.0, plate.top() + 34.0, kScaleWide, kScaleHigh);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlate);

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "app/devices/StationDevices.h"
+#include "core/session/DeviceReport.h"
+#include "haptics/DeviceSwitch.h"
+#include "ui/window/MainWindow.h"
+
+namespace app {
+
+/// Decides which hand moves the bur: mouse or pen, the simulated hand, or a force device while it is ready.
+///
+/// It starts, watches and stops the force devices of this station, shows them on the page of devices, and remembers
+/// the user's choice. While the page is open, the pointer has the bur, and a device can be tried without a tooth. Ui
+/// thread.
+class DeviceController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// The switch, and the two hands that are no force device. All of them outlive the controller.
+    struct Hands
+    {
+        haptics::DeviceSwitch& bur;
+        haptics::HapticDevice& pointer;
+        haptics::HapticDevice& simulated;
+    };
+    /// Takes the hand that was chosen in the last run.
+    /// @param isSimulated  the simulated hand is chosen instead, for this run
+    DeviceController(ui::window::MainWindow& window, const Hands& hands, std::vector<DeviceRow> rows, bool isSimulated);
+    /// Stops the devices. No thread reads the switch any more.
+    ~DeviceController() override;
+
+    /// Id of the hand that moves the bur now: "pointer", "simulated" or that of a kind of force device.
+    [[nodiscard]] const QString& inUse() const { return m_inUse; }
+    /// Id of the hand that attempts are made with: the same, also while a page covers the tooth and the pointer has the
+    /// bur.
+    [[nodiscard]] QString hand() const;
+    /// Returns the name of the device that an attempt is stored with: the id of the hand in use or, if that is the
+    /// pointer, "mouse", "pen", "keyboard" or "gamepad".
+    [[nodiscard]] QString cutsWith() const;
+    [[nodiscard]] bool isSimulated() const;
+    /// The hand in use feels a force.
+    [[nodiscard]] bool hasForce() const;
+    /// The chosen hand feels a force. While the page is open the pointer has the bur, but an attempt does not change.
+    [[nodiscard]] bool isForceChosen() const;
+    /// How far the chosen hand moves for one millimetre of the bur.
+    [[nodiscard]] double scale() const;
+
+signals:
+    /// Emitted when another hand moves the bur, and when another is chosen.
+    void inUseChanged();
+    /// Emitted when the user has chosen or left the simulated hand: what is on the table begins anew.
+    void simulatedChanged();
+
+private:
+    struct Device
+    {
+        DeviceRow row;
+        std::unique_ptr<haptics::ForceDevice> device;  ///< null until it is first started
+        core::session::DeviceSetup setup;
+        QString firmware;
+        bool isRunning = false;
+    };
+    void recall();
+    void connectPage();
+    void startWanted();
+    void start(Device& device);
+    void stop(Device& device);
+    void poll();
+    void want(const QString& id);
+    void choose(const QString& id);
+    void follow();
+    void use(const QString& id);
+    void say(const Device& device, bool isReady);
+    void askForUser(const Device& device, const core::session::DeviceReport& report);
+    void pressButtons(const core::session::DeviceReport& report);
+    void showState(const Device* device, const core::session::DeviceReport& report);
+    [[nodiscard]] const Device* find(const QString& id) const;
+    [[nodiscard]] Device* find(const QString& id);
+
+    ui::window::MainWindow& m_window;
+    Hands m_hands;
+    std::vector<Device> m_devices;
+    QString m_chosen;
+    QString m_inUse;
+    bool m_isPageOpen = false;
+    bool m_wasReady = false;                   ///< the chosen device, when it was looked at last
+    bool m_isLost = false;                     ///< it was in use, and has stopped to be ready
+    core::session::DeviceStage m_stage{};      ///< of the chosen device, as it was looked at last
+    std::array<std::uint32_t, 4> m_presses{};  ///< of its grip buttons that are done
+    QTimer m_poll;
+};
+
+}  // namespace app

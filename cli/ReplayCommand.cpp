@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <QElapsedTimer>
+
+#include "cli/Commands.h"
+#include "cli/parts/Arguments.h"
+#include "cli/parts/Attempt.h"
+#include "core/recording/Replay.h"
+#include "haptics/simulated/Simulation.h"
+#include "lessons/GridNoise.h"
+#include "lessons/Moments.h"
+
+namespace cli {
+namespace {
+
+/// What a score does not say by itself, and how long it took to find out.
+struct Explained
+{
+    lessons::GridNoise noise;
+    double noiseS = 0.0;
+    lessons::Moments moments;
+    double momentsS = 0.0;
+};
+
+core::Result<Explained> explain(const core::recording::Recording& recording, const lessons::Remarked& remarked)
+{
+    const auto assignment = lessons::assignmentOf(recording.anatomy(), recording.lesson());
+    if (!assignment)
+        return tl::unexpected(assignment.error());
+    QElapsedTimer timer;
+    timer.start();
+    Explained explained;
+    auto noise = lessons::gridNoise(*assignment, remarked.outcome.tooth, remarked.conduct);
+    if (!noise)
+        return tl::unexpected(noise.error());
+    explained.noise = *noise;
+    explained.noiseS = 1.0e-9 * static_cast<double>(timer.nsecsElapsed());
+    timer.start();
+    auto moments = lessons::momentsOf(*assignment, recording);
+    if (!moments)
+        return tl::unexpected(moments.error());
+    explained.moments = std::move(**moments);
+    explained.momentsS = 1.0e-9 * static_cast<double>(timer.nsecsElapsed());
+    return explained;
+}
+
+QString toText(const lessons::GridNoise& noise)
+{
+    return QStringLiteral("other grids    half %1%2%3\n")
+        .arg(0.1 * noise.half.totalTenths, 0, 'f', 1)
+        .arg(noise.twice ? QStringLiteral(", double %1").arg(0.1 * noise.twice->totalTenths, 0, 'f', 1) : QString(),
+             noise.isUncertain() ? QStringLiteral("; the pass mark lies between") : QString());
+}
+
+}  // namespace
+
+int replayCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Replays a recording tick by tick, measures and scores the tooth it leaves."));
+    parser.addPositionalArgument(QStringLiteral("RECORDING"), QStringLiteral("A file that Cusp has saved."));
+    parser.addOption({QStringLiteral("moments"),
+                      QStringLiteral("Says when each point was lost, and the score at half and at double the grid.")});
+    addJson(parser);
+    const QString usage = QStringLiteral("cusp replay RECORDING [--moments] [--json]");
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    if (parser.positionalArguments().size() != 1)
+        return wrongUsage(QStringLiteral("one recording is wanted; usage: ") + usage);
+    const auto recording = core::recording::readRecording(parser.positionalArguments().front().toStdString());
+    if (!recording)
+        return failed(recording.error());
+    QElapsedTimer timer;
+    timer.start();
+    const auto tickTimes = std::make_unique<haptics::TickTimes>();
+    double before = haptics::threadCpuUs();
+    const auto remarked =
+        lessons::markAgain(*recording, [&](const core::servo::ServoEvent& event, const core::recording::Replayer&) {
+            if (!core::recording::isStep(event))
+                return;
+            const double now = haptics::threadCpuUs();
+            tickTimes->add(now - before);
+            before = now;
+        });
+    if (!remarked)
+        return failed(remarked.error());
+    const core::recording::ReplayOutcome& outcome = remarked->outcome;
+    const double tookS = static_cast<double>(timer.nsecsElapsed()) * 1.0e-9;
+    if (!outcome.agreesWithWitness)
+        return failed(
+            {core::ErrorCode::BadStructure,
+             "The replay came to another tooth than the one recorded: the recording was altered, or this Cusp "
+             "computes differently from the one that made it. Do not trust its score."});
+    const core::grading::Measures& measures = remarked->mark.measured.measures;
+    const lessons::ScoreSheet& sheet = remarked->mark.sheet;
+    std::optional<Explained> explained;
+    if (parser.isSet(QStringLiteral("moments"))) {
+        auto found = explain(*recording, *remarked);
+        if (!found)
+            return failed(found.error());
+        explained = std::move(*found);
+    }
+    const double lastsS = std::chrono::duration<double>(recording->duration()).count();
+    if (parser.isSet(QStringLiteral("json"))) {
+        QJsonObject answer{{QStringLiteral("tooth"), QString::fromStdString(recording->anatomy()->name)},
+                           {QStringLiteral("ticks"), static_cast<qint64>(recording->ticks())},
+                           {QStringLiteral("duration_s"), lastsS},
+                           {QStringLiteral("replay_s"), tookS},
+                           {QStringLiteral("tick_us"), toJson(*tickTimes)},
+                           {QStringLiteral("state_hash"), hashText(outcome.stateHash)},
+                           {QStringLiteral("preset"), presetText(*recording)},
+                           {QStringLiteral("verified"), recording->witness().has_value()},
+                           {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
+                           {QStringLiteral("measures"), toJson(remarked->mark.measured)},
+                           {QStringLiteral("score"), toJsonObject(sheet)},
+                           {QStringLiteral("infractions"), toJson(remarked->conduct.infractions)}};
+        if (explained) {
+            answer.insert(QStringLiteral("moments"), toJson(explained->moments));
+            answer.insert(QStringLiteral("moments_s"), explained->momentsS);
+            answer.insert(QStringLiteral("half_grid_tenths"), explained->noise.half.totalTenths);
+            answer.insert(QStringLiteral("double_grid_tenths"),
+                          explained->noise.twice ? QJsonValue(explained->noise.twice->totalTenths) : QJsonValue());
+            answer.insert(QStringLiteral("grids_s"), explained->noiseS);
+        }
+        printJson(answer);
+        return kDone;
+    }
+    printText(QStringLiteral("tooth          %1\n"
+                             "attempt        %2 s in %3 ticks, replayed in %4 s\n"
+                             "removed        caries %5, enamel %6, dentin %7, pulp %8 mm3\n"
+                             "state          %9%10\n"
+                             "preset         %11\n")
+                  .arg(printable(QString::fromStdString(recording->anatomy()->name)))
+                  .arg(lastsS, 0, 'f', 2)
+                  .arg(recording->ticks())
+                  .arg(tookS, 0, 'f', 2)
+                  .arg(measures.removedMm3[0], 0, 'f', 4)
+                  .arg(measures.removedMm3[1], 0, 'f', 4)
+                  .arg(measures.removedMm3[2], 0, 'f', 4)
+                  .arg(measures.removedMm3[3], 0, 'f', 4)
+                  .arg(hashText(outcome.stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString(),
+                       printable(presetText(*recording))) +
+              toText(sheet) + (explained ? toText(explained->moments) + toText(explained->noise) : QString()) +
+              toText(remarked->conduct.infractions));
+    return kDone;
+}
+
+}  // namespace cli

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/WindowCommand.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLocale>
+#include <QSurfaceFormat>
+
+#include "app/Application.h"
+#include "app/devices/StopForces.h"
+#include "cli/Commands.h"
+#include "cli/parts/Arguments.h"
+#include "ui/kit/LanguageMenu.h"
+#include "ui/kit/Theme.h"
+#include "ui/text/Language.h"
+
+namespace cli {
+namespace {
+
+constexpr int kSamples = 4;
+constexpr int kFirstTooth = 36;
+
+/// Without a display Qt would abort with a message of its own.
+bool hasDisplay(std::span<char*> arguments)
+{
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM") ||
+           std::any_of(arguments.begin(), arguments.end(),
+                       [](const char* argument) { return std::string_view(argument).ends_with("-platform"); });
+}
+
+void addOptions(QCommandLineParser& parser)
+{
+    parser.setApplicationDescription(QStringLiteral("Opens the window."));
+    const auto option = [&](const char* name, const char* help, const char* value) {
+        parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
+    };
+    option("tooth", "The tooth to begin with: a mesh file, an FDI number or a practice block such as block:line.",
+           "FILE|FDI");
+    option("recording", "Plays a recording.", "FILE");
+    option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
+    option("db", "The school's data: a file, or postgresql://user@host/name.", "FILE|URL");
+    option("theme", "light or dark; the desktop's own if not given.", "THEME");
+    option("language", "one of those that it speaks; if not given, the one chosen before, or the system's own.",
+           "CODE");
+    addDeviceOption(parser);
+    addToothOptions(parser);
+}
+
+/// Understands what the window was asked for, or explains what is wrong with it and gives the exit code.
+std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& arguments, app::WindowOptions& options)
+{
+    addOptions(parser);
+    if (const auto code = parse(parser, arguments, QStringLiteral("cusp [OPTIONS]")))
+        return code;
+    if (!parser.positionalArguments().isEmpty())
+        return wrongUsage(QStringLiteral("\"%1\" belongs to no option; a scan is opened with --tooth FILE")
+                              .arg(parser.positionalArguments().front()));
+    if (parser.isSet(QStringLiteral("recording")) && parser.isSet(QStringLiteral("tooth")))
+        return wrongUsage(QStringLiteral("a recording brings its own tooth; leave out --tooth or --recording"));
+    const auto simulatedDevice = wantsSimulatedDevice(parser);
+    if (!simulatedDevice)
+        return wrongUsage(QString::fromStdString(simulatedDevice.error().detail));
+    options.simulatedDevice = *simulatedDevice;
+    options.source = parser.isSet(QStringLiteral("tooth"))
+                         ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())
+                         : core::teeth::ToothSource{kFirstTooth};
+    const auto build = toothOptions(parser, options.source);
+    if (!build)
+        return wrongUsage(QString::fromStdString(build.error().detail));
+    const QString theme = parser.value(QStringLiteral("theme"));
+    if (parser.isSet(QStringLiteral("theme")) && theme != u"light" && theme != u"dark")
+        return wrongUsage(QStringLiteral("--theme wants light or dark"));
+    if (parser.isSet(QStringLiteral("language")) &&
+        !ui::text::Language::isAvailable(parser.value(QStringLiteral("language"))))
+        return wrongUsage(QStringLiteral("--language wants ") +
+                          ui::text::Language::available().join(QStringLiteral(", ")));
+    options.build = *build;
+    options.recording = parser.value(QStringLiteral("recording"));
+    options.picture = parser.value(QStringLiteral("picture"));
+    options.database = parser.value(QStringLiteral("db"));
+    // Who names what is to be seen wants to see it; a simulated hand's work is nobody's.
+    options.asksWho = options.recording.isEmpty() && options.picture.isEmpty() && !options.simulatedDevice &&
+                      !parser.isSet(QStringLiteral("tooth"));
+    options.showsRound = options.asksWho;
+    return std::nullopt;
+}
+
+/// What can be said without a display: that the usage is wrong, or that there is none.
+int sayThereIsNoDisplay(int& argc, char** argv)
+{
+    const QCoreApplication application(argc, argv);
+    QCommandLineParser parser;
+    app::WindowOptions options;
+    if (const auto code = takeOptions(parser, QCoreApplication::arguments().mid(1), options))
+        return *code;
+    return failed({core::ErrorCode::FileUnreadable,
+                   "there is no display to open a window on; \"cusp help\" lists what works without one"});
+}
+
+/// The one that was asked for, or chosen in the run before, or the system's own.
+QString languageOf(const QCommandLineParser& parser)
+{
+    if (parser.isSet(QStringLiteral("language")))
+        return parser.value(QStringLiteral("language"));
+    const QString chosen = ui::kit::LanguageMenu::remembered();
+    return chosen.isEmpty() ? QLocale::system().name() : chosen;
+}
+
+}  // namespace
+
+QString windowOptionsHelp()
+{
+    QCommandLineParser parser;
+    addOptions(parser);
+    // Before them Qt writes a usage line and the description.
+    return parser.helpText().section(QStringLiteral("Options:\n"), 1);
+}
+
+int runWindow(int& argc, char** argv)
+{
+    if (!hasDisplay({argv, static_cast<std::size_t>(argc)}))
+        return sayThereIsNoDisplay(argc, argv);
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSamples(kSamples);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("cusp"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Cusp"));
+    QApplication::setApplicationVersion(QStringLiteral(CUSP_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.cusp.Cusp"));
+
+    QCommandLineParser parser;
+    app::WindowOptions options;
+    if (const auto code = takeOptions(parser, QApplication::arguments().mid(1), options))
+        return *code;
+    const QString theme = parser.value(QStringLiteral("theme"));
+
+    ui::text::Language::choose(languageOf(parser));
+    using ui::kit::ThemeChoice;
+    ui::kit::applyTheme(application, theme == u"light"  ? ThemeChoice::Light
+                                     : theme == u"dark" ? ThemeChoice::Dark
+                                                        : ui::kit::rememberedTheme());
+    app::stopForcesOnSignals();
+    const auto program = app::Application::make(options);
+    if (!program)
+        return failed(program.error());
+    (*program)->show();
+    const int code = QApplication::exec();
+    return (*program)->endedBy() ? failed(*(*program)->endedBy()) : code;
+}
+
+}  // namespace cli

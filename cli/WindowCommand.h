@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace cli {
+
+/// Opens the window and runs until it is closed. Returns the exit code; wrong usage is explained on stderr.
+int runWindow(int& argc, char** argv);
+
+/// The options that runWindow() understands, with what each is for, one a line.
+[[nodiscard]] QString windowOptionsHelp();
+
+}  // namespace cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QString>
+
+#include "core/tracking/PictureSource.h"
+#include "core/tracking/TagTracker.h"
+
+namespace cli {
+
+// What `cusp track` does besides tracking. Each returns an ExitCode.
+
+/// Writes the PDF with the tags, the headband and the board.
+int printTagSheet(const QString& file, int id);
+
+struct CalibrationWish
+{
+    QString file;     ///< to be written
+    qint64 most = 0;  ///< pictures to read
+    bool isJson = false;
+};
+
+/// By pictures of the printed board.
+int calibrateByBoard(core::tracking::PictureSource& source, const CalibrationWish& wish);
+
+/// By the tag at a known distance from the camera: the field of view alone.
+int calibrateByDistance(core::tracking::PictureSource& source, const core::tracking::TrackerSettings& settings,
+                        double distanceMm, const CalibrationWish& wish);
+
+}  // namespace cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QString>
+
+#include "lessons/Lesson.h"
+#include "ui/kit/QuestionCard.h"
+
+namespace ui::catalog {
+
+/// Returns the card that is shown before an exam: its time, the attempts, and what is locked.
+/// @param attempts  attempts so far and attempts left, in words
+/// @param begin     called when the user accepts
+[[nodiscard]] kit::QuestionCard::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,
+                                                       std::function<void()> begin);
+
+}  // namespace ui::catalog

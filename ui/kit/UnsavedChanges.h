@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "ui/kit/QuestionCard.h"
+
+namespace ui::kit {
+
+/// What the user has typed on the pages of a window and not saved. It is asked about once, wherever it would be lost.
+class UnsavedChanges
+{
+    Q_DECLARE_TR_FUNCTIONS(UnsavedChanges)
+public:
+    /// @param page  has unsavedChanges(), which describes them in a sentence and is empty if there are none, and
+    ///              discardChanges(); it must outlive this object
+    template <class Page>
+    void add(Page& page)
+    {
+        m_pages.push_back({[&page] { return page.unsavedChanges(); }, [&page] { page.discardChanges(); }});
+    }
+
+    /// The sentences of all pages that have unsaved changes. Empty: there are none.
+    [[nodiscard]] QString what() const;
+    /// Resets the pages.
+    void discard() const;
+
+    /// Asks whether to discard changes.
+    /// @param what  describes them; may be empty
+    /// @param owner  the name of the user who made them, if somebody else may answer; empty: they are the user's own
+    [[nodiscard]] static QuestionCard::Question question(const QString& what, const QString& owner,
+                                                         std::function<void()> discard);
+    /// The same in a window, about something that the user is about to leave on one page.
+    static void ask(QWidget* window, const QString& what, std::function<void()> discard);
+
+private:
+    struct Page
+    {
+        std::function<QString()> what;
+        std::function<void()> discard;
+    };
+
+    std::vector<Page> m_pages;
+};
+
+}  // namespace ui::kit

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "core/servo/ServoState.h"
+
+class QCheckBox;
+class QLabel;
+class QSlider;
+
+namespace ui::kit {
+class TabularLabel;
+}
+
+namespace ui::tooth {
+class ToothView;
+}
+
+namespace ui::practice {
+
+/// Sliders for the hand of a pointer: feed, depth stop and force.
+class HandControls : public QWidget
+{
+    Q_OBJECT
+public:
+    /// @param view  the sliders set its hand and show what it is set to; must outlive this
+    HandControls(tooth::ToothView& view, QWidget* parent);
+
+    /// Sets the depth stop for a lesson: switched on at this depth or, where it is not allowed, switched off and
+    /// disabled.
+    void begin(bool stopIsAllowed, double depthMm);
+    /// Returns whether the bur touches the tooth at the depth of the lesson.
+    [[nodiscard]] bool isDeep(const core::servo::ServoState& servo) const;
+    /// Sets the feed, and stores it for the next run of the program.
+    void setFeed(double mmPerS);
+    /// Restores the default feed and force.
+    void reset();
+    [[nodiscard]] double pushForce() const;
+    /// While a force device moves the bur, the sliders mean nothing: a sentence is in their place.
+    /// @param name  of the device; empty: the pointer moves the bur
+    void setForceDevice(const QString& name);
+
+private:
+    void showHand();
+
+    tooth::ToothView& m_view;
+    double m_depthMm = 0.0;  ///< of the lesson
+    QWidget* m_sliders;
+    QLabel* m_device;
+    QString m_deviceName;
+    QSlider* m_feed = nullptr;
+    QCheckBox* m_stopOn = nullptr;
+    QSlider* m_stop = nullptr;
+    QSlider* m_push = nullptr;
+    kit::TabularLabel* m_feedText = nullptr;
+    kit::TabularLabel* m_stopText = nullptr;
+    kit::TabularLabel* m_pushText = nullptr;
+};
+
+}  // namespace ui::practice

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "core/grading/Exercise.h"
+
+namespace ui::practice {
+
+/// A force against the band in which it is to be held, large and calm: what trembles faster than an eye can follow is
+/// smoothed away.
+class HoldGauge final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit HoldGauge(QWidget* parent);
+
+    void setAsked(const core::grading::ForceToHold& asked);
+    /// Call once a frame.
+    void setForce(double newtons);
+    [[nodiscard]] QSize sizeHint() const override { return {400, 56}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void sayBand();
+    [[nodiscard]] double placeOf(double newtons) const;
+
+    core::grading::ForceToHold m_asked;
+    double m_forceN = 0.0;  ///< smoothed
+};
+
+}  // namespace ui::practice

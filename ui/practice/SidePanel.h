@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <QElapsedTimer>
+#include <QFrame>
+
+#include "core/guidance/Margin.h"
+#include "core/imaging/Section.h"
+#include "core/servo/ServoState.h"
+#include "core/session/Links.h"
+#include "lessons/Lesson.h"
+#include "ui/render/Look.h"
+
+class QLabel;
+class QBoxLayout;
+
+namespace ui::kit {
+class Actions;
+class ForceBar;
+class MaterialSwatch;
+class TabularLabel;
+}  // namespace ui::kit
+
+namespace ui::tooth {
+class ToothView;
+}
+
+namespace ui::practice {
+
+class DrillSwitch;
+class HandControls;
+
+/// Beside the tooth: whether the bur turns, how the pointer holds it, the live figures and the burs.
+class SidePanel : public QFrame
+{
+    Q_OBJECT
+public:
+    /// @param view  the panel controls its hand; must outlive the panel
+    SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* parent);
+
+    /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
+    void setFigures(const core::servo::ServoState& servo, const core::session::SessionState& session,
+                    const core::imaging::DepthReading& reading);
+    /// Sets the lesson, which decides what is shown about the work.
+    /// @param lesson  null: practice without a lesson
+    void setLesson(const lessons::Lesson* lesson);
+    /// How near the bur is to what is to be kept, and how far the work has come against the ideal; nothing where it is
+    /// not to be told.
+    void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
+    /// Of the discs beside the names of tissues.
+    void setColours(render::Palette colours);
+    /// What a depth gauge tells, and what only an X-ray picture tells: how near the pulp is.
+    void setTold(bool depth, bool pulp);
+    /// Tissues are to be told by feel: nothing of what would name them is shown.
+    void setBlindfold(bool on);
+    [[nodiscard]] HandControls& hand() { return *m_hand; }
+
+private:
+    void nameFigures();
+    void showFigures();
+    [[nodiscard]] QString nameOf(core::terrain::Material material) const;
+    struct Figure
+    {
+        QWidget* block;
+        QString caption;
+        QLabel* words;
+        kit::TabularLabel* value;
+    };
+    /// @param before  stands before the value, or null
+    static Figure addFigure(QBoxLayout* layout, const char* objectName, QWidget* before = nullptr);
+    static void name(Figure& figure, const QString& caption);
+    static void setFigure(const Figure& figure, const QString& text, const QString& unit, const QColor& colour = {});
+
+    Figure m_material{};
+    Figure m_force{};
+    Figure m_depth{};
+    Figure m_pulp{};
+    Figure m_decay{};
+    Figure m_margin{};
+    QLabel* m_overcutWords = nullptr;
+    lessons::ShownTarget m_target = lessons::ShownTarget::Decay;
+    kit::MaterialSwatch* m_swatch = nullptr;
+    kit::ForceBar* m_forceBar = nullptr;
+    std::array<kit::TabularLabel*, core::terrain::kMaterialCount> m_removed{};
+    std::array<QLabel*, core::terrain::kMaterialCount> m_removedNames{};
+    kit::MaterialSwatch* m_enamelSwatch = nullptr;
+    kit::TabularLabel* m_rpm = nullptr;
+    kit::TabularLabel* m_overcut = nullptr;
+    QWidget* m_overcutRow = nullptr;
+    QLabel* m_health = nullptr;
+    QWidget* m_removedBlock = nullptr;
+    bool m_isBlock = false;
+    bool m_hasPulp = false;    ///< m_pulp has a value
+    bool m_hasMargin = false;  ///< m_margin has a value
+    bool m_tellsDepth = true;
+    bool m_tellsPulp = true;
+    bool m_blindfold = false;
+    HandControls* m_hand = nullptr;
+    QElapsedTimer m_sinceWords;
+};
+
+}  // namespace ui::practice

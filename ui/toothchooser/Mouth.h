@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QPointF>
+#include <QTimer>
+
+#include "ui/render/ArchRenderer.h"
+#include "ui/render/SharedArch.h"
+#include "ui/tooth/Camera.h"
+#include "ui/tooth/MouthScene.h"
+#include "ui/tooth/SceneWidget.h"
+
+namespace ui::toothchooser {
+
+/// The whole mouth in space, to choose one of the sixteen teeth of the left side: hover, click, arrow keys. Looked at
+/// steeply from above or below, the jaw that would be in the way is not drawn.
+///
+/// Mouse: a click chooses, a double click takes the tooth at once; right or middle drag turns, the wheel zooms.
+/// Keys: arrows walk along the arch and from jaw to jaw, Enter takes the tooth, Ctrl + arrows turn, plus and minus
+/// zoom, Home resets the view.
+///
+/// Make it only where isPossible(); ArchView does the same without OpenGL. Its meshes are made when it is first shown.
+class Mouth : public tooth::SceneWidget
+{
+    Q_OBJECT
+public:
+    explicit Mouth(QWidget* parent);
+    ~Mouth() override;
+
+    /// This computer gives OpenGL 3.3.
+    [[nodiscard]] static bool isPossible();
+
+    void setSelected(int fdi);  ///< 0: none
+    /// Reduced motion: a zoom is there at once.
+    void setMovesLittle(bool little) { m_movesLittle = little; }
+    [[nodiscard]] int selected() const { return m_selected; }
+    [[nodiscard]] int hovered() const { return m_hovered; }
+    /// The teeth are there, and drawn from the next picture on.
+    [[nodiscard]] bool isReady() const { return m_arch != nullptr; }
+    [[nodiscard]] const tooth::Camera& camera() const { return m_camera; }
+    /// The middle of a tooth's crown in the picture.
+    [[nodiscard]] QPointF placeOf(int fdi) const;
+
+signals:
+    void selectionChanged(int fdi);
+    /// Double click or Enter: this one, now.
+    void toothActivated(int fdi);
+    void ready();
+
+protected:
+    [[nodiscard]] bool prepareScene(QString& reason) override;
+    void releaseScene() override;
+    void drawScene(QSize sizePx, int samples) override;
+    void paintMarks(QPainter& painter) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void take(const render::ArchPointer& arch);
+    void select(int fdi);
+    void walkTo(int fdi);
+    void hover(int fdi);
+    void turn(double azimuthDeg, double elevationDeg);
+    void zoom(double steps);
+    void showJaws();
+    [[nodiscard]] int toothAt(QPointF position) const;
+    [[nodiscard]] render::ArchScene scene() const;
+    [[nodiscard]] const core::teeth::ArchPiece* pieceOf(int fdi) const;
+
+    render::ArchPointer m_arch;
+    std::vector<core::teeth::ArchPiece> m_pieces;  ///< of both jaws
+    std::vector<core::teeth::ArchPiece> m_shown;   ///< of those that are drawn now
+    std::unique_ptr<render::ArchRenderer> m_renderer;
+    bool m_piecesAreNew = false;  ///< the renderer has not seen them
+    tooth::Camera m_camera;
+    int m_selected = 0;
+    int m_hovered = 0;
+    tooth::Jaws m_jawsShown;
+    bool m_fitted = true;  ///< until someone zooms
+    bool m_movesLittle = false;
+
+    QTimer m_zooming;
+    QElapsedTimer m_sinceZoom;
+    Qt::MouseButton m_turning = Qt::NoButton;
+    QPointF m_turnedAt;
+};
+
+}  // namespace ui::toothchooser

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMenu>
+
+namespace ui::kit {
+class Actions;
+}
+
+namespace ui::window {
+
+/// What opens under the name of who is logged in.
+class AccountMenu final : public QMenu
+{
+    Q_OBJECT
+public:
+    AccountMenu(const kit::Actions& actions, QWidget* parent);
+
+signals:
+    void passwordWanted();
+};
+
+}  // namespace ui::window

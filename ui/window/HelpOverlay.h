@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QList>
+#include <QWidget>
+
+class QToolButton;
+
+namespace ui::kit {
+class Actions;
+class ScrollPane;
+}  // namespace ui::kit
+
+namespace ui::window {
+
+/// What every key does, made from the action table, and what the mouse does over the tooth. Lies over the window, in
+/// as many columns as there is room for.
+class HelpOverlay : public QWidget
+{
+    Q_OBJECT
+public:
+    HelpOverlay(const kit::Actions& actions, QWidget* parent);
+
+signals:
+    /// A click beside the card.
+    void leftByClick();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void makeGroups(const kit::Actions& actions);
+    void arrange();
+    void fill(int columns);
+
+    QFrame* m_card;
+    QToolButton* m_close;
+    QWidget* m_content;
+    kit::ScrollPane* m_scroll = nullptr;
+    QList<QWidget*> m_groups;  ///< a heading with its rows
+    int m_columns = 0;         ///< in which the groups stand now
+};
+
+}  // namespace ui::window
