@@ -107,8 +107,7 @@ lab::PrintedTag tagOnPath(double distanceMm, int picture)
 }
 
 /// Looks at one picture, and compares what it finds with the truth.
-void look(Tally& tally, TagTracker& tracker, HeadFilter& filter, const Picture& picture,
-          const lab::TagScene& scene)
+void look(Tally& tally, TagTracker& tracker, HeadFilter& filter, const Picture& picture, const lab::TagScene& scene)
 {
     const bool isFollowed = tally.pictures++ % kPathPictures != 0;
     const double before = haptics::threadCpuUs();
