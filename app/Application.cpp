@@ -2,7 +2,7 @@
 #include "app/Application.h"
 #include "core/history/MomentId.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@
 
 #include "app/attempt/Demonstration.h"
 #include "app/devices/PenSetup.h"
-#include "app/school/Backups.h"
+#include "app/school/DailyBackup.h"
 #include "app/school/SchoolSettings.h"
 #include "app/threads/Background.h"
 #include "core/grading/Measures.h"
@@ -43,11 +43,11 @@
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/devices/DevicesPage.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/render/WholeSurface.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/text/FaultWords.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
+#include "ui/text/ValidationTexts.h"
 #include "ui/tooth/ToothView.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -55,10 +55,10 @@ namespace app {
 namespace {
 
 using namespace std::chrono_literals;
-using core::session::UiLinks;
+using core::session::UiChannels;
+using database::sql::DatabaseContext;
 using database::sql::Logins;
-using database::sql::School;
-using ui::text::Failed;
+using ui::text::FailedOperation;
 using Keeping = ui::scoring::ScorePage::Keeping;
 
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
@@ -87,7 +87,7 @@ QString dataFolder()
 }
 
 /// Each person's attempts that were not finished lie in a folder of their own: nobody takes up another's.
-std::filesystem::path journalFolder(const QString& stationFolder, const database::Session& who)
+std::filesystem::path journalFolder(const QString& stationFolder, const database::Login& who)
 {
     const QString name =
         who.isGuest() ? QStringLiteral("unfinished") : "unfinished/" + QString::fromStdString(who.uid());
@@ -129,11 +129,11 @@ bool isAway(core::ErrorCode code)
 }
 
 /// What had been expected of an old attempt; what was to cost most is not kept.
-std::optional<ui::scoring::Expectation> expectationOf(const database::AttemptRecord& attempt)
+std::optional<ui::scoring::ScorePrediction> expectationOf(const database::AttemptRecord& attempt)
 {
     if (!attempt.expectedTenths)
         return std::nullopt;
-    return ui::scoring::Expectation{*attempt.expectedTenths, {}};
+    return ui::scoring::ScorePrediction{*attempt.expectedTenths, {}};
 }
 
 constexpr double kStiffnessNPerMm = core::contact::ForceSettings{}.stiffnessNPerMm;
@@ -170,10 +170,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
     using ui::window::MainWindow;
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
     connect(m_window.get(), &MainWindow::lessonChosen, this, &Application::openLesson);
-    connect(m_window.get(), &MainWindow::lessonsWanted, this, &Application::showLessons);
-    connect(m_window.get(), &MainWindow::knownAttemptsWanted, this, &Application::tellKnownAttempts);
-    connect(m_window.get(), &MainWindow::unpackWanted, this, &Application::unpack);
-    connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [this] {
+    connect(m_window.get(), &MainWindow::lessonsRequested, this, &Application::showLessons);
+    connect(m_window.get(), &MainWindow::knownAttemptsRequested, this, &Application::tellKnownAttempts);
+    connect(m_window.get(), &MainWindow::unpackRequested, this, &Application::unpack);
+    connect(m_window.get(), &MainWindow::lessonFolderRequested, this, [this] {
         const QString folder = lessons::teachersFolder();
         QDir().mkpath(folder);
         if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
@@ -182,7 +182,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
     });
     connectPresets();
     connect(m_window.get(), &MainWindow::forecastGiven, this,
-            [this](const ui::scoring::Expectation& expected) { finish(expected); });
+            [this](const ui::scoring::ScorePrediction& expected) { finish(expected); });
     connect(m_window.get(), &MainWindow::scanChosen, this,
             [this](const QString& path) { openTooth({std::filesystem::path(path.toStdU16String())}); });
     connect(m_window.get(), &MainWindow::scanUnitChosen, this, [this](const QString& unit) {
@@ -193,15 +193,15 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::referenceSaveRequested, this, &Application::saveReference);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
-    connect(m_window.get(), &MainWindow::besideWanted, this, &Application::openBeside);
-    connect(m_window.get(), &MainWindow::expertWanted, this, &Application::openExpert);
+    connect(m_window.get(), &MainWindow::besideRequested, this, &Application::openBeside);
+    connect(m_window.get(), &MainWindow::expertRequested, this, &Application::openExpert);
     connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
     m_window->setHistorySource({[this] { return m_session.historySoFar(); },
                                 [this](core::history::MomentId id) { return m_session.momentHeights(id); }});
-    connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
-    connect(m_window.get(), &MainWindow::attemptAgainWanted, this, [this] {
+    connect(m_window.get(), &MainWindow::takeBackRequested, this, &Application::takeBack);
+    connect(m_window.get(), &MainWindow::attemptAgainRequested, this, [this] {
         ++m_loading;
         m_presets.readAgain();
         const auto again = [this, load = m_loading] {
@@ -217,18 +217,18 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
         else
             again();
     });
-    connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
-    connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
+    connect(m_window.get(), &MainWindow::fixtureRequested, this, &Application::holdHand);
+    connect(m_window.get(), &MainWindow::momentRequested, this, &Application::showMoment);
     ui::scoring::ScorePage& page = m_window->scorePage();
-    for (Explainer* explainer : {&m_explainer, &m_openedExplainer})
+    for (ScoreAnalysis* explainer : {&m_explainer, &m_openedExplainer})
         connectExplainer(*explainer);
-    connect(&page, &ui::scoring::ScorePage::replayWanted, this, [this] {
+    connect(&page, &ui::scoring::ScorePage::replayRequested, this, [this] {
         if (m_opened)
             playOpened({});
     });
     if (options.showsRound)
-        m_tour = std::make_unique<TourDesk>(*m_window);
-    m_cards = std::make_unique<CardDesk>(*m_window, [this] { return shownCard(); });
+        m_tour = std::make_unique<TourController>(*m_window);
+    m_cards = std::make_unique<ReportController>(*m_window, [this] { return shownCard(); });
     connectDoor();
     m_journalWatch.setInterval(kJournalWatchMs);
     connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
@@ -303,8 +303,8 @@ void Application::startLoops()
     m_sessionThread = std::make_unique<LoopThread>(m_session, kSessionPeriod, LoopThread::Urgency::Normal);
     m_servoThread->start(QThread::TimeCriticalPriority);
     m_sessionThread->start();
-    m_followerThread =
-        std::make_unique<LoopThread>(m_follower, core::session::Follower::kPeriod, LoopThread::Urgency::Normal);
+    m_followerThread = std::make_unique<LoopThread>(m_follower, core::session::LiveAssessmentLoop::kPeriod,
+                                                    LoopThread::Urgency::Normal);
     m_followerThread->start();
 }
 
@@ -324,7 +324,7 @@ void Application::openDatabase()
     const auto address = database::Address::parse(where);
     if (!address) {
         m_whyNoDesk = address.error();
-        m_window->showError(m_whyNoDesk, Failed::KeepingGrades, where);
+        m_window->showError(m_whyNoDesk, FailedOperation::KeepingGrades, where);
         return;
     }
     m_where = address->isServer() ? address->shown() : QDir::toNativeSeparators(address->file);
@@ -332,33 +332,33 @@ void Application::openDatabase()
     m_address = *address;
     makeStationFolder();
     m_window->setRecoveryFolder(m_stationFolder);
-    m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening, m_options.retry);
-    m_letters = std::make_unique<Letters>(*m_desk);
-    connect(m_letters.get(), &Letters::kept, this, &Application::takeKept);
-    connect(m_letters.get(), &Letters::refused, this, &Application::takeRefused);
-    connect(m_desk.get(), &SchoolDesk::delivered, this, [this](const QString& uid) {
+    m_desk = std::make_unique<SchoolService>(*address, m_stationFolder, m_options.opening, m_options.retry);
+    m_letters = std::make_unique<AttemptUploader>(*m_desk);
+    connect(m_letters.get(), &AttemptUploader::kept, this, &Application::takeKept);
+    connect(m_letters.get(), &AttemptUploader::refused, this, &Application::takeRefused);
+    connect(m_desk.get(), &SchoolService::delivered, this, [this](const QString& uid) {
         if (m_graded && m_graded->record.uid == uid.toStdString()) {
             m_graded->keeping = Keeping::Kept;
             tellHistory();
         }
         m_window->readAttemptsAgain();
     });
-    connect(m_desk.get(), &SchoolDesk::damaged, this,
-            [this](const core::Error& error) { m_window->showError(error, Failed::SendingAttempt); });
-    connect(m_desk.get(), &SchoolDesk::unanswered, m_window.get(), &ui::window::MainWindow::showUnanswered);
-    connect(m_desk.get(), &SchoolDesk::answered, m_window.get(), &ui::window::MainWindow::forgetUnanswered);
-    connect(m_desk.get(), &SchoolDesk::isBack, this, [this] {
+    connect(m_desk.get(), &SchoolService::damaged, this,
+            [this](const core::Error& error) { m_window->showError(error, FailedOperation::SendingAttempt); });
+    connect(m_desk.get(), &SchoolService::unanswered, m_window.get(), &ui::window::MainWindow::showUnanswered);
+    connect(m_desk.get(), &SchoolService::answered, m_window.get(), &ui::window::MainWindow::forgetUnanswered);
+    connect(m_desk.get(), &SchoolService::isBack, this, [this] {
         if (m_who.isGuest())
             return;
         m_presets.refresh();
         m_window->readAgain();
     });
-    connect(m_desk.get(), &SchoolDesk::waitOn, this, [this](int count) {
+    connect(m_desk.get(), &SchoolService::waitOn, this, [this](int count) {
         m_window->showMessage(tr("%n attempt(s) on this computer cannot be sent to this school: the student is "
                                  "unknown, or another station.key signed them. They stay on this computer.",
                                  nullptr, count));
     });
-    connect(m_desk.get(), &SchoolDesk::waitForOthers, this, [this](int count, const QString& schools) {
+    connect(m_desk.get(), &SchoolService::waitForOthers, this, [this](int count, const QString& schools) {
         m_window->showMessage(
             //: %1: a file's name, or the address of a server
             tr("%n attempt(s) on this computer wait for another school: %1. If that is this one under an "
@@ -366,14 +366,14 @@ void Application::openDatabase()
                nullptr, count)
                 .arg(schools));
     });
-    connect(m_desk.get(), &SchoolDesk::disabled, this, [this] {
+    connect(m_desk.get(), &SchoolService::disabled, this, [this] {
         if (m_who.isGuest())  // has been shown out already
             return;
         leave();
         m_window->sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
     });
-    connect(m_desk.get(), &SchoolDesk::refused, this, &Application::leaveWithAnotherRole);
-    connect(m_desk.get(), &SchoolDesk::otherSchool, this, [this] {
+    connect(m_desk.get(), &SchoolService::refused, this, &Application::leaveWithAnotherRole);
+    connect(m_desk.get(), &SchoolService::otherSchool, this, [this] {
         const bool wasIn = !m_who.isGuest();
         if (wasIn)
             leave();
@@ -383,22 +383,22 @@ void Application::openDatabase()
             m_window->sayAtDoor(
                 [] { return tr("Another school is now where yours was, and you were logged out. Log in again."); });
     });
-    m_admin = std::make_unique<AdminDesk>(
+    m_admin = std::make_unique<AdminController>(
         *m_window, *m_desk,
-        AdminDesk::Place{*address, m_stationFolder,
-                         [this] { return m_window->devicesPage().handName(m_devices->hand()); },
-                         1.0 / std::chrono::duration<double>(kServoPeriod).count()},
+        AdminController::Place{*address, m_stationFolder,
+                               [this] { return m_window->devicesPage().handName(m_devices->hand()); },
+                               1.0 / std::chrono::duration<double>(kServoPeriod).count()},
         [this] { return m_who; });
-    connect(m_admin.get(), &AdminDesk::restoreWanted, this, [this](const QString& backup) {
-        const database::Session who = m_who;
+    connect(m_admin.get(), &AdminController::restoreRequested, this, [this](const QString& backup) {
+        const database::Login who = m_who;
         leave();
         m_backup = backup;
         restore(who);
     });
-    connect(m_admin.get(), &AdminDesk::idleMinutesChanged, this,
+    connect(m_admin.get(), &AdminController::idleMinutesChanged, this,
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
-    m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
-    connect(m_people.get(), &PeopleDesk::replayWanted, this,
+    m_people = std::make_unique<AttemptHistoryController>(*m_window, *m_desk, [this] { return m_who; });
+    connect(m_people.get(), &AttemptHistoryController::replayRequested, this,
             [this](const core::recording::Recording& recording, const database::AttemptRecord& attempt,
                    const QString& whose) {
                 if (isHiddenByExam())
@@ -418,17 +418,17 @@ void Application::openDatabase()
                     });
             });
     connect(
-        m_people.get(), &PeopleDesk::besideWanted, this,
+        m_people.get(), &AttemptHistoryController::besideRequested, this,
         [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
-    connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
-    connect(m_people.get(), &PeopleDesk::sheetWanted, this, &Application::showSheet);
+    connect(m_people.get(), &AttemptHistoryController::scoreRequested, this, &Application::showAttempt);
+    connect(m_people.get(), &AttemptHistoryController::sheetRequested, this, &Application::showSheet);
     m_backupWatch.setObjectName(QStringLiteral("backupWatch"));
     m_backupWatch.setInterval(kBackupWatchMs);
     connect(&m_backupWatch, &QTimer::timeout, this, &Application::backUpToday);
     m_openWatch.setInterval(m_options.retry);
     connect(&m_openWatch, &QTimer::timeout, this, &Application::openSchool);
-    connect(m_window.get(), &ui::window::MainWindow::openAgainWanted, this, &Application::openSchool);
-    connect(m_window.get(), &ui::window::MainWindow::restoreWanted, this, [this] { restore(m_who); });
+    connect(m_window.get(), &ui::window::MainWindow::openAgainRequested, this, &Application::openSchool);
+    connect(m_window.get(), &ui::window::MainWindow::restoreRequested, this, [this] { restore(m_who); });
     tellMayEdit();  // nobody is known yet
     openSchool();
     if (m_options.asksWho)
@@ -446,7 +446,7 @@ void Application::openSchool()
 {
     makeStationFolder();  // the disk may be writable by now
     m_window->setOpening(true);
-    m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
+    m_desk->open(this, [this](const SchoolService::Opening& opening) { takeOpening(opening); });
 }
 
 /// Where the file is not what it was, the door tells what there is to go back to.
@@ -456,7 +456,7 @@ void Application::refuseAtDoor(const core::Error& why)
         m_window->refuseLogin(why);
         return;
     }
-    m_desk->open(this, [this, why](const SchoolDesk::Opening& opening) {
+    m_desk->open(this, [this, why](const SchoolService::Opening& opening) {
         if (opening.status)
             m_window->refuseLogin(why);
         else
@@ -464,7 +464,7 @@ void Application::refuseAtDoor(const core::Error& why)
     });
 }
 
-void Application::takeOpening(const SchoolDesk::Opening& opening)
+void Application::takeOpening(const SchoolService::Opening& opening)
 {
     m_window->setOpening(false);
     m_backup = opening.soundBackup;
@@ -473,7 +473,7 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
         const core::Error& error = opening.status.error();
         m_window->setUnreachable(error, m_where, backupMade);
         if (!m_options.asksWho && !m_openWatch.isActive())
-            m_window->showError(error, Failed::KeepingGrades, m_options.database);
+            m_window->showError(error, FailedOperation::KeepingGrades, m_options.database);
         // A server may come back; a file that cannot be used does not by itself.
         if (error.code == core::ErrorCode::ConnectionLost || error.code == core::ErrorCode::ServerRefuses ||
             error.code == core::ErrorCode::Busy || error.code == core::ErrorCode::OpenElsewhere)
@@ -493,9 +493,9 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
         m_window->askLogin();
 }
 
-void Application::restore(const database::Session& who)
+void Application::restore(const database::Login& who)
 {
-    m_desk->restore(this, who, m_backup, [this](const SchoolDesk::Opening& opening) {
+    m_desk->restore(this, who, m_backup, [this](const SchoolService::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
         m_window->sayAtDoor([made, restored = opening.restored, isOpen = opening.status.has_value(),
@@ -503,7 +503,7 @@ void Application::restore(const database::Session& who)
             if (!restored)
                 return (isOpen ? tr("The backup was not restored; nothing has been changed. %1")
                                : tr("The backup was not restored. %1"))
-                    .arg(AdminDesk::whyNotRestored(restored.error()));
+                    .arg(AdminController::whyNotRestored(restored.error()));
             const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name
             return replaced.isEmpty() ? tr("The backup of %1 was restored.").arg(when)
@@ -522,14 +522,15 @@ void Application::backUpToday()
     m_isBackingUp = true;
     m_desk->askBeside(
         this,
-        [address = *m_address, folder = m_stationFolder, now, isStopped = m_backupIsStopped](const School& school) {
+        [address = *m_address, folder = m_stationFolder, now,
+         isStopped = m_backupIsStopped](const DatabaseContext& school) {
             return makeBackup(school, address, folder, now, [isStopped] { return !*isStopped; });
         },
         [this](const core::Result<QString>& made) {
             m_isBackingUp = false;
             if (!made && m_who.role() == database::Role::Admin)
                 m_window->showMessage(tr("Today's backup was not made. %1")
-                                          .arg(ui::text::errorText(made.error(), Failed::ReadingSchool)));
+                                          .arg(ui::text::errorText(made.error(), FailedOperation::ReadingSchool)));
         });
 }
 
@@ -537,7 +538,7 @@ void Application::backUpToday()
 void Application::tellIdleLimit()
 {
     m_desk->ask(
-        this, [who = m_who](const School& school) { return database::sql::readSettings(school, who); },
+        this, [who = m_who](const DatabaseContext& school) { return database::sql::readSettings(school, who); },
         [this](const core::Result<database::sql::SettingsMap>& settings) {
             if (settings)
                 m_window->setIdleLimit(std::chrono::minutes(idleMinutesOf(*settings)));
@@ -549,7 +550,7 @@ void Application::changePassword(const QString& old, const QString& password)
     m_desk->ask(
         this,
         [who = m_who, old = old.toStdString(),
-         next = password.toStdString()](const School& school) -> core::Result<bool> {
+         next = password.toStdString()](const DatabaseContext& school) -> core::Result<bool> {
             if (auto done = Logins::changePassword(school, who, old, next); !done)
                 return tl::unexpected(done.error());
             return true;
@@ -568,9 +569,9 @@ void Application::changePassword(const QString& old, const QString& password)
 void Application::connectDoor()
 {
     using ui::window::MainWindow;
-    connect(m_window.get(), &MainWindow::loginWanted, this, [this](const QString& name, const QString& password) {
+    connect(m_window.get(), &MainWindow::loginRequested, this, [this](const QString& name, const QString& password) {
         askAtDoor([name = name.toStdString(), password = password.toStdString()](
-                      const School& school) { return Logins::login(school, name, password); },
+                      const DatabaseContext& school) { return Logins::login(school, name, password); },
                   [this, isOwner = name.toStdString() == m_who.username(), password](const core::Error& why) {
                       if (isOwner && isAway(why.code))
                           unlockAlone(password, why);
@@ -578,15 +579,15 @@ void Application::connectDoor()
                           refuseAtDoor(why);
                   });
     });
-    connect(m_window.get(), &MainWindow::codeWanted, this,
+    connect(m_window.get(), &MainWindow::codeRequested, this,
             [this](const QString& name, const QString& code, const QString& password) {
                 askAtDoor([name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
-                              const School& school) { return Logins::redeem(school, name, code, password); });
+                              const DatabaseContext& school) { return Logins::redeem(school, name, code, password); });
             });
-    connect(m_window.get(), &MainWindow::schoolWanted, this,
+    connect(m_window.get(), &MainWindow::schoolRequested, this,
             [this](const database::NewPerson& admin, const QString& password) {
                 askAtDoor(
-                    [admin, password = password.toStdString()](const School& school) {
+                    [admin, password = password.toStdString()](const DatabaseContext& school) {
                         return Logins::createFirstAdmin(school, admin, password, database::timedCost());
                     },
                     [this](const core::Error& why) {
@@ -598,10 +599,10 @@ void Application::connectDoor()
                         m_window->refuseLogin(why);
                     });
             });
-    connect(m_window.get(), &MainWindow::guestWanted, this, &Application::becomeGuest);
-    connect(m_window.get(), &MainWindow::logoutWanted, this, &Application::leave);
-    connect(m_window.get(), &MainWindow::passwordChangeWanted, this, &Application::changePassword);
-    connect(m_window.get(), &MainWindow::keepWanted, this, [this] {
+    connect(m_window.get(), &MainWindow::guestRequested, this, &Application::becomeGuest);
+    connect(m_window.get(), &MainWindow::logoutRequested, this, &Application::leave);
+    connect(m_window.get(), &MainWindow::passwordChangeRequested, this, &Application::changePassword);
+    connect(m_window.get(), &MainWindow::keepRequested, this, [this] {
         m_keepsOnLogin = true;
         m_window->askLoginToKeep();
     });
@@ -610,10 +611,10 @@ void Application::connectDoor()
 /// Lets in who has given the right answer; where there is no database to ask, says why. Who has gone from the door
 /// meanwhile is not let in: by then somebody else may sit there.
 /// @param refuse  does the latter; empty: at the door
-void Application::askAtDoor(const std::function<core::Result<database::Session>(const School&)>& work,
+void Application::askAtDoor(const std::function<core::Result<database::Login>(const DatabaseContext&)>& work,
                             const std::function<void(const core::Error&)>& refuse)
 {
-    const auto answer = [this, refuse, turn = ++m_doorTurn](const core::Result<database::Session>& who) {
+    const auto answer = [this, refuse, turn = ++m_doorTurn](const core::Result<database::Login>& who) {
         if (turn != m_doorTurn || !m_window->isAtDoor()) {
             if (who && m_window->isNewSchool())
                 endNewSchool();
@@ -644,7 +645,7 @@ void Application::askAtDoor(const std::function<core::Result<database::Session>(
 void Application::readOwnHash()
 {
     m_desk->ask(
-        this, [who = m_who](const School& school) { return Logins::ownHash(school, who); },
+        this, [who = m_who](const DatabaseContext& school) { return Logins::ownHash(school, who); },
         [this, who = m_who](const core::Result<std::string>& hash) {
             if (hash && m_who == who)
                 m_ownHash = *hash;
@@ -686,7 +687,7 @@ void Application::unlockAlone(const QString& password, const core::Error& why)
 }
 
 /// A person has logged in, or come back to the place he had locked.
-void Application::enter(const database::Session& who)
+void Application::enter(const database::Login& who)
 {
     forgetWrongAlone();
     if (who.person() == m_who.person()) {
@@ -748,7 +749,7 @@ void Application::raisePasswordCost()
         [this](const database::PasswordCost& cost) {
             m_desk->ask(
                 this,
-                [who = m_who, cost](const School& school) {
+                [who = m_who, cost](const DatabaseContext& school) {
                     return database::sql::raisePasswordCost(school, who, cost);
                 },
                 [](const core::Status&) {});
@@ -761,7 +762,7 @@ void Application::leave()
     if (m_desk && !m_who.isGuest())
         m_desk->ask(
             this,
-            [who = m_who](const School& school) -> core::Result<bool> {
+            [who = m_who](const DatabaseContext& school) -> core::Result<bool> {
                 if (auto noted = Logins::logout(school, who); !noted)
                     return tl::unexpected(noted.error());
                 return true;
@@ -794,10 +795,10 @@ void Application::leaveWithAnotherRole()
         return;
     m_desk->ask(
         this,
-        [who = m_who](const School& school) {
-            return database::sql::admit(school, who, database::Operation::ReadSettings);
+        [who = m_who](const DatabaseContext& school) {
+            return database::sql::authorize(school, who, database::Operation::ReadSettings);
         },
-        [this, who = m_who](const core::Result<database::sql::Who>& now) {
+        [this, who = m_who](const core::Result<database::sql::AuthorizedUser>& now) {
             if (!now || m_who != who || now->role == who.role())
                 return;
             leave();
@@ -842,14 +843,14 @@ void Application::connectPresets()
 {
     using ui::window::MainWindow;
     connect(m_window.get(), &MainWindow::presetFelt, this, &Application::feel);
-    connect(m_window.get(), &MainWindow::feelWanted, this, &Application::feelByHand);
-    connect(m_window.get(), &MainWindow::presetTrialWanted, this, [this](const core::settings::FeelPreset& preset) {
+    connect(m_window.get(), &MainWindow::feelRequested, this, &Application::feelByHand);
+    connect(m_window.get(), &MainWindow::presetTrialRequested, this, [this](const core::settings::FeelPreset& preset) {
         m_triedKind = {};
         openTooth(core::teeth::parseSource(core::teeth::blockName(core::teeth::BlockShape::Layers)), {}, preset);
     });
     connect(m_window.get(), &MainWindow::trialBlockChosen, this,
             [this](const core::settings::ToothKind& kind) { m_triedKind = kind; });
-    connect(&m_presets, &PresetDesk::inUseChanged, this, [this] {
+    connect(&m_presets, &PresetController::inUseChanged, this, [this] {
         m_byHand.reset();
         // What nobody has begun to work on begins anew, as it feels now.
         if (!m_assignment.lesson && !m_tried && !m_window->isBusy() && isUntouched())
@@ -864,7 +865,7 @@ void Application::feel(const core::settings::FeelPreset& preset)
     const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
-    m_numbers = core::servo::numbersOf(
+    m_numbers = core::servo::parametersOf(
         lessons::servoSettings(lesson, settingsFor(m_devices->isForceChosen(), m_devices->scale()), preset,
                                m_tried ? m_triedKind : core::settings::ToothKind{}));
     tellNumbers();
@@ -904,7 +905,7 @@ void Application::tellNumbers()
 {
     for (std::size_t k = 0; k < m_numbers.size(); ++k)
         if (m_numbers.at(k) != m_numbersTold.at(k)) {
-            const core::servo::SetNumber number{static_cast<std::uint8_t>(k), static_cast<float>(m_numbers.at(k))};
+            const core::servo::SetParameter number{static_cast<std::uint8_t>(k), static_cast<float>(m_numbers.at(k))};
             if (!m_links.commands.tryPush(number))
                 return;
             m_numbersTold.at(k) = m_numbers.at(k);
@@ -941,7 +942,8 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
                 if (load != m_loading && !isFirstWanted)
                     return;
                 if (!built) {
-                    refuse(built.error(), file.isEmpty() ? Failed::MakingTooth : Failed::OpeningScan, file);
+                    refuse(built.error(), file.isEmpty() ? FailedOperation::MakingTooth : FailedOperation::OpeningScan,
+                           file);
                     return;
                 }
                 m_source = source;
@@ -974,7 +976,7 @@ void Application::openLesson(const lessons::Lesson& lesson)
                     if (load != m_loading)
                         return;
                     if (!assigned) {
-                        refuse(assigned.error(), Failed::OpeningLesson, QString::fromStdString(id));
+                        refuse(assigned.error(), FailedOperation::OpeningLesson, QString::fromStdString(id));
                         return;
                     }
                     m_tried.reset();
@@ -1010,7 +1012,7 @@ void Application::showLessons()
     });
     m_desk->ask(
         this,
-        [who = m_who](const School& school) -> core::Result<LessonsRead> {
+        [who = m_who](const DatabaseContext& school) -> core::Result<LessonsRead> {
             const auto standings = database::sql::standingsOf(school, who, who.person());
             if (!standings)
                 return tl::unexpected(standings.error());
@@ -1054,7 +1056,7 @@ void Application::showLessons()
             if (found)
                 m_lessonsRead = *found;
             else  // what was read before may be old, but is no "not tried yet"
-                m_window->showError(found.error(), Failed::ReadingSchool);
+                m_window->showError(found.error(), FailedOperation::ReadingSchool);
             show();
         });
 }
@@ -1072,7 +1074,9 @@ void Application::askWhetherAllowed(const std::string& lessonId, const std::func
     };
     m_desk->ask(
         this,
-        [who = m_who, lessonId](const School& school) { return database::sql::attemptsLeft(school, who, lessonId); },
+        [who = m_who, lessonId](const DatabaseContext& school) {
+            return database::sql::attemptsLeft(school, who, lessonId);
+        },
         [once](const core::Result<std::optional<int>>& left) {
             once(!left || !left->has_value() || left->value() > 0);
         });
@@ -1130,7 +1134,7 @@ void Application::tellKnownAttempts(const lessons::Lesson& lesson)
         return;
     m_desk->ask(
         this,
-        [who = m_who, id = lesson.id, hash = lesson.hash](const School& school) {
+        [who = m_who, id = lesson.id, hash = lesson.hash](const DatabaseContext& school) {
             return database::sql::sheetsOfLesson(school, who, id, hash, kMostKnownAttempts);
         },
         [this](const core::Result<std::vector<database::sql::KeptSheet>>& sheets) {
@@ -1149,7 +1153,7 @@ void Application::endWith(const core::Error& error)
 
 /// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
 /// requested, the program ends.
-void Application::refuse(const core::Error& error, Failed failed, const QString& file)
+void Application::refuse(const core::Error& error, FailedOperation failed, const QString& file)
 {
     if (!m_options.picture.isEmpty()) {
         endWith(error);
@@ -1166,7 +1170,7 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
     if (practice)
         begin(*practice, notesOf(built.report), built.report.placement.unitDoubtful);
     else
-        refuse(practice.error(), Failed::MakingTooth, {});
+        refuse(practice.error(), FailedOperation::MakingTooth, {});
 }
 
 void Application::begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes,
@@ -1180,7 +1184,7 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
                                settingsFor(m_devices->isForceChosen(), m_devices->scale()), preset);
     auto servo = core::servo::makeServoTick(settings);
     if (!servo) {
-        refuse(servo.error(), Failed::OpeningLesson,
+        refuse(servo.error(), FailedOperation::OpeningLesson,
                assignment.lesson ? QString::fromStdString(assignment.lesson->id) : QString());
         return;
     }
@@ -1222,7 +1226,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::servo::
     m_notes = notes;
     m_isUnitInDoubt = unitInDoubt;
     m_settings = settings;
-    m_numbers = core::servo::numbersOf(m_settings);
+    m_numbers = core::servo::parametersOf(m_settings);
     m_numbersTold = m_numbers;
     m_window->setAssignment(m_assignment);
     m_window->setHandpieces(m_settings.handpieces);
@@ -1330,27 +1334,28 @@ void Application::watchAttempt()
 }
 
 /// What is found of an attempt that is not the one on the score page waits until it is.
-void Application::connectExplainer(Explainer& explainer)
+void Application::connectExplainer(ScoreAnalysis& explainer)
 {
     const auto isShown = [this, isOfOpened = &explainer == &m_openedExplainer] { return isOldShown() == isOfOpened; };
     ui::scoring::ScorePage& page = m_window->scorePage();
-    connect(&explainer, &Explainer::noiseFound, &page, [&page, isShown](const lessons::GridNoise& noise) {
+    connect(&explainer, &ScoreAnalysis::noiseFound, &page, [&page, isShown](const lessons::GridSensitivity& noise) {
         if (isShown())
             page.setNoise(noise);
     });
-    connect(&explainer, &Explainer::momentsProgress, &page, [&page, isShown](double share) {
+    connect(&explainer, &ScoreAnalysis::momentsProgress, &page, [&page, isShown](double share) {
         if (isShown())
             page.setMomentsProgress(share);
     });
-    connect(&explainer, &Explainer::momentsFound, &page, [&page, isShown](const lessons::Moments& moments) {
-        if (isShown())
-            page.setMoments(moments.ofCriteria);
-    });
-    connect(&explainer, &Explainer::failed, this, [this, &page, isShown](const core::Error& error) {
+    connect(&explainer, &ScoreAnalysis::momentsFound, &page,
+            [&page, isShown](const lessons::PointLossTimeline& moments) {
+                if (isShown())
+                    page.setMoments(moments.ofCriteria);
+            });
+    connect(&explainer, &ScoreAnalysis::failed, this, [this, &page, isShown](const core::Error& error) {
         if (!isShown())
             return;
         page.setMomentsProgress({});
-        m_window->showError(error, Failed::Marking);
+        m_window->showError(error, FailedOperation::Marking);
     });
 }
 
@@ -1390,7 +1395,7 @@ void Application::noteExam(const core::session::Findings& findings)
 
 /// Where the school's server is away it lies in the outbox, as a graded attempt does. What the disk refuses is offered
 /// to it again.
-void Application::tellExam(const database::Session& who, const database::ExamStart& start)
+void Application::tellExam(const database::Login& who, const database::ExamStart& start)
 {
     m_desk->keep(this, who, start, [this, who, start](const core::Status& kept) {
         if (!kept)
@@ -1487,8 +1492,9 @@ void Application::gradeNow()
     if (!m_assignment.lesson)
         finish({});
     else if (m_seenBefore && !isAnother)  // nobody expects what he has seen
-        finish(m_seenBefore->expectedTenths ? std::optional(ui::scoring::Expectation{*m_seenBefore->expectedTenths, {}})
-                                            : std::nullopt);
+        finish(m_seenBefore->expectedTenths
+                   ? std::optional(ui::scoring::ScorePrediction{*m_seenBefore->expectedTenths, {}})
+                   : std::nullopt);
     else if (m_assignment.lesson->exam && isCounted && !isAnother)
         m_window->askForecast();
     else
@@ -1496,7 +1502,7 @@ void Application::gradeNow()
 }
 
 /// Marks the work as it was when the grade was asked for, keeps the grade and shows it.
-void Application::finish(const std::optional<ui::scoring::Expectation>& expected)
+void Application::finish(const std::optional<ui::scoring::ScorePrediction>& expected)
 {
     const auto done = std::exchange(m_toMark, {});
     if (!done || done->findings.generation != m_ownGeneration)
@@ -1505,7 +1511,7 @@ void Application::finish(const std::optional<ui::scoring::Expectation>& expected
     const lessons::Conduct conduct{found.process, found.infractions, found.aids, found.practised};
     const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
-        m_window->showError(marked.error(), Failed::Marking);
+        m_window->showError(marked.error(), FailedOperation::Marking);
         return;
     }
     const lessons::ScoreSheet& sheet = marked->sheet;
@@ -1534,8 +1540,9 @@ void Application::finish(const std::optional<ui::scoring::Expectation>& expected
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }
 
-database::AttemptRecord Application::recordOf(const core::session::Concluded& done, const lessons::ScoreSheet& sheet,
-                                              const std::optional<ui::scoring::Expectation>& expected) const
+database::AttemptRecord Application::recordOf(const core::session::AttemptSnapshot& done,
+                                              const lessons::ScoreSheet& sheet,
+                                              const std::optional<ui::scoring::ScorePrediction>& expected) const
 {
     const auto preset = lessons::presetUsed(done.recording);
     database::AttemptRecord record;
@@ -1592,9 +1599,9 @@ void Application::keepGrade()
     if (m_graded->keeping != Keeping::Pending)
         noteGraded();
     else
-        m_letters->send(std::make_shared<const Letter>(
-            Letter{m_who, m_graded->record, m_graded->recording, m_graded->generation,
-                   m_journal ? m_journal->fileOf(m_graded->generation) : std::filesystem::path()}));
+        m_letters->send(std::make_shared<const PendingAttempt>(
+            PendingAttempt{m_who, m_graded->record, m_graded->recording, m_graded->generation,
+                           m_journal ? m_journal->fileOf(m_graded->generation) : std::filesystem::path()}));
 }
 
 /// Whose program is killed before his exam is kept has not seen its score, and may go on with it; whoever has seen it
@@ -1625,7 +1632,7 @@ void Application::noteGraded()
         static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::servo::kGradedNote}));
 }
 
-void Application::takeKept(const Letter& letter, bool isAgain)
+void Application::takeKept(const PendingAttempt& letter, bool isAgain)
 {
     endJournal(letter);
     takeAnswer(letter, Keeping::Waiting);
@@ -1636,7 +1643,7 @@ void Application::takeKept(const Letter& letter, bool isAgain)
         m_window->showMessage(tr("The grade that could not be saved is now saved."));
 }
 
-void Application::takeRefused(const Letter& letter, bool isAgain, const core::Error& why)
+void Application::takeRefused(const PendingAttempt& letter, bool isAgain, const core::Error& why)
 {
     takeAnswer(letter, Keeping::Refused);
     if (m_who == letter.who && !isAgain)
@@ -1644,7 +1651,7 @@ void Application::takeRefused(const Letter& letter, bool isAgain, const core::Er
 }
 
 /// Of the disk.
-void Application::takeAnswer(const Letter& letter, Keeping keeping)
+void Application::takeAnswer(const PendingAttempt& letter, Keeping keeping)
 {
     if (m_graded && m_graded->record.uid == letter.record.uid) {
         m_graded->keeping = keeping;
@@ -1663,7 +1670,7 @@ bool Application::isAsGraded() const
 }
 
 /// What is kept is not offered to be gone on with. What was cut on since is another attempt.
-void Application::endJournal(const Letter& letter)
+void Application::endJournal(const PendingAttempt& letter)
 {
     if (letter.generation == m_ownGeneration) {
         if (isAsGraded())
@@ -1685,7 +1692,7 @@ void Application::keepGuestsGrade()
     tellKeeping();
     m_desk->ask(
         this,
-        [who = m_who, lesson = m_graded->record.lessonId](const School& school) {
+        [who = m_who, lesson = m_graded->record.lessonId](const DatabaseContext& school) {
             return database::sql::attemptsLeft(school, who, lesson);
         },
         [this, who = m_who, record = m_graded->record,
@@ -1694,7 +1701,7 @@ void Application::keepGuestsGrade()
             if (!m_graded || m_graded->record.uid != record.uid || m_who != who) {
                 // He has gone on meanwhile.
                 if (!isOverLimit)
-                    m_letters->send(std::make_shared<const Letter>(Letter{who, record, recording}));
+                    m_letters->send(std::make_shared<const PendingAttempt>(PendingAttempt{who, record, recording}));
                 return;
             }
             m_graded->isOverLimit = isOverLimit;
@@ -1744,7 +1751,7 @@ void Application::tellHistory()
     m_desk->ask(
         this,
         [who = m_who, record = m_graded->record,
-         tenths = m_graded->sheet.totalTenths](const School& school) -> core::Result<Found> {
+         tenths = m_graded->sheet.totalTenths](const DatabaseContext& school) -> core::Result<Found> {
             Found found;
             auto history =
                 database::sql::history(school, who, who.person(),
@@ -1766,7 +1773,7 @@ void Application::tellHistory()
                 if (m_graded->generation == m_ownGeneration)
                     m_window->setUsedUp(m_who.role() == database::Role::Student && found->attemptsLeft == 0);
             } else {
-                m_window->showError(found.error(), Failed::KeepingGrades);
+                m_window->showError(found.error(), FailedOperation::KeepingGrades);
             }
             tellKeeping();
         });
@@ -1779,14 +1786,14 @@ bool Application::isOldShown() const
 }
 
 /// What the score card is about: an old attempt that was opened, or the work graded last.
-std::optional<CardDesk::Subject> Application::shownCard() const
+std::optional<ReportController::Subject> Application::shownCard() const
 {
     if (isOldShown())
-        return CardDesk::Subject{*m_people->talkedAbout(), m_people->nameOfTalkedAbout(), m_who, m_desk.get()};
+        return ReportController::Subject{*m_people->talkedAbout(), m_people->nameOfTalkedAbout(), m_who, m_desk.get()};
     if (!m_graded)
         return {};
-    return CardDesk::Subject{m_graded->record, QString::fromStdString(m_who.fullName()), m_who,
-                             m_graded->keeping == Keeping::Kept ? m_desk.get() : nullptr};
+    return ReportController::Subject{m_graded->record, QString::fromStdString(m_who.fullName()), m_who,
+                                     m_graded->keeping == Keeping::Kept ? m_desk.get() : nullptr};
 }
 
 /// In an exam nobody looks up what he did before, nor what was said of it.
@@ -1817,7 +1824,7 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
             if (load != m_loading)
                 return;
             if (!marked) {
-                m_window->showError(marked.error(), Failed::Marking);
+                m_window->showError(marked.error(), FailedOperation::Marking);
                 m_people->openSheet(attempt);
                 return;
             }
@@ -1871,7 +1878,7 @@ void Application::saveRecording(const QString& path)
             if (written)
                 m_window->showSaved(path);
             else
-                m_window->showError(written.error(), Failed::SavingRecording, path);
+                m_window->showError(written.error(), FailedOperation::SavingRecording, path);
         });
 }
 
@@ -1897,7 +1904,7 @@ void Application::saveReference(const QString& path)
                                          "of a lesson on this tooth.")
                                           .arg(QDir::toNativeSeparators(path)));
             else
-                m_window->showError(written.error(), Failed::SavingReference, path);
+                m_window->showError(written.error(), FailedOperation::SavingReference, path);
         });
 }
 
@@ -1920,7 +1927,7 @@ void Application::putBeside(const core::recording::Recording& recording, const Q
     if (!m_replay)
         return;
     if (const auto put = m_replay->putBeside(recording, name); !put)
-        refuse(put.error(), Failed::OpeningRecording, path);
+        refuse(put.error(), FailedOperation::OpeningRecording, path);
 }
 
 /// At the lesson of the attempt that is played, or of the work on the table.
@@ -1942,7 +1949,7 @@ void Application::openExpert()
             if (load != m_loading)
                 return;
             if (!assignment)
-                refuse(assignment.error(), Failed::OpeningLesson, {});
+                refuse(assignment.error(), FailedOperation::OpeningLesson, {});
             else if (m_replay)
                 openExpertAt(*assignment);
             else
@@ -2023,7 +2030,7 @@ void Application::readRecording(const QString& path, const UseRecording& use, co
             if (recording)
                 use(*recording);
             else
-                refuse(recording.error(), Failed::OpeningRecording, path);
+                refuse(recording.error(), FailedOperation::OpeningRecording, path);
         });
 }
 
@@ -2064,7 +2071,8 @@ void Application::stopJournal(bool putAway)
 void Application::watchJournal()
 {
     if (const auto failure = m_journal->failure())
-        m_window->showError(*failure, m_window->isExamRunning() ? Failed::KeepingExam : Failed::KeepingAttempt);
+        m_window->showError(*failure,
+                            m_window->isExamRunning() ? FailedOperation::KeepingExam : FailedOperation::KeepingAttempt);
     else if (m_journal->isWell())
         m_window->forgetAttemptNotKept();
 }
@@ -2079,7 +2087,7 @@ void Application::offerUnfinished()
     }
     const auto isDecided = std::make_shared<bool>(false);
     m_desk->ask(
-        this, [who = m_who](const School& school) { return knownAttempts(school, who); },
+        this, [who = m_who](const DatabaseContext& school) { return knownAttempts(school, who); },
         [this, isDecided, who = m_who](const core::Result<KnownAttempts>& known) {
             if (!std::exchange(*isDecided, true) && m_who == who)
                 lookForUnfinished(known.value_or(KnownAttempts()));
@@ -2103,7 +2111,7 @@ void Application::lookForUnfinished(const KnownAttempts& known)
             if (m_who != who)  // the search was for somebody who has left
                 return;
             if (found.failure)
-                m_window->showError(*found.failure, Failed::ResumingAttempt);
+                m_window->showError(*found.failure, FailedOperation::ResumingAttempt);
             if (!found.attempt && m_unfinished)  // another search found it, and holds it
                 return;
             m_unfinished = std::move(found.attempt);
@@ -2162,21 +2170,22 @@ void Application::rebuildUnfinished(int load)
             workOut(recording.anatomy());
             return core::session::rebuild(recording);
         },
-        [this, load, path = m_unfinished->path](core::Result<std::unique_ptr<core::session::Unfinished>>& attempt) {
+        [this, load,
+         path = m_unfinished->path](core::Result<std::unique_ptr<core::session::ResumableAttempt>>& attempt) {
             if (load != m_loading || !m_unfinished || m_unfinished->path != path)  // another is offered by now
                 return;
             if (attempt)
                 takeUp(std::move(*attempt));
             else
-                m_window->showError(attempt.error(), Failed::ResumingAttempt);
+                m_window->showError(attempt.error(), FailedOperation::ResumingAttempt);
         });
 }
 
-void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
+void Application::takeUp(std::unique_ptr<core::session::ResumableAttempt> attempt)
 {
     const auto assignment = lessons::assignmentOf(attempt->recording.anatomy(), attempt->recording.lesson());
     if (!assignment) {
-        m_window->showError(assignment.error(), Failed::ResumingAttempt);
+        m_window->showError(assignment.error(), FailedOperation::ResumingAttempt);
         return;
     }
     lay(*assignment, attempt->recording.settings(), {}, false);
@@ -2247,9 +2256,9 @@ void Application::discardUnfinished()
 bool Application::play(const core::recording::Recording& recording, std::optional<double> momentS, const QString& whose)
 {
     // The button for the guidance is there while the hand in use has a force.
-    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1, &m_bur);
+    auto replay = ReplayController::make(recording, m_links, *m_window, m_generation + 1, &m_bur);
     if (!replay) {
-        refuse(replay.error(), Failed::OpeningRecording, {});
+        refuse(replay.error(), FailedOperation::OpeningRecording, {});
         return false;
     }
     if (m_replay) {

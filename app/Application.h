@@ -13,30 +13,30 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/AdminDesk.h"
-#include "app/CardDesk.h"
-#include "app/Explainer.h"
-#include "app/PeopleDesk.h"
-#include "app/PresetDesk.h"
-#include "app/TourDesk.h"
-#include "app/attempt/UnfinishedAttempts.h"
+#include "app/AdminController.h"
+#include "app/AttemptHistoryController.h"
+#include "app/PresetController.h"
+#include "app/ReportController.h"
+#include "app/ScoreAnalysis.h"
+#include "app/TourController.h"
+#include "app/attempt/ResumableAttempts.h"
 #include "app/devices/DeviceController.h"
 #include "app/devices/HeadTrackingController.h"
 #include "app/devices/PedalController.h"
 #include "app/devices/SoundController.h"
-#include "app/replay/ReplayDesk.h"
-#include "app/school/GradedMark.h"
-#include "app/school/Letters.h"
-#include "app/school/SchoolDesk.h"
+#include "app/replay/ReplayController.h"
+#include "app/school/AttemptUploader.h"
+#include "app/school/GradedMarker.h"
+#include "app/school/SchoolService.h"
 #include "app/threads/LoopThread.h"
-#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoParameters.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
-#include "core/session/Links.h"
+#include "core/session/LiveAssessmentLoop.h"
+#include "core/session/SessionChannels.h"
 #include "core/teeth/ToothBuilder.h"
-#include "database/people.h"
-#include "database/records.h"
+#include "database/AttemptRecord.h"
+#include "database/Person.h"
 #include "haptics/DeviceSwitch.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -62,7 +62,7 @@ struct WindowOptions
     /// How long the login waits for a database that hangs.
     std::chrono::milliseconds loginPatience{12'000};
     /// The time after which a failed request to the database is repeated.
-    std::chrono::milliseconds retry = SchoolDesk::kRetry;
+    std::chrono::milliseconds retry = SchoolService::kRetry;
     bool asksWho = false;     ///< begin at the login; else as a guest
     bool showsRound = false;  ///< whoever has not seen the tour
     QString picture;          ///< draw the tooth, or the end of the recording, into this file and quit
@@ -104,18 +104,18 @@ private:
     void makeStationFolder() const;
     void openSchool();
     void refuseAtDoor(const core::Error& why);
-    void takeOpening(const SchoolDesk::Opening& opening);
+    void takeOpening(const SchoolService::Opening& opening);
     /// @param who  wants it; a guest, where there is nobody to ask
-    void restore(const database::Session& who);
+    void restore(const database::Login& who);
     void backUpToday();
     void tellIdleLimit();
     void changePassword(const QString& old, const QString& password);
     void connectDoor();
     void readOwnHash();
     void unlockAlone(const QString& password, const core::Error& why);
-    void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work,
+    void askAtDoor(const std::function<core::Result<database::Login>(const database::sql::DatabaseContext&)>& work,
                    const std::function<void(const core::Error&)>& refuse = {});
-    void enter(const database::Session& who);
+    void enter(const database::Login& who);
     void forgetWrongAlone();
     void endNewSchool();
     void leave();
@@ -138,7 +138,7 @@ private:
     void beginAsItFeels();
     void feelByHand(const core::settings::FeelPreset& preset);
     void tellNumbers();
-    void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
+    void refuse(const core::Error& error, ui::text::FailedOperation failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes, bool unitInDoubt);
     [[nodiscard]] std::function<void(const AnatomyPointer&)> surfaceWorker() const;
@@ -146,32 +146,32 @@ private:
              const std::function<QStringList()>& notes, bool unitInDoubt);
     void watchAttempt();
     void noteExam(const core::session::Findings& findings);
-    void tellExam(const database::Session& who, const database::ExamStart& start);
+    void tellExam(const database::Login& who, const database::ExamStart& start);
     [[nodiscard]] bool isHiddenByExam();
     void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
     void settle(int looks, int settled);
     void gradeNow();
-    void finish(const std::optional<ui::scoring::Expectation>& expected);
-    [[nodiscard]] database::AttemptRecord recordOf(const core::session::Concluded& done,
+    void finish(const std::optional<ui::scoring::ScorePrediction>& expected);
+    [[nodiscard]] database::AttemptRecord recordOf(const core::session::AttemptSnapshot& done,
                                                    const lessons::ScoreSheet& sheet,
-                                                   const std::optional<ui::scoring::Expectation>& expected) const;
-    void connectExplainer(Explainer& explainer);
+                                                   const std::optional<ui::scoring::ScorePrediction>& expected) const;
+    void connectExplainer(ScoreAnalysis& explainer);
     void showGrade();
     void keepGrade();
     void keepExam();
     void showExamsScore(const std::string& uid);
     void noteGraded();
-    void takeKept(const Letter& letter, bool isAgain);
-    void takeRefused(const Letter& letter, bool isAgain, const core::Error& why);
-    void takeAnswer(const Letter& letter, ui::scoring::ScorePage::Keeping keeping);
+    void takeKept(const PendingAttempt& letter, bool isAgain);
+    void takeRefused(const PendingAttempt& letter, bool isAgain, const core::Error& why);
+    void takeAnswer(const PendingAttempt& letter, ui::scoring::ScorePage::Keeping keeping);
     [[nodiscard]] bool isAsGraded() const;
-    void endJournal(const Letter& letter);
+    void endJournal(const PendingAttempt& letter);
     void keepGuestsGrade();
     void tellKeeping();
     void tellHistory();
-    [[nodiscard]] std::optional<CardDesk::Subject> shownCard() const;
+    [[nodiscard]] std::optional<ReportController::Subject> shownCard() const;
     void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
     void showSheet(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
                    const std::function<QString()>& work);
@@ -201,7 +201,7 @@ private:
     void tellUnfinished();
     void resumeUnfinished();
     void rebuildUnfinished(int load);
-    void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
+    void takeUp(std::unique_ptr<core::session::ResumableAttempt> attempt);
     void discardUnfinished();
     /// @param momentS  plays from a little before this moment; empty: from the beginning
     /// @returns false if it cannot be played; the window then shows why
@@ -221,8 +221,8 @@ private:
     core::teeth::ToothSource m_source;                               ///< of the tooth taken last
     std::shared_ptr<const core::terrain::ToothAnatomy> m_practised;  ///< that was practised on last without a lesson
     std::optional<core::Error> m_endedBy;
-    core::session::UiLinks m_links;
-    core::servo::ServoLinks m_servoLinks;
+    core::session::UiChannels m_links;
+    core::servo::ServoChannels m_servoLinks;
     core::rt::TripleBuffer<core::servo::PointerInput> m_demoWish;  ///< of m_demoHand
     std::optional<haptics::IdealHand> m_demoHand;
     std::uint8_t m_demoBur = 0;  ///< that it holds
@@ -231,22 +231,22 @@ private:
     haptics::DeviceSwitch m_bur;
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;
-    core::session::Follower m_follower;
+    core::session::LiveAssessmentLoop m_follower;
     std::unique_ptr<ui::window::MainWindow> m_window;
     std::unique_ptr<DeviceController> m_devices;
     std::unique_ptr<HeadTrackingController> m_headTracking;
     std::unique_ptr<PedalController> m_pedals;
     std::unique_ptr<SoundController> m_sound;
-    std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
-    std::unique_ptr<Letters> m_letters;    ///< null where m_desk is
-    std::unique_ptr<PeopleDesk> m_people;  ///< the same
-    std::unique_ptr<AdminDesk> m_admin;    ///< the same
+    std::unique_ptr<SchoolService> m_desk;               ///< null: nothing is kept
+    std::unique_ptr<AttemptUploader> m_letters;          ///< null where m_desk is
+    std::unique_ptr<AttemptHistoryController> m_people;  ///< the same
+    std::unique_ptr<AdminController> m_admin;            ///< the same
     std::optional<database::Address> m_address;
     std::shared_ptr<std::atomic<bool>> m_backupIsStopped = std::make_shared<std::atomic<bool>>(false);
-    std::unique_ptr<CardDesk> m_cards;
-    std::unique_ptr<TourDesk> m_tour;  ///< null: nobody is shown round unasked
-    QString m_stationFolder;           ///< of this computer's own files: journals, outbox, key
-    database::Session m_who;           ///< who works here
+    std::unique_ptr<ReportController> m_cards;
+    std::unique_ptr<TourController> m_tour;  ///< null: nobody is shown round unasked
+    QString m_stationFolder;                 ///< of this computer's own files: journals, outbox, key
+    database::Login m_who;                   ///< who works here
     core::Error m_whyNoDesk;
     QString m_where;             ///< the database, to read
     QString m_backup;            ///< that can be put in the place of the database; empty: none
@@ -261,12 +261,12 @@ private:
     bool m_hasTimedCost = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 
-    PresetDesk m_presets;
+    PresetController m_presets;
     std::optional<core::settings::FeelPreset> m_tried;   ///< in place of it, on the block that lies on the table
     core::settings::ToothKind m_triedKind;               ///< what that block is made of
     std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_presets.inUse(), but in exams
-    core::servo::ServoNumbers m_numbers{};               ///< that the servo is to have
-    core::servo::ServoNumbers m_numbersTold{};           ///< that it has, or has been sent
+    core::servo::ServoParameters m_numbers{};            ///< that the servo is to have
+    core::servo::ServoParameters m_numbersTold{};        ///< that it has, or has been sent
     core::servo::ServoSettings m_settings;               ///< of the student's own attempt
     lessons::Assignment m_assignment;      ///< the student's own; its anatomy is null until a tooth is taken
     std::function<QStringList()> m_notes;  ///< on its scan
@@ -285,7 +285,7 @@ private:
         ui::scoring::ScorePage::Keeping keeping{};
         QList<database::AttemptRecord> history;
         lessons::ClassStanding standing;
-        std::optional<ui::scoring::Expectation> expected;
+        std::optional<ui::scoring::ScorePrediction> expected;
         ui::scoring::ScoredWork work;
         core::recording::Recording recording;
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
@@ -297,25 +297,25 @@ private:
         std::map<std::string, ui::catalog::Given> given;
         std::vector<database::Feedback> feedback;
     };
-    LessonsRead m_lessonsRead;                           ///< of who works here, as the database said last
-    bool m_isSettling = false;                           ///< a grade is wanted, and the bur not yet out of the tooth
-    std::optional<core::session::Concluded> m_toMark;    ///< while what is expected of it is asked
-    std::optional<core::session::Concluded> m_examsEnd;  ///< as its time ran out
+    LessonsRead m_lessonsRead;  ///< of who works here, as the database said last
+    bool m_isSettling = false;  ///< a grade is wanted, and the bur not yet out of the tooth
+    std::optional<core::session::AttemptSnapshot> m_toMark;    ///< while what is expected of it is asked
+    std::optional<core::session::AttemptSnapshot> m_examsEnd;  ///< as its time ran out
     std::optional<Graded> m_graded;
     std::string m_scoreToShow;                           ///< uid of the exam whose score is shown when it is kept
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
     /// Where the attempt that is played was asked for; the way back leads there.
     enum class PlayedFrom : std::uint8_t { Elsewhere, ScoreCard, Attempts };
     PlayedFrom m_playedFrom = PlayedFrom::Elsewhere;
-    Explainer m_explainer;        ///< of m_graded
-    Explainer m_openedExplainer;  ///< of m_opened
+    ScoreAnalysis m_explainer;        ///< of m_graded
+    ScoreAnalysis m_openedExplainer;  ///< of m_opened
     QTimer m_journalWatch;
     QTimer m_lookAgain;  ///< for unfinished attempts of which the school could not say whether they are kept
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     /// It is an exam whose score was seen, and is kept nowhere.
-    std::optional<GradedMark> m_seenOfUnfinished;
-    std::optional<GradedMark> m_seenBefore;  ///< the same of the attempt on the table, which was taken up
+    std::optional<GradedMarker> m_seenOfUnfinished;
+    std::optional<GradedMarker> m_seenBefore;  ///< the same of the attempt on the table, which was taken up
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
     std::uint64_t m_takenUpAtTick = 0;  ///< where it was taken up again after the program, or its owner, had left
@@ -330,7 +330,7 @@ private:
     std::map<QString, int> m_cutWith;           ///< the same, by the hand that moves the bur
     bool m_isTakenUp = false;                   ///< it was not finished when it was left
     QTimer m_demoBeat;
-    std::unique_ptr<ReplayDesk> m_replay;
+    std::unique_ptr<ReplayController> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
     core::servo::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
 

@@ -16,7 +16,7 @@
 #include "core/base/Rng.h"
 #include "core/recording/Player.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/Simulation.h"
@@ -275,7 +275,7 @@ namespace {
 /// Times to bring any moment of a recording to the view: states, figures and all tiles that it does not have yet.
 core::Result<haptics::TickTimes> seekTimes(const core::recording::Recording& recording, int seeks)
 {
-    const auto links = std::make_unique<core::session::UiLinks>();
+    const auto links = std::make_unique<core::session::UiChannels>();
     auto track = app::ReplayTrack::make(recording, *links, 1);
     if (!track)
         return tl::unexpected(track.error());

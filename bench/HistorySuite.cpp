@@ -7,7 +7,7 @@
 #include "core/base/Rng.h"
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/ServoLoop.h"
@@ -91,7 +91,7 @@ public:
     void lift()
     {
         m_hand.tipMm.z = 8.0F;
-        for (int k = 0; k < StrokeWatch::kPauseTicks + 2 * kTicksASession; ++k)
+        for (int k = 0; k < StrokeDetector::kPauseTicks + 2 * kTicksASession; ++k)
             beatServo(nullptr);
     }
 
@@ -99,8 +99,8 @@ public:
 
 private:
     Hand m_hand;
-    std::unique_ptr<ServoLinks> m_servoLinks = std::make_unique<ServoLinks>();
-    std::unique_ptr<UiLinks> m_uiLinks = std::make_unique<UiLinks>();
+    std::unique_ptr<ServoChannels> m_servoLinks = std::make_unique<ServoChannels>();
+    std::unique_ptr<UiChannels> m_uiLinks = std::make_unique<UiChannels>();
     SessionLoop m_session;
     haptics::ServoLoop m_servo;
     glm::dvec2 m_middle;

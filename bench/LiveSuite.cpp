@@ -10,8 +10,8 @@
 #include "bench/Wander.h"
 #include "core/guidance/Margin.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Follower.h"
-#include "core/session/Links.h"
+#include "core/session/LiveAssessmentLoop.h"
+#include "core/session/SessionChannels.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/Simulation.h"
@@ -67,7 +67,7 @@ private:
 class TimedFollower final : public core::rt::Loop
 {
 public:
-    TimedFollower(Follower& follower, const std::atomic<bool>& works, const std::atomic<Pass>& pass)
+    TimedFollower(LiveAssessmentLoop& follower, const std::atomic<bool>& works, const std::atomic<Pass>& pass)
         : m_follower(follower), m_works(works), m_pass(pass)
     {}
     void tick(std::chrono::microseconds dt) override
@@ -84,7 +84,7 @@ public:
     [[nodiscard]] const haptics::TickTimes& times() const { return m_times; }
 
 private:
-    Follower& m_follower;
+    LiveAssessmentLoop& m_follower;
     const std::atomic<bool>& m_works;
     const std::atomic<Pass>& m_pass;
     haptics::TickTimes m_times;
@@ -95,7 +95,7 @@ private:
 class Watcher final : public core::rt::Loop
 {
 public:
-    Watcher(UiLinks& links, const lessons::Assignment& assignment, core::rt::TripleBuffer<PointerInput>& pointer,
+    Watcher(UiChannels& links, const lessons::Assignment& assignment, core::rt::TripleBuffer<PointerInput>& pointer,
             const std::atomic<bool>& works, const std::atomic<Pass>& pass)
         : m_links(links), m_ideal(assignment.shownIdeal()), m_tooth(assignment.anatomy), m_pointer(pointer),
           m_works(works), m_pass(pass)
@@ -127,7 +127,7 @@ public:
     [[nodiscard]] double leftMm3() const { return m_leftMm3; }
 
 private:
-    UiLinks& m_links;
+    UiChannels& m_links;
     core::grading::IdealTop m_ideal;
     core::terrain::Tooth m_tooth;
     core::rt::TripleBuffer<PointerInput>& m_pointer;
@@ -166,14 +166,14 @@ core::Result<Figures> liveSuite(const Context& context)
     if (!tick)
         return tl::unexpected(tick.error());
 
-    const auto servoLinks = std::make_unique<ServoLinks>();
-    const auto uiLinks = std::make_unique<UiLinks>();
+    const auto servoLinks = std::make_unique<ServoChannels>();
+    const auto uiLinks = std::make_unique<UiChannels>();
     core::rt::TripleBuffer<PointerInput> pointer;
     haptics::PointerDevice device(pointer, settings.force.stiffnessNPerMm,
                                   std::chrono::duration<double>(kServoPeriod).count());
     SessionLoop session(*servoLinks, *uiLinks, settings);
     haptics::ServoLoop servo(device, std::move(*tick), *servoLinks, uiLinks->servo, kServoPeriod);
-    Follower follower(session);
+    LiveAssessmentLoop follower(session);
     follower.watch(1, lessons::examinationOf(*assignment));
     const auto send = [&](const SessionCommand& command) { static_cast<void>(uiLinks->commands.tryPush(command)); };
     send(ReplaceTooth{new core::terrain::Tooth(assignment->anatomy), 1});
@@ -188,7 +188,7 @@ core::Result<Figures> liveSuite(const Context& context)
     {
         app::LoopThread servoThread(*timedServo, kServoPeriod, app::LoopThread::Urgency::RealTime);
         app::LoopThread sessionThread(session, 10ms, app::LoopThread::Urgency::Normal);
-        app::LoopThread followerThread(*timedFollower, Follower::kPeriod, app::LoopThread::Urgency::Normal);
+        app::LoopThread followerThread(*timedFollower, LiveAssessmentLoop::kPeriod, app::LoopThread::Urgency::Normal);
         app::LoopThread watcherThread(*watcher, kPicturePeriod, app::LoopThread::Urgency::Normal);
         for (app::LoopThread* thread : {&watcherThread, &followerThread, &sessionThread, &servoThread})
             thread->start();

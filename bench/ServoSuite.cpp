@@ -13,7 +13,7 @@
 #include "bench/Suites.h"
 #include "bench/Wander.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "core/tracking/TrackerLoop.h"
@@ -171,8 +171,8 @@ core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::Too
     auto tick = makeServoTick(settings);
     if (!tick)
         return tl::unexpected(tick.error());
-    const auto servoLinks = std::make_unique<ServoLinks>();
-    const auto uiLinks = std::make_unique<UiLinks>();
+    const auto servoLinks = std::make_unique<ServoChannels>();
+    const auto uiLinks = std::make_unique<UiChannels>();
     StrokingHand hand(1.0 / kFastHz);
     SessionLoop session(*servoLinks, *uiLinks, settings, {false, 0});
     haptics::ServoLoop servo(hand, std::move(*tick), *servoLinks, uiLinks->servo, kPeriod);

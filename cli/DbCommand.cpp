@@ -13,7 +13,7 @@
 #include <QJsonObject>
 #include <unistd.h>
 
-#include "app/school/SchoolDesk.h"
+#include "app/school/SchoolService.h"
 #include "bench/Circumstances.h"
 #include "cli/Commands.h"
 #include "cli/parts/Arguments.h"
@@ -148,12 +148,12 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
         return failedWithBackups(report.error(), address);
     QJsonArray findings;
     QString text;
-    for (const database::Finding& finding : report->findings) {
+    for (const database::IntegrityIssue& finding : report->findings) {
         findings += finding.english();
         text += printable(finding.english()) + '\n';
     }
     std::vector<std::string> notes;
-    for (const database::Finding& note : report->notes)
+    for (const database::IntegrityIssue& note : report->notes)
         notes.push_back(printable(note.english()).toStdString());
     const bool isSound = report->findings.empty();
     const QString signedBy = QString::fromStdString(report->signedBy);
@@ -331,7 +331,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     if (!session)
         return failed(session.error());
     // Before anything is made there.
-    if (const auto may = database::sql::admit(*from->school, *session, database::Operation::CopySchool); !may)
+    if (const auto may = database::sql::authorize(*from->school, *session, database::Operation::CopySchool); !may)
         return failed(may.error());
     // Attempts that wait for this school belong into the copy, too: beside the copy nobody looks for them.
     const Delivery delivered = deliverWaiting(address, *from, false);
@@ -438,7 +438,7 @@ int measureSchool(const QCommandLineParser& parser, const Address& address)
     const auto session = logIn(parser, *open);
     if (!session)
         return failed(session.error());
-    const sql::School& school = *open->school;
+    const sql::DatabaseContext& school = *open->school;
     const auto people = sql::listPeople(school, *session);
     const auto classes = sql::listClasses(school, *session);
     if (!people || !classes)

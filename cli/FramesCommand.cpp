@@ -18,7 +18,7 @@
 #include "cli/Commands.h"
 #include "cli/parts/Arguments.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/ServoLoop.h"
@@ -78,8 +78,8 @@ protected:
 struct Work
 {
     core::servo::ServoSettings settings;
-    core::session::UiLinks links;
-    core::servo::ServoLinks servoLinks;
+    core::session::UiChannels links;
+    core::servo::ServoChannels servoLinks;
     core::rt::TripleBuffer<core::servo::PointerInput> wish;
     haptics::PointerDevice device{wish, settings.force.stiffnessNPerMm, 1.0e-3};
     core::session::SessionLoop session{servoLinks, links, settings};

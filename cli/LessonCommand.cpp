@@ -43,7 +43,7 @@ QString toothWords(const lessons::Lesson& lesson)
 QJsonObject toJson(const lessons::ReadLesson& read)
 {
     QJsonArray faults;
-    for (const lessons::Fault& fault : read.faults)
+    for (const lessons::ValidationIssue& fault : read.faults)
         faults.append(
             QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.english()}, {"grave", fault.grave}});
     QJsonObject object{{"file", read.file}, {"sound", read.lesson.has_value()}, {"faults", faults}};
@@ -101,7 +101,7 @@ int listLessons(const QStringList& arguments)
                              entry.isShipped ? QString()
                                              : QStringLiteral("  (") + QFileInfo(entry.read.file).fileName() + u')');
         }
-        for (const lessons::Fault& fault : entry.read.faults)
+        for (const lessons::ValidationIssue& fault : entry.read.faults)
             text += QStringLiteral("%1: %2\n")
                         .arg(fault.grave ? QStringLiteral("not given") : QStringLiteral("note"),
                              printable(fault.sentence()));
@@ -200,7 +200,7 @@ int checkLessons(const QStringList& arguments)
         }
         isSound = isSound && read.lesson;
         list.append(toJson(read));
-        for (const lessons::Fault& fault : read.faults)
+        for (const lessons::ValidationIssue& fault : read.faults)
             text += printable(fault.sentence()) + u'\n';
         if (read.lesson)
             text += QStringLiteral("%1 is sound: %2, version %3, content %4\n")

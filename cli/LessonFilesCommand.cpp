@@ -14,7 +14,7 @@
 #include "cli/parts/LessonParts.h"
 #include "core/base/WholeFile.h"
 #include "lessons/Assignment.h"
-#include "lessons/Capture.h"
+#include "lessons/IdealFromRecordings.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
 #include "lessons/NewLesson.h"
@@ -196,7 +196,7 @@ int newLessonPart(const QStringList& arguments)
     if (!object)
         return failed(object.error());
     const lessons::ReadLesson read = lessons::readDraft(*object, out);
-    for (const lessons::Fault& fault : read.faults)
+    for (const lessons::ValidationIssue& fault : read.faults)
         if (fault.grave)
             return failed({core::ErrorCode::BadStructure, fault.sentence().toStdString()});
     if (const auto assigned = lessons::assign(*read.lesson); !assigned)

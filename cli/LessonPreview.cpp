@@ -15,13 +15,13 @@
 #include "cli/parts/LessonParts.h"
 #include "cli/render/Pictures.h"
 #include "lessons/Assignment.h"
-#include "lessons/Capture.h"
+#include "lessons/IdealFromRecordings.h"
 #include "lessons/LessonCatalog.h"
 #include "ui/catalog/LessonScene.h"
 #include "ui/inside/OutlinePainter.h"
 #include "ui/inside/SectionPainter.h"
 #include "ui/kit/Theme.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 
 namespace cli {
 namespace {

@@ -34,19 +34,19 @@ QJsonObject withBound(const FeelPreset& preset)
     return object;
 }
 
-QJsonArray toJson(const std::vector<lessons::Fault>& faults)
+QJsonArray toJson(const std::vector<lessons::ValidationIssue>& faults)
 {
     QJsonArray list;
-    for (const lessons::Fault& fault : faults)
+    for (const lessons::ValidationIssue& fault : faults)
         list.append(
             QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.english()}, {"grave", fault.grave}});
     return list;
 }
 
-QString toText(const std::vector<lessons::Fault>& faults)
+QString toText(const std::vector<lessons::ValidationIssue>& faults)
 {
     QString text;
-    for (const lessons::Fault& fault : faults)
+    for (const lessons::ValidationIssue& fault : faults)
         text += printable(fault.sentence()) + u'\n';
     return text;
 }

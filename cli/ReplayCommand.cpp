@@ -8,8 +8,8 @@
 #include "cli/parts/Attempt.h"
 #include "core/recording/Replay.h"
 #include "haptics/simulated/Simulation.h"
-#include "lessons/GridNoise.h"
-#include "lessons/Moments.h"
+#include "lessons/GridSensitivity.h"
+#include "lessons/PointLossTimeline.h"
 
 namespace cli {
 namespace {
@@ -17,9 +17,9 @@ namespace {
 /// What a score does not say by itself, and how long it took to find out.
 struct Explained
 {
-    lessons::GridNoise noise;
+    lessons::GridSensitivity noise;
     double noiseS = 0.0;
-    lessons::Moments moments;
+    lessons::PointLossTimeline moments;
     double momentsS = 0.0;
 };
 
@@ -45,7 +45,7 @@ core::Result<Explained> explain(const core::recording::Recording& recording, con
     return explained;
 }
 
-QString toText(const lessons::GridNoise& noise)
+QString toText(const lessons::GridSensitivity& noise)
 {
     return QStringLiteral("other grids    half %1%2%3\n")
         .arg(0.1 * noise.half.totalTenths, 0, 'f', 1)

@@ -51,7 +51,7 @@ void addCommon(QCommandLineParser& parser)
 struct Desk
 {
     OpenSchool open;
-    database::Session session;
+    database::Login session;
 };
 
 core::Result<Desk> deskOf(const QCommandLineParser& parser)

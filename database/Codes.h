@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "core/base/Result.h"
-#include "database/people.h"
+#include "database/Person.h"
 
 namespace database {
 

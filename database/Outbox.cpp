@@ -146,7 +146,7 @@ core::Error unreadable(const QString& file)
 
 }  // namespace
 
-core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording)
+core::Status Outbox::put(const Login& session, const AttemptRecord& attempt, const QByteArray& recording)
 {
     if (reachOf(Operation::AddAttempt, session.role()) == Reach::Nothing)
         return core::unexpected(ErrorCode::NotAllowed, "a guest's attempts are not kept; log in first");
@@ -160,7 +160,7 @@ core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, c
     return write(QString::fromStdString(own.uid) + kEnding, content.bytes());
 }
 
-core::Status Outbox::put(const Session& session, const ExamStart& start)
+core::Status Outbox::put(const Login& session, const ExamStart& start)
 {
     if (reachOf(Operation::AddAttempt, session.role()) == Reach::Nothing)
         return core::unexpected(ErrorCode::NotAllowed, "a guest's exams are not kept; log in first");
@@ -198,7 +198,7 @@ bool Outbox::isOfAnother(const QString& file) const
     if (isExam(file))
         school = readExam(file).map([](const ExamLetter& letter) { return letter.school; }).value_or(QString());
     else
-        school = read(file).map([](const Letter& letter) { return letter.school; }).value_or(QString());
+        school = read(file).map([](const PendingAttempt& letter) { return letter.school; }).value_or(QString());
     // A file that is gone may be this school under an earlier name.
     return !m_school.isEmpty() && !school.isEmpty() && school != m_school &&
            QFileInfo::exists(QFileInfo(m_folder).dir().filePath(school));
@@ -249,12 +249,12 @@ core::Result<std::string> Outbox::contentOf(const QString& path) const
     return content;
 }
 
-core::Result<Outbox::Letter> Outbox::read(const QString& path) const
+core::Result<Outbox::PendingAttempt> Outbox::read(const QString& path) const
 {
     const auto content = contentOf(path);
     if (!content)
         return tl::unexpected(content.error());
-    Letter letter;
+    PendingAttempt letter;
     core::ByteReader parts(*content);
     const std::string attempt = parts.takeText();
     const std::string recording = parts.takeText();

@@ -10,9 +10,9 @@
 
 #include "core/base/Result.h"
 #include "database/Address.h"
-#include "database/Session.h"
+#include "database/AttemptRecord.h"
+#include "database/Login.h"
 #include "database/StationKey.h"
-#include "database/records.h"
 
 namespace database {
 
@@ -24,7 +24,7 @@ class Outbox
 {
 public:
     /// An attempt that waits.
-    struct Letter
+    struct PendingAttempt
     {
         AttemptRecord attempt;
         QByteArray recording;
@@ -51,17 +51,17 @@ public:
     [[nodiscard]] static QString schoolAt(const Address& address, const QString& folder);
 
     /// Puts an attempt of the session's person there, on the disk when this returns. NotAllowed: a guest's.
-    [[nodiscard]] core::Status put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording);
+    [[nodiscard]] core::Status put(const Login& session, const AttemptRecord& attempt, const QByteArray& recording);
 
     /// As put(), for an exam that the session's person has begun: ending the program does not make it undone.
-    [[nodiscard]] core::Status put(const Session& session, const ExamStart& start);
+    [[nodiscard]] core::Status put(const Login& session, const ExamStart& start);
 
     /// Those that wait, oldest first; an exam's beginning stands before what came of it.
     [[nodiscard]] QStringList waiting() const;
     [[nodiscard]] static bool isExam(const QString& file);
     /// BadStructure: damaged; such a file is for setAside(). FileMissing: another program has delivered it. NotAllowed:
     /// signed with another key than this station has now; it waits until that one is back.
-    [[nodiscard]] core::Result<Letter> read(const QString& file) const;
+    [[nodiscard]] core::Result<PendingAttempt> read(const QString& file) const;
     [[nodiscard]] core::Result<ExamLetter> readExam(const QString& file) const;
     /// False: another program has done so before, or it cannot be done.
     bool remove(const QString& file) const;

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoParameters.h"
 
 namespace haptics {
 namespace {
@@ -41,7 +41,7 @@ glm::dvec3 clamped(const glm::dvec3& forceN, double mostN) noexcept
 
 }  // namespace
 
-ServoLoop::ServoLoop(HapticDevice& device, std::unique_ptr<ServoTick> tick, ServoLinks& links,
+ServoLoop::ServoLoop(HapticDevice& device, std::unique_ptr<ServoTick> tick, ServoChannels& links,
                      core::rt::TripleBuffer<ServoState>& state, std::chrono::microseconds period)
     : m_device(device), m_tick(std::move(tick)), m_links(links), m_stateOut(state), m_period(period),
       m_isDirty(kMaxTiles, 0)
@@ -154,7 +154,7 @@ void ServoLoop::apply(const SetHandpiece& handpiece) noexcept
     record({ServoEvent::Kind::Handpiece, 0, glm::vec3(0.0F), handpiece.index});
 }
 
-void ServoLoop::apply(const SetNumber& number) noexcept
+void ServoLoop::apply(const SetParameter& number) noexcept
 {
     if (!core::servo::isServoNumber(number))
         return;

@@ -8,10 +8,10 @@
 #include "core/guidance/Fixture.h"
 #include "core/rt/Loop.h"
 #include "core/rt/TripleBuffer.h"
-#include "core/servo/ServoLinks.h"
+#include "core/servo/ServoChannels.h"
 #include "core/servo/ServoState.h"
 #include "core/servo/ServoTick.h"
-#include "core/servo/StrokeWatch.h"
+#include "core/servo/StrokeDetector.h"
 #include "haptics/HapticDevice.h"
 
 namespace haptics {
@@ -27,7 +27,7 @@ public:
 
     /// @param device, links, state  must outlive the loop
     /// @param period  beat of the loop, at most 50 ms; a tick of more counts as missed periods
-    ServoLoop(HapticDevice& device, std::unique_ptr<core::servo::ServoTick> tick, core::servo::ServoLinks& links,
+    ServoLoop(HapticDevice& device, std::unique_ptr<core::servo::ServoTick> tick, core::servo::ServoChannels& links,
               core::rt::TripleBuffer<core::servo::ServoState>& state, std::chrono::microseconds period);
     ~ServoLoop() override;
 
@@ -49,7 +49,7 @@ private:
     void apply(const core::servo::SetHandpiece& handpiece) noexcept;
     void apply(const core::servo::SetFixture& fixture) noexcept;
     void apply(const core::servo::BringHome& home) noexcept;
-    void apply(const core::servo::SetNumber& number) noexcept;
+    void apply(const core::servo::SetParameter& number) noexcept;
     void followPedal(const std::optional<bool>& pedal) noexcept;
     void turnBur(bool on) noexcept;
     void guide(double seconds) noexcept;
@@ -63,7 +63,7 @@ private:
 
     HapticDevice& m_device;
     std::unique_ptr<core::servo::ServoTick> m_tick;
-    core::servo::ServoLinks& m_links;
+    core::servo::ServoChannels& m_links;
     core::rt::TripleBuffer<core::servo::ServoState>& m_stateOut;
     std::chrono::microseconds m_period;
     core::rt::TripleBuffer<core::audio::SoundState>* m_soundOut = nullptr;  ///< null: nobody listens
@@ -90,7 +90,7 @@ private:
     std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile
     int m_tilesPerSide = 0;
     int m_ticksSinceSent = 0;
-    core::servo::StrokeWatch m_stroke;
+    core::servo::StrokeDetector m_stroke;
     bool m_strokeEnded = false;
     core::servo::TilePatch m_patch;
 };

@@ -47,7 +47,7 @@ private:
     }
 
     std::chrono::microseconds m_period;
-    std::unique_ptr<ServoLinks> m_links = std::make_unique<ServoLinks>();
+    std::unique_ptr<ServoChannels> m_links = std::make_unique<ServoChannels>();
     core::rt::TripleBuffer<ServoState> m_states;
     std::uint64_t m_serial = 0;
     haptics::ServoLoop m_loop;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/grading/MeasureTable.h"
-#include "lessons/Moments.h"
+#include "lessons/PointLossTimeline.h"
 
 namespace lessons {
 

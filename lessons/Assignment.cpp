@@ -60,8 +60,9 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
     options.lying = scan.lying;
     auto built = core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
     if (!built)
-        return core::unexpected(built.error().code,
-                                core::Words{"%1: %2", {core::noted("tooth.scan"), core::wordsOf(built.error())}});
+        return core::unexpected(
+            built.error().code,
+            core::LocalizableText{"%1: %2", {core::noted("tooth.scan"), core::wordsOf(built.error())}});
     return built;
 }
 
@@ -81,11 +82,12 @@ core::Result<core::grading::Preparation> capturedOf(const Captured& captured,
     auto preparation = ideal ? core::preparation::preparationOf(*ideal, anatomy)
                              : core::Result<core::grading::Preparation>(tl::unexpected(ideal.error()));
     if (!preparation)
-        return core::unexpected(preparation.error().code,
-                                core::Words{"%1: %2: %3",
-                                            {core::noted("ideal.captured"),
-                                             core::noted(std::filesystem::path(captured.file).filename().string()),
-                                             core::wordsOf(preparation.error())}});
+        return core::unexpected(
+            preparation.error().code,
+            core::LocalizableText{"%1: %2: %3",
+                                  {core::noted("ideal.captured"),
+                                   core::noted(std::filesystem::path(captured.file).filename().string()),
+                                   core::wordsOf(preparation.error())}});
     return preparation;
 }
 
@@ -138,10 +140,10 @@ core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const cor
         if (const glm::dvec2 place = lesson.touch->pointsMm[k]; !standsAt(anatomy, place))
             return core::unexpected(
                 core::ErrorCode::OutOfRange,
-                core::Words{QT_TRANSLATE_NOOP("Fault", "touch.points[%1]: there is no tooth at x = "
-                                                       "%2, y = %3 mm"),
-                            {core::noted(std::to_string(k)), core::noted(core::plainNumber(place.x)),
-                             core::noted(core::plainNumber(place.y))}});
+                core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "touch.points[%1]: there is no tooth at x = "
+                                                                 "%2, y = %3 mm"),
+                                      {core::noted(std::to_string(k)), core::noted(core::plainNumber(place.x)),
+                                       core::noted(core::plainNumber(place.y))}});
     return *lesson.touch;
 }
 
@@ -362,7 +364,7 @@ markAgain(const core::recording::Recording& recording,
     const auto assignment = assignmentOf(recording.anatomy(), recording.lesson());
     if (!assignment)
         return tl::unexpected(assignment.error());
-    core::session::Examiner examiner(examinationOf(*assignment), recording.anatomy());
+    core::session::LiveAssessor examiner(examinationOf(*assignment), recording.anatomy());
     auto outcome = core::recording::replay(
         recording, [&](const core::servo::ServoEvent& event, const core::recording::Replayer& servo) {
             examiner.take(event, servo);
@@ -381,7 +383,7 @@ markAgain(const core::recording::Recording& recording,
 void Conduct::addTo(core::grading::Measured& measured) const
 {
     const auto isHit = [](const core::grading::Infraction& infraction) {
-        return infraction.breach == core::grading::Breach::NeighbourHit;
+        return infraction.breach == core::grading::RuleViolation::NeighbourHit;
     };
     measured.process = process;
     measured.infractions = static_cast<int>(infractions.size());

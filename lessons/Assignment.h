@@ -9,7 +9,7 @@
 #include "core/base/Result.h"
 #include "core/grading/MeasureTable.h"
 #include "core/recording/Recording.h"
-#include "core/session/Examiner.h"
+#include "core/session/LiveAssessor.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Lesson.h"
 #include "lessons/PresetFile.h"

@@ -116,22 +116,22 @@ bool isNameBeside(const QString& name)
            !name.startsWith(QLatin1Char(':'));
 }
 
-core::Words sizeWords(qint64 bytes)
+core::LocalizableText sizeWords(qint64 bytes)
 {
     return bytes >= 1024 * 1024
                ? noted(QStringLiteral("%1 MB").arg(static_cast<double>(bytes) / (1024.0 * 1024.0), 0, 'f', 1))
-               : core::Words{QT_TRANSLATE_NOOP("Fault", "%1 bytes"), {noted(bytes)}};
+               : core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "%1 bytes"), {noted(bytes)}};
 }
 
-core::Words newerFormat(double format)
+core::LocalizableText newerFormat(double format)
 {
     return {QT_TRANSLATE_NOOP("Fault", "is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson"),
             {noted(format), noted(kLessonFormat)}};
 }
 
-std::optional<QJsonObject> parseObject(QByteArray json, const QString& file, std::vector<Fault>& faults)
+std::optional<QJsonObject> parseObject(QByteArray json, const QString& file, std::vector<ValidationIssue>& faults)
 {
-    const auto complain = [&](core::Words what) {
+    const auto complain = [&](core::LocalizableText what) {
         faults.push_back({file, {}, std::move(what), true});
         return std::nullopt;
     };
@@ -147,7 +147,8 @@ std::optional<QJsonObject> parseObject(QByteArray json, const QString& file, std
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (document.isNull()) {
         const auto before = json.left(error.offset);
-        std::vector<core::Words> values{noted(before.count('\n') + 1), noted(error.offset - before.lastIndexOf('\n'))};
+        std::vector<core::LocalizableText> values{noted(before.count('\n') + 1),
+                                                  noted(error.offset - before.lastIndexOf('\n'))};
         if (error.error == QJsonParseError::IllegalUTF8String)
             return complain(
                 {QT_TRANSLATE_NOOP("Fault", "is not JSON: line %1, column %2: invalid UTF8 string; save the "
@@ -197,7 +198,7 @@ QString JsonFiles::find(const QString& file, const QString& key, const QString& 
 
 std::optional<Gathered> JsonFiles::gather(const QString& file, const QString& namedIn, QStringList way)
 {
-    std::vector<Fault> faults;
+    std::vector<ValidationIssue> faults;
     std::optional<QJsonObject> object;
     if (way.contains(file))
         faults.push_back(
@@ -213,7 +214,7 @@ std::optional<Gathered> JsonFiles::gather(const QString& file, const QString& na
              true});
     else
         object = read(file, faults);
-    for (Fault& fault : faults) {
+    for (ValidationIssue& fault : faults) {
         // Who named the file has to mend what is wrong with all of it.
         if (fault.key.isEmpty() && !namedIn.isEmpty())
             fault = {namedIn, kBasedOn, {"%1: %2", {noted(QFileInfo(file).fileName()), fault.what}}, true};
@@ -250,10 +251,10 @@ std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QS
     return under;
 }
 
-std::optional<QJsonObject> JsonFiles::read(const QString& name, std::vector<Fault>& faults)
+std::optional<QJsonObject> JsonFiles::read(const QString& name, std::vector<ValidationIssue>& faults)
 {
     note(name);
-    const auto complain = [&](core::Words what) {
+    const auto complain = [&](core::LocalizableText what) {
         faults.push_back({name, {}, std::move(what), true});
         return std::nullopt;
     };

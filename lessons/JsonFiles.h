@@ -10,7 +10,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "lessons/Fault.h"
+#include "lessons/ValidationIssue.h"
 
 namespace lessons {
 
@@ -24,14 +24,15 @@ inline constexpr const char* kShippedFolder = ":/lessons/";
 [[nodiscard]] bool isNameBeside(const QString& name);
 
 /// "1.5 MB", "200 bytes".
-[[nodiscard]] core::Words sizeWords(qint64 bytes);
+[[nodiscard]] core::LocalizableText sizeWords(qint64 bytes);
 
 /// What is wrong with a format from the future.
-[[nodiscard]] core::Words newerFormat(double format);
+[[nodiscard]] core::LocalizableText newerFormat(double format);
 
 /// The object that a JSON text holds; nothing, and faults, if it holds none, or says a key twice.
 /// @param file  what the faults call it
-[[nodiscard]] std::optional<QJsonObject> parseObject(QByteArray json, const QString& file, std::vector<Fault>& faults);
+[[nodiscard]] std::optional<QJsonObject> parseObject(QByteArray json, const QString& file,
+                                                     std::vector<ValidationIssue>& faults);
 
 /// An object with all that it is based on.
 struct Gathered
@@ -49,7 +50,7 @@ class JsonFiles
 {
 public:
     /// @param faults  must outlive this
-    explicit JsonFiles(std::vector<Fault>& faults) : m_faults(faults) {}
+    explicit JsonFiles(std::vector<ValidationIssue>& faults) : m_faults(faults) {}
 
     /// Nothing, and a fault, if any of it cannot be read.
     [[nodiscard]] std::optional<Gathered> gather(const QString& file) { return gather(file, {}, {}); }
@@ -65,7 +66,7 @@ public:
     [[nodiscard]] const QStringList& uses() const { return m_uses; }
     void note(const QString& file);
     /// A grave fault.
-    void say(const QString& file, const QString& key, core::Words what)
+    void say(const QString& file, const QString& key, core::LocalizableText what)
     {
         m_faults.push_back({file, key, std::move(what), true});
     }
@@ -74,9 +75,9 @@ private:
     [[nodiscard]] std::optional<Gathered> gather(const QString& file, const QString& namedIn, QStringList way);
     [[nodiscard]] std::optional<Gathered> underlaid(const QJsonObject& object, const QString& file,
                                                     const QStringList& way);
-    [[nodiscard]] std::optional<QJsonObject> read(const QString& file, std::vector<Fault>& faults);
+    [[nodiscard]] std::optional<QJsonObject> read(const QString& file, std::vector<ValidationIssue>& faults);
 
-    std::vector<Fault>& m_faults;
+    std::vector<ValidationIssue>& m_faults;
     QStringList m_uses;
 };
 

@@ -18,7 +18,7 @@ constexpr qsizetype kMostNames = 40;
 constexpr int kSlip = 3;
 
 /// With all its digits where it is whole, as a version is.
-core::Words written(double number)
+core::LocalizableText written(double number)
 {
     constexpr double kWrittenOut = 1.0e15;
     const bool isWhole = number == std::floor(number) && std::abs(number) < kWrittenOut;
@@ -48,7 +48,7 @@ qsizetype lettersIn(const QString& text)
     return text.toUcs4().size();
 }
 
-core::Words kindOf(const QJsonValue& value)
+core::LocalizableText kindOf(const QJsonValue& value)
 {
     switch (value.type()) {
     case QJsonValue::Bool:
@@ -78,7 +78,7 @@ bool isHidden(QChar c)
 
 }  // namespace
 
-JsonKeys::JsonKeys(QJsonObject object, QString file, QString path, std::vector<Fault>& faults)
+JsonKeys::JsonKeys(QJsonObject object, QString file, QString path, std::vector<ValidationIssue>& faults)
     : m_object(std::move(object)), m_file(std::move(file)), m_path(std::move(path)), m_faults(&faults)
 {}
 
@@ -87,7 +87,7 @@ QString JsonKeys::pathOf(const QString& key) const
     return m_path.isEmpty() ? key : key.isEmpty() ? m_path : m_path + QLatin1Char('.') + key;
 }
 
-void JsonKeys::fault(const char* key, core::Words what, bool grave)
+void JsonKeys::fault(const char* key, core::LocalizableText what, bool grave)
 {
     m_faults->push_back({m_file, pathOf(QLatin1String(key)), std::move(what), grave});
 }
@@ -110,17 +110,20 @@ std::optional<double> JsonKeys::number(const char* key, double low, double high,
         return std::nullopt;
     const bool hasUnit = *unit != '\0';
     if (!value.isDouble()) {
-        fault(key, hasUnit ? core::Words{QT_TRANSLATE_NOOP("Fault", "is %1; write a number of %2 without its unit"),
-                                         {kindOf(value), {unit}}}
-                           : core::Words{QT_TRANSLATE_NOOP("Fault", "is %1; write a number"), {kindOf(value)}});
+        fault(key,
+              hasUnit
+                  ? core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "is %1; write a number of %2 without its unit"),
+                                          {kindOf(value), {unit}}}
+                  : core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "is %1; write a number"), {kindOf(value)}});
         return std::nullopt;
     }
     const double number = value.toDouble();
     if (!std::isfinite(number) || number < low || number > high) {
-        fault(key, hasUnit ? core::Words{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3 %4"),
-                                         {written(number), written(low), written(high), {unit}}}
-                           : core::Words{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3"),
-                                         {written(number), written(low), written(high)}});
+        fault(key, hasUnit
+                       ? core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3 %4"),
+                                               {written(number), written(low), written(high), {unit}}}
+                       : core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3"),
+                                               {written(number), written(low), written(high)}});
         return std::nullopt;
     }
     return number;
@@ -335,7 +338,7 @@ void JsonKeys::nameTheRest()
                 nearest = known;
             }
         }
-        core::Words what{QT_TRANSLATE_NOOP("Fault", "is not a key that is known here, so it is left out")};
+        core::LocalizableText what{QT_TRANSLATE_NOOP("Fault", "is not a key that is known here, so it is left out")};
         if (!nearest.isEmpty())
             what = {QT_TRANSLATE_NOOP("Fault", "is not a key that is known here; did you mean \"%1\"?"),
                     {noted(nearest)}};

@@ -13,8 +13,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "lessons/Fault.h"
 #include "lessons/LocalText.h"
+#include "lessons/ValidationIssue.h"
 
 namespace lessons {
 
@@ -25,7 +25,7 @@ class JsonKeys
 public:
     /// @param path    where the object stands in its file: "rubric.criteria[2]"; empty at the top
     /// @param faults  must outlive this
-    JsonKeys(QJsonObject object, QString file, QString path, std::vector<Fault>& faults);
+    JsonKeys(QJsonObject object, QString file, QString path, std::vector<ValidationIssue>& faults);
 
     [[nodiscard]] bool has(const char* key);
     /// A number within [low, high], or a fault and nothing. `unit` is for the sentence.
@@ -53,7 +53,7 @@ public:
 
     /// Warns of every key that was not asked for, with the nearest that was.
     void nameTheRest();
-    void fault(const char* key, core::Words what, bool grave = true);
+    void fault(const char* key, core::LocalizableText what, bool grave = true);
     [[nodiscard]] QString pathOf(const QString& key) const;
 
 private:
@@ -64,7 +64,7 @@ private:
     QJsonObject m_object;
     QString m_file;
     QString m_path;
-    std::vector<Fault>* m_faults;
+    std::vector<ValidationIssue>* m_faults;
     QSet<QString> m_asked;
 };
 

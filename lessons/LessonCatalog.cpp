@@ -56,7 +56,7 @@ void addPacks(const QDir& folder, std::vector<CatalogEntry>& entries)
             if (isUnpacked(entry.read, folder, entries))
                 continue;
             entry.pack = file;
-            for (Fault& fault : entry.read.faults)
+            for (ValidationIssue& fault : entry.read.faults)
                 fault.what = {QT_TRANSLATE_NOOP("Fault", "%1 (in the pack %2)"), {fault.what, noted(name)}};
             entries.push_back(std::move(entry));
         }
@@ -118,7 +118,7 @@ core::Result<Lesson> lessonNamed(const QString& fileOrId)
     if (read.lesson)
         return std::move(*read.lesson);
     const auto grave =
-        std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
+        std::find_if(read.faults.begin(), read.faults.end(), [](const ValidationIssue& fault) { return fault.grave; });
     return core::unexpected(core::ErrorCode::BadStructure, grave->sentence().toStdString());
 }
 

@@ -80,7 +80,7 @@ constexpr qsizetype kLongestHardnessName = kLongestPresetName + 90;
 class LessonMaker
 {
 public:
-    LessonMaker(const QJsonObject& whole, const QString& file, JsonFiles* files, std::vector<Fault>& faults)
+    LessonMaker(const QJsonObject& whole, const QString& file, JsonFiles* files, std::vector<ValidationIssue>& faults)
         : m_whole(whole), m_file(file), m_files(files), m_faults(faults), m_keys(whole, file, {}, faults)
     {}
 
@@ -391,7 +391,7 @@ private:
             return;
         m_files->note(path);
         const ReadPreset read = readPreset(path);
-        for (Fault fault : read.faults) {
+        for (ValidationIssue fault : read.faults) {
             fault.file = QFileInfo(path).absoluteFilePath();
             m_faults.push_back(fault);
         }
@@ -629,14 +629,14 @@ private:
     QJsonObject m_whole;
     QString m_file;
     JsonFiles* m_files;
-    std::vector<Fault>& m_faults;
+    std::vector<ValidationIssue>& m_faults;
     JsonKeys m_keys;
 };
 
 }  // namespace
 
 Lesson lessonFrom(const QJsonObject& whole, const QString& file, const QString& rubricFile, JsonFiles* files,
-                  std::vector<Fault>& faults)
+                  std::vector<ValidationIssue>& faults)
 {
     return LessonMaker(whole, file, files, faults).make(rubricFile);
 }

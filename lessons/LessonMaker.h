@@ -19,6 +19,6 @@ inline constexpr qint64 kLargestIdealBytes = qint64{700} * 1024;
 /// @param rubricFile  where its rubric stands, for the faults: the same file, or another
 /// @param files       finds what it names; null for a text that stands on its own
 [[nodiscard]] Lesson lessonFrom(const QJsonObject& whole, const QString& file, const QString& rubricFile,
-                                JsonFiles* files, std::vector<Fault>& faults);
+                                JsonFiles* files, std::vector<ValidationIssue>& faults);
 
 }  // namespace lessons

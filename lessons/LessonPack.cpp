@@ -31,7 +31,7 @@ const QStringList kSuffixes{QStringLiteral("json"),    QStringLiteral("cuspideal
 
 tl::unexpected<core::Error> refused(core::ErrorCode code, const char* sentence, const QStringList& values = {})
 {
-    core::Words words{sentence};
+    core::LocalizableText words{sentence};
     for (const QString& value : values)
         words.values.push_back(noted(value));
     return core::unexpected(code, std::move(words));
@@ -133,8 +133,8 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
     for (const QString& lessonFile : lessonFiles) {
         const ReadLesson read = readLesson(lessonFile);
         if (!read.lesson) {
-            const auto grave =
-                std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
+            const auto grave = std::find_if(read.faults.begin(), read.faults.end(),
+                                            [](const ValidationIssue& fault) { return fault.grave; });
             return refused(core::ErrorCode::BadStructure, "%1. Only a lesson that can be given is packed.",
                            {grave->sentence()});
         }
@@ -225,7 +225,7 @@ core::Result<std::vector<PackedFile>> readPack(const QString& file)
     if (!files && bytes)
         return core::unexpected(
             files.error().code,
-            core::Words{"%1: %2", {noted(QFileInfo(file).fileName()), core::wordsOf(files.error())}});
+            core::LocalizableText{"%1: %2", {noted(QFileInfo(file).fileName()), core::wordsOf(files.error())}});
     return files;
 }
 

@@ -13,9 +13,9 @@ namespace {
 const QString kRubric = QStringLiteral("rubric");
 
 /// Each fault is told of the file that says its key, which may be one that the lesson is based on.
-void nameFiles(std::vector<Fault>& faults, const Gathered& gathered)
+void nameFiles(std::vector<ValidationIssue>& faults, const Gathered& gathered)
 {
-    for (Fault& fault : faults)
+    for (ValidationIssue& fault : faults)
         if (fault.file == gathered.parts.front().first)
             fault.file = gathered.fileThatSays(fault.key);
 }
@@ -30,7 +30,7 @@ void complete(const std::optional<Gathered>& gathered, const QString& file, Json
         const QString rubricFile = rubric ? rubric->parts.front().first : QString();
         Lesson lesson = lessonFrom(whole, file, rubricFile, &files, result.faults);
         if (!rubric)
-            std::erase_if(result.faults, [](const Fault& fault) { return fault.file.isEmpty(); });
+            std::erase_if(result.faults, [](const ValidationIssue& fault) { return fault.file.isEmpty(); });
         else if (!anyGrave(result.faults))
             result.lesson = std::move(lesson);
         nameFiles(result.faults, *gathered);

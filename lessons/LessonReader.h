@@ -8,8 +8,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "lessons/Fault.h"
 #include "lessons/Lesson.h"
+#include "lessons/ValidationIssue.h"
 
 namespace lessons {
 
@@ -18,7 +18,7 @@ struct ReadLesson
 {
     QString file;
     std::optional<Lesson> lesson;
-    std::vector<Fault> faults;
+    std::vector<ValidationIssue> faults;
     QStringList uses;  ///< the files it was read from and those it names, the lesson's first; none that we ship
 };
 

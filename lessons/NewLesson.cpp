@@ -11,7 +11,7 @@
 
 #include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothDesign.h"
-#include "lessons/Capture.h"
+#include "lessons/IdealFromRecordings.h"
 #include "lessons/JsonFiles.h"
 #include "lessons/LessonCatalog.h"
 

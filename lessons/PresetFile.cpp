@@ -117,7 +117,7 @@ bool isOneLine(const std::string& name)
     return std::none_of(name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; });
 }
 
-core::Words tooLarge(qint64 bytes)
+core::LocalizableText tooLarge(qint64 bytes)
 {
     return {QT_TRANSLATE_NOOP("Fault", "has %1; a hardness preset has at most %2"),
             {sizeWords(bytes), sizeWords(kLargestPresetBytes)}};
@@ -129,7 +129,7 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
 {
     ReadPreset read;
     read.file = file;
-    const auto complain = [&](core::Words what, const QString& key = {}) {
+    const auto complain = [&](core::LocalizableText what, const QString& key = {}) {
         read.faults.push_back({file, key, std::move(what), true});
         return read;
     };
@@ -169,22 +169,22 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
     return read;
 }
 
-std::optional<Fault> leftOutFault(const ReadPreset& read)
+std::optional<ValidationIssue> leftOutFault(const ReadPreset& read)
 {
     if (read.leftOut.isEmpty())
         return std::nullopt;
-    return Fault{read.file,
-                 {},
-                 {QT_TRANSLATE_NOOP("Fault", "says nothing of %1: that is as shipped"),
-                  {noted(read.leftOut.join(QStringLiteral(", ")))}},
-                 false};
+    return ValidationIssue{read.file,
+                           {},
+                           {QT_TRANSLATE_NOOP("Fault", "says nothing of %1: that is as shipped"),
+                            {noted(read.leftOut.join(QStringLiteral(", ")))}},
+                           false};
 }
 
 ReadPreset readPreset(const QString& path)
 {
     ReadPreset read;
     read.file = path;
-    const auto complain = [&](core::Words what) {
+    const auto complain = [&](core::LocalizableText what) {
         read.faults.push_back({path, {}, std::move(what), true});
         return read;
     };
@@ -205,10 +205,11 @@ core::Status checkPreset(const FeelPreset& preset)
     if (read.preset)
         return {};
     const auto grave =
-        std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
+        std::find_if(read.faults.begin(), read.faults.end(), [](const ValidationIssue& fault) { return fault.grave; });
     if (grave->key.isEmpty())
         return core::unexpected(core::ErrorCode::OutOfRange, grave->what);
-    return core::unexpected(core::ErrorCode::OutOfRange, core::Words{"%1 %2", {noted(grave->key), grave->what}});
+    return core::unexpected(core::ErrorCode::OutOfRange,
+                            core::LocalizableText{"%1 %2", {noted(grave->key), grave->what}});
 }
 
 QJsonObject toJson(const FeelPreset& preset)

@@ -11,7 +11,7 @@
 
 #include "core/recording/Recording.h"
 #include "core/settings/FeelPreset.h"
-#include "lessons/Fault.h"
+#include "lessons/ValidationIssue.h"
 
 /// Hardness presets as files, *.cusppreset: one JSON object with "format", "kind", "name", "version", "notes", and the
 /// numbers of core::settings::feelFields() under their ids, the part before a point being an object's key. Format 2
@@ -31,7 +31,7 @@ struct ReadPreset
 {
     QString file;
     std::optional<core::settings::FeelPreset> preset;  ///< nothing where a fault is grave
-    std::vector<Fault> faults;
+    std::vector<ValidationIssue> faults;
     /// Sound, but for the bound: what is in the file all the same.
     std::optional<core::settings::FeelPreset> beyondBound{};
     /// Numbers that the file does not say, so that they are as shipped: "pulp.threshold_n", or "pulp" where it says
@@ -49,7 +49,7 @@ struct ReadPreset
 [[nodiscard]] ReadPreset readPreset(const QString& file);
 
 /// A warning that names what the file leaves out, which may be meant so; nothing where it says all.
-[[nodiscard]] std::optional<Fault> leftOutFault(const ReadPreset& read);
+[[nodiscard]] std::optional<ValidationIssue> leftOutFault(const ReadPreset& read);
 
 /// Whether it may be kept: a name that can be seen, numbers in their ranges, and within the bound.
 [[nodiscard]] core::Status checkPreset(const core::settings::FeelPreset& preset);

@@ -119,9 +119,10 @@ core::Result<Placed> place(FeelPreset preset, const std::vector<ReadPreset>& all
     if (preset.version > kNewestPresetVersion)
         return core::unexpected(
             core::ErrorCode::OutOfRange,
-            core::Words{QT_TRANSLATE_NOOP("Fault", "%1 has the last version that there can be, %2; keep this under "
-                                                   "another name"),
-                        {core::noted(preset.name), noted(kNewestPresetVersion)}});
+            core::LocalizableText{QT_TRANSLATE_NOOP("Fault",
+                                                    "%1 has the last version that there can be, %2; keep this under "
+                                                    "another name"),
+                                  {core::noted(preset.name), noted(kNewestPresetVersion)}});
     if (auto sound = checkPreset(preset); !sound)
         return tl::unexpected(sound.error());
     return Placed{hashed(std::move(preset))};

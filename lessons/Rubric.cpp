@@ -17,11 +17,11 @@ constexpr double kRoundingShare = 1.0e-14;
 
 /// Says where, and what is wrong there.
 tl::unexpected<core::Error> wrong(core::ErrorCode code, const Rubric& rubric, const CriterionRule& rule,
-                                  const char* key, core::Words what)
+                                  const char* key, core::LocalizableText what)
 {
     return core::unexpected(
-        code, core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, criterion %2, %3: %4"),
-                          {core::noted(rubric.id), core::noted(rule.id), core::noted(key), std::move(what)}});
+        code, core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "rubric %1, criterion %2, %3: %4"),
+                                    {core::noted(rubric.id), core::noted(rule.id), core::noted(key), std::move(what)}});
 }
 
 core::Status checkNumber(const Rubric& rubric, const CriterionRule& rule, const char* key, double value, double least)
@@ -170,14 +170,15 @@ core::Status check(const Rubric& rubric)
     if (rubric.criteria.empty() || rubric.criteria.size() > kMostCriteria)
         return core::unexpected(
             core::ErrorCode::BadStructure,
-            core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, criteria: there are %2, it takes 1 to %3"),
-                        {core::noted(rubric.id), core::noted(std::to_string(rubric.criteria.size())),
-                         core::noted(std::to_string(kMostCriteria))}});
+            core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "rubric %1, criteria: there are %2, it takes 1 to %3"),
+                                  {core::noted(rubric.id), core::noted(std::to_string(rubric.criteria.size())),
+                                   core::noted(std::to_string(kMostCriteria))}});
     if (rubric.passMarkTenths < 0 || rubric.passMarkTenths > kFullTenths)
-        return core::unexpected(core::ErrorCode::OutOfRange,
-                                core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, pass_mark: must lie between 0 and "
-                                                                       "100 points"),
-                                            {core::noted(rubric.id)}});
+        return core::unexpected(
+            core::ErrorCode::OutOfRange,
+            core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "rubric %1, pass_mark: must lie between 0 and "
+                                                             "100 points"),
+                                  {core::noted(rubric.id)}});
     std::set<std::string> ids;
     int sum = 0;
     for (const CriterionRule& rule : rubric.criteria) {
@@ -190,10 +191,11 @@ core::Status check(const Rubric& rubric)
     }
     if (sum != kFullTenths) {
         const std::string whole = std::to_string(sum / 10) + "." + std::to_string(sum % 10);
-        return core::unexpected(core::ErrorCode::BadStructure,
-                                core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, weight: those of all criteria make "
-                                                                       "%2 points; they must make 100"),
-                                            {core::noted(rubric.id), core::noted(whole)}});
+        return core::unexpected(
+            core::ErrorCode::BadStructure,
+            core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "rubric %1, weight: those of all criteria make "
+                                                             "%2 points; they must make 100"),
+                                  {core::noted(rubric.id), core::noted(whole)}});
     }
     return {};
 }

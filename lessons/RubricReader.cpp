@@ -111,7 +111,7 @@ std::string takeId(JsonKeys& keys)
 
 std::optional<Gathered> gatherRubric(const QJsonValue& value, const QString& file, JsonFiles& files)
 {
-    const auto complain = [&](core::Words what) {
+    const auto complain = [&](core::LocalizableText what) {
         files.say(file, QStringLiteral("rubric"), std::move(what));
         return std::nullopt;
     };
@@ -131,9 +131,10 @@ std::optional<Gathered> gatherRubric(const QJsonValue& value, const QString& fil
     return files.gather(found);
 }
 
-Rubric rubricFrom(const QJsonObject& object, const QString& file, const QString& path, std::vector<Fault>& faults)
+Rubric rubricFrom(const QJsonObject& object, const QString& file, const QString& path,
+                  std::vector<ValidationIssue>& faults)
 {
-    std::vector<Fault> found;
+    std::vector<ValidationIssue> found;
     JsonKeys keys(object, file, path, found);
     Rubric rubric;
     static_cast<void>(keys.has("format"));  // of a file of its own
@@ -159,14 +160,15 @@ Rubric rubricFrom(const QJsonObject& object, const QString& file, const QString&
 core::Result<Rubric> shippedRubric(const QString& id)
 {
     const QString file = shippedFile(id);
-    std::vector<Fault> faults;
+    std::vector<ValidationIssue> faults;
     JsonFiles files(faults);
     if (const auto gathered = files.gather(file)) {
         Rubric rubric = rubricFrom(gathered->whole, file, {}, faults);
         if (!anyGrave(faults))
             return rubric;
     }
-    const auto grave = std::find_if(faults.begin(), faults.end(), [](const Fault& fault) { return fault.grave; });
+    const auto grave =
+        std::find_if(faults.begin(), faults.end(), [](const ValidationIssue& fault) { return fault.grave; });
     return core::unexpected(core::ErrorCode::BadStructure, grave->sentence().toStdString());
 }
 

@@ -27,7 +27,7 @@ namespace lessons {
 /// The rubric that an object says; it can mark nothing where there are grave faults.
 /// @param file, path  where the object stands, for the faults
 [[nodiscard]] Rubric rubricFrom(const QJsonObject& object, const QString& file, const QString& path,
-                                std::vector<Fault>& faults);
+                                std::vector<ValidationIssue>& faults);
 
 /// One of those that we ship, by its id.
 [[nodiscard]] core::Result<Rubric> shippedRubric(const QString& id);

@@ -2937,7 +2937,7 @@
     </message>
 </context>
 <context>
-    <name>app::AdminDesk</name>
+    <name>app::AdminController</name>
     <message>
         <source>%1 was entered.</source>
         <translation>%1 wurde eingetragen.</translation>
@@ -3201,7 +3201,7 @@
     </message>
 </context>
 <context>
-    <name>app::CardDesk</name>
+    <name>app::ReportController</name>
     <message>
         <source>Score card: %1</source>
         <translation>Bewertung: %1</translation>
@@ -3312,7 +3312,7 @@
     </message>
 </context>
 <context>
-    <name>app::PeopleDesk</name>
+    <name>app::AttemptHistoryController</name>
     <message>
         <source>Save the class report</source>
         <translation>Klassenbericht speichern</translation>
@@ -3365,7 +3365,7 @@
     </message>
 </context>
 <context>
-    <name>app::PresetDesk</name>
+    <name>app::PresetController</name>
     <message>
         <source>The next tooth feels like this.</source>
         <translation>Der nächste Zahn fühlt sich so an.</translation>
@@ -6438,7 +6438,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::scoring::TalkPanel</name>
+    <name>ui::scoring::CommentsPanel</name>
     <message>
         <source>%1 points, passed</source>
         <translation>%1 Punkte, bestanden</translation>
@@ -6631,7 +6631,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::people::Words</name>
+    <name>ui::text::PeopleTexts</name>
     <message>
         <source>Free practice</source>
         <translation>Freies Üben</translation>
@@ -7123,7 +7123,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
-    <name>ui::presets::Words</name>
+    <name>ui::text::PresetTexts</name>
     <message>
         <source>Soft caries</source>
         <translation>Weiche Karies</translation>
@@ -8319,7 +8319,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::kit::BusyCard</name>
+    <name>ui::kit::BusyOverlay</name>
     <message>
         <source>Working</source>
         <translation>In Arbeit</translation>
@@ -8585,7 +8585,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::scoring::HistoryChart</name>
+    <name>ui::scoring::RecentScoresChart</name>
     <message>
         <source>Last grades, oldest first: %1</source>
         <translation>Letzte Bewertungen, älteste zuerst: %1</translation>
@@ -9014,7 +9014,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::kit::QuestionCard</name>
+    <name>ui::kit::ConfirmOverlay</name>
     <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
@@ -9471,7 +9471,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::AdviceWords</name>
+    <name>ui::scoring::AdviceWords</name>
     <message>
         <source>You drilled right through the tooth. Check the depth in the section while you go down.</source>
         <translation>Sie haben den Zahn durchbohrt. Prüfen Sie beim Absenken die Tiefe im Schnitt.</translation>
@@ -9934,7 +9934,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::scoring::Forecast</name>
+    <name>ui::scoring::ScorePredictionPage</name>
     <message>
         <source>Before you see the score</source>
         <translation>Bevor Sie die Note sehen</translation>
@@ -11075,7 +11075,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::study::Words</name>
+    <name>ui::kit::FormInputs</name>
     <message>
         <source>%1 stays.</source>
         <translation>%1 bleibt.</translation>

@@ -82,7 +82,7 @@
     </message>
 </context>
 <context>
-    <name>app::AdminDesk</name>
+    <name>app::AdminController</name>
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
         <translation>
@@ -351,7 +351,7 @@
     </message>
 </context>
 <context>
-    <name>ui::scoring::TalkPanel</name>
+    <name>ui::scoring::CommentsPanel</name>
     <message numerus="yes">
         <source>Room for %Ln more character(s)</source>
         <translation>

@@ -2928,7 +2928,7 @@
     </message>
 </context>
 <context>
-    <name>app::AdminDesk</name>
+    <name>app::AdminController</name>
     <message>
         <source>%1 was entered.</source>
         <translation>%1 を登録しました。</translation>
@@ -3188,7 +3188,7 @@
     </message>
 </context>
 <context>
-    <name>app::CardDesk</name>
+    <name>app::ReportController</name>
     <message>
         <source>Score card: %1</source>
         <translation>成績表：%1</translation>
@@ -3299,7 +3299,7 @@
     </message>
 </context>
 <context>
-    <name>app::PeopleDesk</name>
+    <name>app::AttemptHistoryController</name>
     <message>
         <source>Save the class report</source>
         <translation>クラスの報告書を保存</translation>
@@ -3352,7 +3352,7 @@
     </message>
 </context>
 <context>
-    <name>app::PresetDesk</name>
+    <name>app::PresetController</name>
     <message>
         <source>The next tooth feels like this.</source>
         <translation>次の歯からこの感触になります。</translation>
@@ -6397,7 +6397,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::scoring::TalkPanel</name>
+    <name>ui::scoring::CommentsPanel</name>
     <message>
         <source>%1 points, passed</source>
         <translation>%1点、合格</translation>
@@ -6586,7 +6586,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::people::Words</name>
+    <name>ui::text::PeopleTexts</name>
     <message>
         <source>Free practice</source>
         <translation>自由練習</translation>
@@ -7074,7 +7074,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
-    <name>ui::presets::Words</name>
+    <name>ui::text::PresetTexts</name>
     <message>
         <source>Soft caries</source>
         <translation>軟らかいう蝕</translation>
@@ -8268,7 +8268,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::kit::BusyCard</name>
+    <name>ui::kit::BusyOverlay</name>
     <message>
         <source>Working</source>
         <translation>処理中</translation>
@@ -8534,7 +8534,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::scoring::HistoryChart</name>
+    <name>ui::scoring::RecentScoresChart</name>
     <message>
         <source>%1 with another rubric</source>
         <translation>%1（別の評価基準）</translation>
@@ -8961,7 +8961,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::kit::QuestionCard</name>
+    <name>ui::kit::ConfirmOverlay</name>
     <message>
         <source>&amp;Discard</source>
         <translation>破棄(&amp;D)</translation>
@@ -9418,7 +9418,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::AdviceWords</name>
+    <name>ui::scoring::AdviceWords</name>
     <message>
         <source>You drilled right through the tooth. Check the depth in the section while you go down.</source>
         <translation>歯を貫通しました。下げながら断面で深さを確かめてください。</translation>
@@ -9875,7 +9875,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::scoring::Forecast</name>
+    <name>ui::scoring::ScorePredictionPage</name>
     <message>
         <source>How many points do you expect?</source>
         <translation>何点だと思いますか？</translation>
@@ -11006,7 +11006,7 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::study::Words</name>
+    <name>ui::kit::FormInputs</name>
     <message>
         <source>%1 stays.</source>
         <translation>%1 のままです。</translation>

@@ -22,7 +22,7 @@ constexpr qint64 kMostBytes = 64 * 1024;
 /// @param sentence  with %1 for the path
 tl::unexpected<core::Error> calibrationFault(ErrorCode code, const char* sentence, const QString& path)
 {
-    return core::unexpected(code, core::Words{sentence, {core::noted(path.toStdString())}});
+    return core::unexpected(code, core::LocalizableText{sentence, {core::noted(path.toStdString())}});
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ core::Result<CameraModel> readCameraCalibration(const QString& path)
     if (const auto checked = camera.check(); !checked)
         return core::unexpected(
             checked.error().code,
-            core::Words{"%1: %2", {core::noted(path.toStdString()), core::wordsOf(checked.error())}});
+            core::LocalizableText{"%1: %2", {core::noted(path.toStdString()), core::wordsOf(checked.error())}});
     return camera;
 }
 

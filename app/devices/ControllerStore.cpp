@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 
 namespace app {
 namespace {

@@ -8,7 +8,7 @@
 #include "ui/devices/DeviceWords.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/kit/Actions.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/kit/MessageBar.h"
 #include "ui/practice/HandControls.h"
 #include "ui/practice/SidePanel.h"
@@ -122,7 +122,7 @@ void DeviceController::recall()
 void DeviceController::connectPage()
 {
     const DevicesPage* const page = &m_window.devicesPage();
-    connect(page, &DevicesPage::handWanted, this, &DeviceController::want);
+    connect(page, &DevicesPage::handRequested, this, &DeviceController::want);
     connect(page, &DevicesPage::opened, this, [this](bool isOpen) {
         m_isPageOpen = isOpen;
         startWanted();

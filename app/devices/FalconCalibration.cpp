@@ -9,7 +9,7 @@
 #include <QJsonObject>
 
 #include "core/base/WholeFile.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 
 namespace app {
 namespace {

@@ -24,7 +24,7 @@
 #include "ui/kit/Actions.h"
 #include "ui/kit/FileDialog.h"
 #include "ui/kit/MessageBar.h"
-#include "ui/text/FaultWords.h"
+#include "ui/text/ValidationTexts.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
@@ -55,7 +55,7 @@ core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
         return [path = settings.video.toStdString()]() -> core::Result<std::unique_ptr<core::tracking::PictureSource>> {
             return core::unexpected(
                 core::ErrorCode::WrongKind,
-                core::Words{"%1 is no video, or of a kind that cannot be read here.", {core::noted(path)}});
+                core::LocalizableText{"%1 is no video, or of a kind that cannot be read here.", {core::noted(path)}});
         };
     if (!settings.video.isEmpty())
         return [path = settings.video.toStdString()] { return core::tracking::openVideo(path); };

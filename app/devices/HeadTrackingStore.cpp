@@ -2,7 +2,7 @@
 #include "app/devices/HeadTrackingStore.h"
 
 #include "core/tracking/PictureSource.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 
 namespace app {
 namespace {

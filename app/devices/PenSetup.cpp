@@ -4,7 +4,7 @@
 #include "core/settings/PenSettings.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/PenCard.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {

@@ -15,7 +15,7 @@ using namespace core::servo;
 using core::history::TiledHeights;
 using core::recording::MarkedEvent;
 using core::recording::Player;
-using ui::replay::Course;
+using ui::replay::AttemptTimeline;
 using ui::replay::Mark;
 
 /// From a tick on at which something was over, it is seen after so many more: times are told a little roughly.
@@ -88,7 +88,7 @@ private:
 }  // namespace
 
 core::Result<std::unique_ptr<ReplayTrack>> ReplayTrack::make(const core::recording::Recording& recording,
-                                                             UiLinks& links, std::uint64_t generation)
+                                                             UiChannels& links, std::uint64_t generation)
 {
     auto player = Player::make(recording);
     if (!player)
@@ -102,7 +102,7 @@ core::Result<std::unique_ptr<ReplayTrack>> ReplayTrack::make(const core::recordi
     return track;
 }
 
-ReplayTrack::ReplayTrack(std::unique_ptr<Player> player, const Examination& examination, UiLinks& links,
+ReplayTrack::ReplayTrack(std::unique_ptr<Player> player, const Examination& examination, UiChannels& links,
                          std::uint64_t generation)
     : m_player(std::move(player)), m_lengthS(std::chrono::duration<double>(m_player->recording().duration()).count()),
       m_ideal(examination.ideal), m_examiner(examination, m_player->recording().anatomy()), m_links(links),
@@ -144,9 +144,9 @@ double ReplayTrack::readyS() const
     return ready == m_player->ticks() ? m_lengthS : m_player->secondsAt(ready);
 }
 
-Course ReplayTrack::course() const
+AttemptTimeline ReplayTrack::course() const
 {
-    Course course;
+    AttemptTimeline course;
     course.lengthS = m_lengthS;
     course.readyS = readyS();
     const auto strokes = m_player->strokes();
@@ -193,8 +193,8 @@ glm::dvec3 ReplayTrack::burAtMm(double seconds) const
     return m_player->stateAt(m_player->tickAt(seconds)).anchorMm;
 }
 
-/// As core::recording::Rests leaves it out; one that nothing ends lasts to the end.
-void ReplayTrack::takeRest(const MarkedEvent& marked, Course& course) const
+/// As core::recording::IdleIntervals leaves it out; one that nothing ends lasts to the end.
+void ReplayTrack::takeRest(const MarkedEvent& marked, AttemptTimeline& course) const
 {
     const auto& [tick, event] = marked;
     const bool isOpen = !course.rests.empty() && course.rests.back().toS >= m_lengthS;

@@ -12,11 +12,11 @@
 #include "core/history/RemovedTally.h"
 #include "core/recording/Player.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Examiner.h"
-#include "core/session/Links.h"
+#include "core/session/LiveAssessor.h"
+#include "core/session/SessionChannels.h"
 #include "core/session/Sight.h"
 #include "lessons/Lesson.h"
-#include "ui/replay/Course.h"
+#include "ui/replay/AttemptTimeline.h"
 
 namespace app {
 
@@ -28,7 +28,7 @@ public:
     /// @param links       must outlive the track
     /// @param generation  what the view has been told the tooth's number is
     [[nodiscard]] static core::Result<std::unique_ptr<ReplayTrack>>
-    make(const core::recording::Recording& recording, core::session::UiLinks& links, std::uint64_t generation);
+    make(const core::recording::Recording& recording, core::session::UiChannels& links, std::uint64_t generation);
 
     [[nodiscard]] double lengthS() const { return m_lengthS; }
     /// What the lesson asks for that the attempt was made for; null: nothing.
@@ -41,7 +41,7 @@ public:
     /// Up to here it can be shown. Any thread.
     [[nodiscard]] double readyS() const;
     /// Any thread.
-    [[nodiscard]] ui::replay::Course course() const;
+    [[nodiscard]] ui::replay::AttemptTimeline course() const;
 
     /// Returns from where the student looked at a moment. Empty if the recording has no note of it. Any thread.
     [[nodiscard]] std::optional<core::session::Sight> sightAt(double seconds) const;
@@ -59,8 +59,8 @@ public:
 
 private:
     ReplayTrack(std::unique_ptr<core::recording::Player> player, const core::session::Examination& examination,
-                core::session::UiLinks& links, std::uint64_t generation);
-    void takeRest(const core::recording::MarkedEvent& marked, ui::replay::Course& course) const;
+                core::session::UiChannels& links, std::uint64_t generation);
+    void takeRest(const core::recording::MarkedEvent& marked, ui::replay::AttemptTimeline& course) const;
     [[nodiscard]] std::string nameOf(ui::replay::Mark::Kind kind, std::uint64_t value) const;
     [[nodiscard]] std::uint64_t shownTick(double seconds, std::uint64_t ready) const;
     void sendPatches(std::uint64_t tick, bool isSettled);
@@ -73,14 +73,14 @@ private:
     std::optional<lessons::Lesson> m_lesson;
 
     // Of the thread that prepares.
-    core::session::Examiner m_examiner;
+    core::session::LiveAssessor m_examiner;
     std::size_t m_found = 0;
     mutable std::mutex m_mutex;  ///< guards m_infractions and m_points
     std::vector<core::grading::Infraction> m_infractions;
     std::vector<ui::replay::TouchPoint> m_points;
 
     // Of the thread that shows.
-    core::session::UiLinks& m_links;
+    core::session::UiChannels& m_links;
     std::uint64_t m_generation;
     core::history::TiledHeights m_shown;  ///< what the view has been sent
     std::uint64_t m_shownTick = 0;

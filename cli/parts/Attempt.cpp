@@ -89,27 +89,27 @@ QJsonObject toJson(const core::grading::Measured& measured)
 
 namespace {
 
-QString nameOf(core::grading::Breach breach)
+QString nameOf(core::grading::RuleViolation breach)
 {
-    using core::grading::Breach;
+    using core::grading::RuleViolation;
     switch (breach) {
-    case Breach::PulpExposed:
+    case RuleViolation::PulpExposed:
         return QStringLiteral("pulp_exposed");
-    case Breach::Perforated:
+    case RuleViolation::Perforated:
         return QStringLiteral("perforated");
-    case Breach::TooDeep:
+    case RuleViolation::TooDeep:
         return QStringLiteral("too_deep");
-    case Breach::RidgeCut:
+    case RuleViolation::RidgeCut:
         return QStringLiteral("ridge_cut");
-    case Breach::WrongPlace:
+    case RuleViolation::WrongPlace:
         return QStringLiteral("wrong_place");
-    case Breach::TooMuchForce:
+    case RuleViolation::TooMuchForce:
         return QStringLiteral("too_much_force");
-    case Breach::BurInAir:
+    case RuleViolation::BurInAir:
         return QStringLiteral("bur_in_air");
-    case Breach::WrongBur:
+    case RuleViolation::WrongBur:
         return QStringLiteral("wrong_bur");
-    case Breach::NeighbourHit:
+    case RuleViolation::NeighbourHit:
         break;
     }
     return QStringLiteral("neighbour_hit");
@@ -143,7 +143,7 @@ QString toText(const std::vector<core::grading::Infraction>& infractions)
     return text;
 }
 
-QJsonObject toJson(const lessons::Moments& moments)
+QJsonObject toJson(const lessons::PointLossTimeline& moments)
 {
     QJsonObject object;
     for (std::size_t k = 0; k < moments.ofCriteria.size(); ++k) {
@@ -159,7 +159,7 @@ QJsonObject toJson(const lessons::Moments& moments)
     return object;
 }
 
-QString toText(const lessons::Moments& moments)
+QString toText(const lessons::PointLossTimeline& moments)
 {
     QString text;
     for (std::size_t k = 0; k < moments.ofCriteria.size(); ++k)

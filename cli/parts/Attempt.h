@@ -7,10 +7,10 @@
 
 #include "core/base/Result.h"
 #include "core/grading/MeasureTable.h"
-#include "core/grading/Referee.h"
+#include "core/grading/RuleChecker.h"
 #include "core/servo/ServoTick.h"
 #include "haptics/simulated/TickTimes.h"
-#include "lessons/Moments.h"
+#include "lessons/PointLossTimeline.h"
 #include "lessons/ScoreSheet.h"
 
 /// What the commands that make or replay an attempt share: the hardness option, and its figures as JSON.
@@ -38,8 +38,8 @@ namespace cli {
 /// The score as a person reads it, one line a criterion.
 [[nodiscard]] QString toText(const lessons::ScoreSheet& sheet);
 /// When the points of each criterion were lost: as JSON by the criterion's id, or one line each.
-[[nodiscard]] QJsonObject toJson(const lessons::Moments& moments);
-[[nodiscard]] QString toText(const lessons::Moments& moments);
+[[nodiscard]] QJsonObject toJson(const lessons::PointLossTimeline& moments);
+[[nodiscard]] QString toText(const lessons::PointLossTimeline& moments);
 /// One line each; empty for none.
 [[nodiscard]] QString toText(const std::vector<core::grading::Infraction>& infractions);
 

@@ -160,7 +160,8 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     if (!open.database->notice().empty())
         warn({open.database->notice()});
     const QSqlDatabase db = open.database->handle();
-    open.school = std::make_unique<database::sql::School>(database::sql::School{db, *key, database::sql::clockOf(db)});
+    open.school = std::make_unique<database::sql::DatabaseContext>(
+        database::sql::DatabaseContext{db, *key, database::sql::clockOf(db)});
     return open;
 }
 
@@ -178,7 +179,7 @@ std::optional<int> refuseNobody(const QCommandLineParser& parser)
     return wrongUsage(QStringLiteral("that needs a login; say who does it with --as NAME (the password is asked for)"));
 }
 
-core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school)
+core::Result<database::Login> logIn(const QCommandLineParser& parser, const OpenSchool& school)
 {
     const std::string name = parser.value(QStringLiteral("as")).toStdString();
     const auto password = askSecret("Password: ");

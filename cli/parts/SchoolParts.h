@@ -9,7 +9,7 @@
 
 #include "core/base/Result.h"
 #include "database/sql/Database.h"
-#include "database/sql/School.h"
+#include "database/sql/DatabaseContext.h"
 
 /// What the commands about a school's data share.
 namespace cli {
@@ -18,7 +18,7 @@ namespace cli {
 struct OpenSchool
 {
     std::unique_ptr<database::sql::Database> database;
-    std::unique_ptr<database::sql::School> school;
+    std::unique_ptr<database::sql::DatabaseContext> school;
     bool hasStationKey = true;  ///< else one that is forgotten
 };
 
@@ -47,7 +47,7 @@ void makeDataFolder(const database::Address& address);
 void addPersonOption(QCommandLineParser& parser);
 /// Says that somebody has to be named, and gives the exit code, where nobody is.
 [[nodiscard]] std::optional<int> refuseNobody(const QCommandLineParser& parser);
-[[nodiscard]] core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school);
+[[nodiscard]] core::Result<database::Login> logIn(const QCommandLineParser& parser, const OpenSchool& school);
 
 /// Asks on the terminal without showing what is typed; without a terminal, the next line of standard input. FileEmpty:
 /// that ends before there is one, as by Ctrl+D.

@@ -52,20 +52,20 @@ template <class Design>
 {
     for (const NumberField<Design>& field : fields) {
         const double value = design.*field.value;
-        std::vector<Words> values{{field.name}, noted(field.id), noted(plainNumber(value))};
+        std::vector<LocalizableText> values{{field.name}, noted(field.id), noted(plainNumber(value))};
         if (!std::isfinite(value))
-            return unexpected(ErrorCode::BadNumber, Words{"the %1 (%2) is not a number", std::move(values)});
+            return unexpected(ErrorCode::BadNumber, LocalizableText{"the %1 (%2) is not a number", std::move(values)});
         if (value < field.minimum || value > field.maximum) {
             values.insert(values.end(),
                           {noted(plainNumber(field.minimum)), noted(plainNumber(field.maximum)), {field.unit}});
             return unexpected(ErrorCode::OutOfRange,
-                              Words{*field.unit == '\0' ? "the %1 (%2) must be from %4 to %5, not %3"
-                                                        : "the %1 (%2) must be from %4 to %5 %6, not %3",
-                                    std::move(values)});
+                              LocalizableText{*field.unit == '\0' ? "the %1 (%2) must be from %4 to %5, not %3"
+                                                                  : "the %1 (%2) must be from %4 to %5 %6, not %3",
+                                              std::move(values)});
         }
         if (field.whole && value != std::floor(value))
             return unexpected(ErrorCode::OutOfRange,
-                              Words{"the %1 (%2) must be a whole number, not %3", std::move(values)});
+                              LocalizableText{"the %1 (%2) must be a whole number, not %3", std::move(values)});
     }
     return {};
 }
@@ -84,7 +84,7 @@ template <class Design>
         known += (known.empty() ? "" : ", ") + std::string(field.id);
     }
     return unexpected(ErrorCode::UnknownName,
-                      Words{"there is no size \"%1\"; there are %2", {noted(std::string(id)), noted(known)}});
+                      LocalizableText{"there is no size \"%1\"; there are %2", {noted(std::string(id)), noted(known)}});
 }
 
 }  // namespace core

@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "core/base/Words.h"
+#include "core/base/LocalizableText.h"
 
 namespace core {
 
@@ -45,8 +45,8 @@ enum class ErrorCode {
 struct Error
 {
     ErrorCode code = ErrorCode::WrongKind;
-    std::string detail;  ///< one English sentence: what, where, what to do; for the log and the command line
-    Words words{};       ///< the same for a window, where it can say it in its language; else empty
+    std::string detail;       ///< one English sentence: what, where, what to do; for the log and the command line
+    LocalizableText words{};  ///< the same for a window, where it can say it in its language; else empty
 };
 
 /// Expected failure as a value (style guide, section 6). C++23's std::expected has the same member names.
@@ -59,16 +59,16 @@ using Status = Result<void>;
     return tl::unexpected<Error>(Error{code, std::move(detail)});
 }
 
-[[nodiscard]] inline tl::unexpected<Error> unexpected(ErrorCode code, Words words)
+[[nodiscard]] inline tl::unexpected<Error> unexpected(ErrorCode code, LocalizableText words)
 {
     std::string detail = inEnglish(words);
     return tl::unexpected<Error>(Error{code, std::move(detail), std::move(words)});
 }
 
 /// What is said of an error. A window puts a word of its own round what it can say in English only: "%1".
-[[nodiscard]] inline Words wordsOf(const Error& error)
+[[nodiscard]] inline LocalizableText wordsOf(const Error& error)
 {
-    return error.words.english.empty() ? Words{"%1", {noted(error.detail)}} : error.words;
+    return error.words.english.empty() ? LocalizableText{"%1", {noted(error.detail)}} : error.words;
 }
 
 }  // namespace core

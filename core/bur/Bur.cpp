@@ -100,8 +100,8 @@ Result<std::size_t> findBur(std::string_view id)
     std::string known;
     for (const Bur& bur : all)
         known += (known.empty() ? "" : ", ") + bur.id;
-    return unexpected(ErrorCode::UnknownName, Words{"There is no bur '%1'; choose one of %2.",
-                                                    {noted(std::string(id)), noted(std::move(known))}});
+    return unexpected(ErrorCode::UnknownName, LocalizableText{"There is no bur '%1'; choose one of %2.",
+                                                              {noted(std::string(id)), noted(std::move(known))}});
 }
 
 bool isOwnBur(std::size_t index)

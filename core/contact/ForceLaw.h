@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/Result.h"
-#include "core/contact/PaceMeter.h"
+#include "core/contact/VelocityEstimator.h"
 
 namespace core::contact {
 
@@ -94,9 +94,9 @@ private:
     /// nor velocity noise (Harwin & Melder 2002). The anchor itself stays where the geometry puts it.
     glm::dvec3 m_stuck{0.0};
     glm::dvec3 m_device{0.0};
-    PaceMeter m_stretching;
-    PaceMeter m_moving;          ///< of the device
-    PaceMeter m_length;          ///< of the spring from the hand to the held end, as x
+    VelocityEstimator m_stretching;
+    VelocityEstimator m_moving;  ///< of the device
+    VelocityEstimator m_length;  ///< of the spring from the hand to the held end, as x
     glm::dvec3 m_pace{0.0};      ///< handsPace() of the last tick
     double m_lengthening = 0.0;  ///< of the spring by the hand in the last tick, mm/s
     glm::dvec3 m_acrossN{0.0};   ///< what the damper gives across the spring

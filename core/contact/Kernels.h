@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/contact/Head.h"
+#include "core/contact/BurHead.h"
 #include "core/terrain/Tooth.h"
 
 /// The innermost loops of contact and cutting: maxima, minima and sums over a bur's footprint. One source, compiled for
@@ -133,18 +133,18 @@ struct Kernels
     Peaks (*lowestAtPoint)(const HeightView& bottom, const bur::BurMask& mask, double cellMm, double u, double v,
                            const Search& wanted) noexcept;
     /// The room around the height `tipMm`: LiveTooth::roomAt().
-    Room (*roomAt)(const HeightView& top, const HeightView& bottom, const Head& head, float tipMm,
+    Room (*roomAt)(const HeightView& top, const HeightView& bottom, const BurHead& head, float tipMm,
                    const Room& enough) noexcept;
     /// Copies out the columns that stand up into a head, row by row; some are copied in vain.
     /// @return how many groups of columns; room.size() + 1 if there is not enough room
-    std::size_t (*columnsUnder)(const ToothView& tooth, const Head& head, const Reach& reach,
+    std::size_t (*columnsUnder)(const ToothView& tooth, const BurHead& head, const Reach& reach,
                                 std::span<Columns> room) noexcept;
     /// Time that it takes to remove what is in a head's way.
-    double (*secondsToRemove)(std::span<const Columns> columns, const Head& head, const Descent& descent,
+    double (*secondsToRemove)(std::span<const Columns> columns, const BurHead& head, const Descent& descent,
                               const RemovalTimes& secondsPerMm3) noexcept;
     /// Lowers the copies of the columns in a head's way by a share of it, empties those that are lowered to their
     /// bottom, and adds what that takes away, mm3.
-    void (*remove)(std::span<Columns> columns, const Head& head, const Descent& descent, float share,
+    void (*remove)(std::span<Columns> columns, const BurHead& head, const Descent& descent, float share,
                    terrain::PerMaterial& removedMm3) noexcept;
 };
 

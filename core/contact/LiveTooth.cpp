@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/bur/Reach.h"
-#include "core/contact/Head.h"
+#include "core/contact/BurHead.h"
 #include "core/contact/Lengths.h"
 
 namespace core::contact {
@@ -190,7 +190,7 @@ Peak LiveTooth::lastPeakAt(glm::dvec2 lattice) const noexcept
 {
     if (m_peak.i < 0)
         return {};
-    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    const BurHead head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
     const float top = m_tooth.top[grid().index(m_peak.i, m_peak.j)];
     return {valueOver<Side::Above>(top, m_peak.i, dy2Of(m_peak.j, head), head), m_peak.i, m_peak.j};
 }
@@ -334,7 +334,7 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     Search wanted{-bur::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
-    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    const BurHead head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
     // What hung lowest a tick ago mostly does still, and what stops the bur from above mostly reaches down beside it.
     for (const Peak& last : {m_lowest, m_peak}) {
         if (last.i < 0)

@@ -11,10 +11,10 @@
 #include <glm/vec3.hpp>
 
 #include "core/bur/BurMask.h"
-#include "core/contact/Head.h"
+#include "core/contact/BurHead.h"
 #include "core/contact/Kernels.h"
 #include "core/contact/Touch.h"
-#include "core/contact/UprightSides.h"
+#include "core/contact/VerticalWalls.h"
 #include "core/terrain/Tooth.h"
 
 namespace core::contact {
@@ -143,7 +143,7 @@ private:
     [[nodiscard]] bool bendsAround(int i, int j) const noexcept;
 
     terrain::Tooth m_tooth;
-    UprightSides m_sides;
+    VerticalWalls m_sides;
     std::vector<bur::BurMask> m_masks;
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;

@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/contact/PaceMeter.h"
+#include "core/contact/VelocityEstimator.h"
 
 namespace core::contact {
 
@@ -43,7 +43,7 @@ private:
     void walk(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double seconds) noexcept;
     void watchPush(const glm::dvec3& lead, double seconds) noexcept;
 
-    PaceMeter m_pace;
+    VelocityEstimator m_pace;
     glm::dvec3 m_anchor{0.0};
     glm::dvec3 m_aim{0.0};      ///< of the tick before
     glm::dvec3 m_gaining{0.0};  ///< the anchor's pace against the hand's, mm/s

@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/contact/PaceMeter.h"
+#include "core/contact/VelocityEstimator.h"
 
 namespace core::contact {
 
@@ -42,7 +42,7 @@ private:
     void walk(const glm::dvec3& device, double seconds) noexcept;
 
     double m_radiusMm;
-    PaceMeter m_pace;
+    VelocityEstimator m_pace;
     glm::dvec3 m_anchor{0.0};
     glm::dvec3 m_gaining{0.0};  ///< its pace against the hand's, mm/s
     glm::dvec3 m_forceN{0.0};

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/contact/Head.h"
+#include "core/contact/BurHead.h"
 
 namespace core::cutting {
 namespace {
@@ -39,7 +39,7 @@ struct Advance
     double beginZ;
     std::span<contact::Columns> columns;
 
-    [[nodiscard]] contact::Head headAt(const glm::dvec3& tip) const noexcept
+    [[nodiscard]] contact::BurHead headAt(const glm::dvec3& tip) const noexcept
     {
         const glm::dvec2 at = tooth.grid().latticeOf({tip.x, tip.y});
         return contact::headAt(tooth.mask(), tooth.grid().cellMm, at.x, at.y);

@@ -256,8 +256,9 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
             floors.push_back(static_cast<double>(anatomy.layers[k].pulpFloor));
         }
     if (chamber.size() < 8)
-        return unexpected(ErrorCode::BadStructure,
-                          Words{"tooth %1 has no pulp chamber that could be opened from above", {noted(anatomy.name)}});
+        return unexpected(
+            ErrorCode::BadStructure,
+            LocalizableText{"tooth %1 has no pulp chamber that could be opened from above", {noted(anatomy.name)}});
     // Half of a molar's chamber has its floor in common, whatever canals leave it, and so has a chamber seen from the
     // side, where the floor is its labial wall. From its edge an incisor's chamber has none: it is opened towards where
     // its horns have joined.

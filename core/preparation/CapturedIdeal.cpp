@@ -173,7 +173,7 @@ std::optional<CapturedIdeal> idealFrom(std::string_view payload)
 tl::unexpected<Error> damaged()
 {
     return unexpected(ErrorCode::BadStructure,
-                      Words{"The captured ideal is damaged. Use a copy of the file, or capture it again."});
+                      LocalizableText{"The captured ideal is damaged. Use a copy of the file, or capture it again."});
 }
 
 template <class T>
@@ -224,7 +224,7 @@ Result<grading::Preparation> preparationOf(const CapturedIdeal& ideal, const ter
     if (ideal.surface != surfaceHash(anatomy) || !(ideal.grid == anatomy.grid)) {
         return unexpected(
             ErrorCode::BadStructure,
-            Words{
+            LocalizableText{
                 "The ideal was captured on the tooth '%1' (seed %2, grid %3) and does not fit '%4' (seed %5, grid %6); "
                 "name that tooth, seed and grid, or capture it on this one.",
                 {noted(ideal.tooth), noted(std::to_string(ideal.seed)), noted(std::to_string(ideal.grid.side)),
@@ -253,28 +253,30 @@ std::string toBytes(const CapturedIdeal& ideal)
 Result<CapturedIdeal> capturedFrom(std::string_view bytes)
 {
     if (bytes.empty())
-        return unexpected(ErrorCode::FileEmpty, Words{"The captured ideal is empty; choose another file."});
+        return unexpected(ErrorCode::FileEmpty, LocalizableText{"The captured ideal is empty; choose another file."});
     ByteReader in(bytes);
     const std::string_view magic = bytes.substr(0, kMagic.size());
     if (magic != kMagic.substr(0, magic.size()))
         return unexpected(
             ErrorCode::WrongKind,
-            Words{"This is not a captured ideal; choose a file that Cusp has saved as one (*.cuspideal)."});
+            LocalizableText{"This is not a captured ideal; choose a file that Cusp has saved as one (*.cuspideal)."});
     static_cast<void>(in.takeBytes(kMagic.size()));
     const auto version = in.take<std::uint32_t>();
     if (in.ok() && version > kCapturedVersion)
-        return unexpected(ErrorCode::NewerVersion,
-                          Words{"The captured ideal is of version %1, this Cusp reads up to version %2; open it with a "
-                                "newer Cusp.",
-                                {noted(std::to_string(version)), noted(std::to_string(kCapturedVersion))}});
+        return unexpected(
+            ErrorCode::NewerVersion,
+            LocalizableText{"The captured ideal is of version %1, this Cusp reads up to version %2; open it with a "
+                            "newer Cusp.",
+                            {noted(std::to_string(version)), noted(std::to_string(kCapturedVersion))}});
     if (in.ok() && version == 0)
         return damaged();
     const auto size = in.take<std::uint64_t>();
     const auto checksum = in.take<std::uint64_t>();
     if (!in.ok() || size > in.left())
-        return unexpected(ErrorCode::FileTruncated,
-                          Words{"The captured ideal ends early: it was cut off while being written or copied. Use a "
-                                "whole copy."});
+        return unexpected(
+            ErrorCode::FileTruncated,
+            LocalizableText{"The captured ideal ends early: it was cut off while being written or copied. Use a "
+                            "whole copy."});
     const std::string_view packed = in.takeBytes(static_cast<std::size_t>(size));
     if (in.left() != 0 || fnv1a(packed) != checksum)
         return damaged();

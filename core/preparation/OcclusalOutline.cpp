@@ -352,9 +352,9 @@ private:
 
     [[nodiscard]] static tl::unexpected<Error> noRoom(const char* where, const char* figures)
     {
-        return unexpected(
-            ErrorCode::OutOfRange,
-            Words{"there is no room for the %1 on this tooth; make one of these less: %2", {{where}, {figures}}});
+        return unexpected(ErrorCode::OutOfRange,
+                          LocalizableText{"there is no room for the %1 on this tooth; make one of these less: %2",
+                                          {{where}, {figures}}});
     }
 
     [[nodiscard]] static std::size_t nearestTo(const Line& line, double u)

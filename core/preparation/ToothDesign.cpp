@@ -114,8 +114,8 @@ Result<Kind> findKind(std::string_view id)
     std::string known;
     for (const std::string_view kind : kKinds)
         known.append(known.empty() ? "" : ", ").append(kind);
-    return unexpected(ErrorCode::UnknownName, Words{"there is no preparation '%1'; choose one of %2",
-                                                    {noted(std::string(id)), noted(std::move(known))}});
+    return unexpected(ErrorCode::UnknownName, LocalizableText{"there is no preparation '%1'; choose one of %2",
+                                                              {noted(std::string(id)), noted(std::move(known))}});
 }
 
 std::vector<NumberField<ToothDesign>> fieldsOf(Kind kind)
@@ -134,9 +134,10 @@ Result<ToothDesign> usualDesign(Kind kind, int fdi)
         std::string known;
         for (const int tooth : teeth)
             known.append(known.empty() ? "" : ", ").append(std::to_string(tooth));
-        return unexpected(ErrorCode::UnknownName, Words{"the preparation '%1' is not made for tooth %2; it is for %3",
-                                                        {noted(std::string(kindId(kind))), noted(std::to_string(fdi)),
-                                                         noted(std::move(known))}});
+        return unexpected(
+            ErrorCode::UnknownName,
+            LocalizableText{"the preparation '%1' is not made for tooth %2; it is for %3",
+                            {noted(std::string(kindId(kind))), noted(std::to_string(fdi)), noted(std::move(known))}});
     }
     ToothDesign design;
     if (fdi % 10 >= 6) {
@@ -157,13 +158,14 @@ Status validate(Kind kind, const ToothDesign& design)
     if (Status numbers = validateNumbers(std::span<const NumberField<ToothDesign>>(fields), design); !numbers)
         return numbers;
     if (design.lineAngleMm > design.burRadiusMm)
-        return unexpected(ErrorCode::OutOfRange,
-                          Words{"the radius between floor and wall (line_angle_mm) is more than the radius of the "
-                                "bur (bur_radius_mm): no bur leaves that"});
+        return unexpected(
+            ErrorCode::OutOfRange,
+            LocalizableText{"the radius between floor and wall (line_angle_mm) is more than the radius of the "
+                            "bur (bur_radius_mm): no bur leaves that"});
     if (hasOcclusalPart(kind) && design.isthmusMm < 2.0 * design.burRadiusMm)
         return unexpected(ErrorCode::OutOfRange,
-                          Words{"the width of the isthmus (isthmus_mm) is less than the bur is wide (twice "
-                                "bur_radius_mm)"});
+                          LocalizableText{"the width of the isthmus (isthmus_mm) is less than the bur is wide (twice "
+                                          "bur_radius_mm)"});
     return {};
 }
 

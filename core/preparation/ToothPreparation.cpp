@@ -151,7 +151,7 @@ Status checkPulp(Kind kind, const grading::Preparation& ideal, const terrain::To
     for (std::size_t k = 0; k < ideal.parts.size(); ++k)
         if (ideal.parts[k] != Part::Keep && terrain::hasPulp(anatomy, k) &&
             (*ideal.top)[k] <= anatomy.layers[k].pulpRoof)
-            return unexpected(ErrorCode::OutOfRange, Words{opensPulp(kind)});
+            return unexpected(ErrorCode::OutOfRange, LocalizableText{opensPulp(kind)});
     return {};
 }
 
@@ -205,14 +205,16 @@ Result<grading::Preparation> makeOcclusal(Kind kind, const ToothDesign& design, 
 Result<ToothDesign> checkTooth(Kind kind, const terrain::ToothAnatomy& anatomy)
 {
     if (!teeth::isGenerated(anatomy))
-        return unexpected(ErrorCode::UnknownName,
-                          Words{"nobody knows where the fissures of '%1' run or which side is mesial; choose a tooth "
-                                "by its FDI number, or take an ideal from attempts at this one",
-                                {noted(anatomy.name)}});
+        return unexpected(
+            ErrorCode::UnknownName,
+            LocalizableText{"nobody knows where the fissures of '%1' run or which side is mesial; choose a tooth "
+                            "by its FDI number, or take an ideal from attempts at this one",
+                            {noted(anatomy.name)}});
     if (!anatomy.lying.isUpright() && !(kind == Kind::Access && opensFromLingual(anatomy.lying, anatomy.fdi)))
-        return unexpected(ErrorCode::OutOfRange,
-                          Words{"this preparation is made for a tooth that stands upright; leave out \"lies\", or take "
-                                "an ideal from attempts at this tooth"});
+        return unexpected(
+            ErrorCode::OutOfRange,
+            LocalizableText{"this preparation is made for a tooth that stands upright; leave out \"lies\", or take "
+                            "an ideal from attempts at this tooth"});
     return usualDesign(kind, anatomy.fdi);
 }
 

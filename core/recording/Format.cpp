@@ -9,7 +9,7 @@
 #include <zstd.h>
 
 #include "core/base/Bytes.h"
-#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoParameters.h"
 
 namespace core::recording {
 namespace {
@@ -51,7 +51,7 @@ std::uint32_t versionWith(const ServoEvent& event)
     case ServoEvent::Kind::Speed:
         return kWithSpeeds;
     case ServoEvent::Kind::Number:
-        return servo::isOfFirstNumbers(event.value) ? kWithNumbers : kWithEndsAndFullLoad;
+        return servo::isOfFirstParameters(event.value) ? kWithNumbers : kWithEndsAndFullLoad;
     default:
         return kOldestVersion;
     }
@@ -304,7 +304,7 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
             return std::nullopt;
         if (event.kind == ServoEvent::Kind::Speed && (event.value < 1 || event.value > 100))
             return std::nullopt;
-        if (event.kind == ServoEvent::Kind::Number && !servo::unpackNumber(event.value))
+        if (event.kind == ServoEvent::Kind::Number && !servo::unpackParameter(event.value))
             return std::nullopt;
         if (event.kind == ServoEvent::Kind::Aids && event.value > servo::kAllAids)
             return std::nullopt;

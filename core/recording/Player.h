@@ -11,7 +11,7 @@
 
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
-#include "core/servo/StrokeWatch.h"
+#include "core/servo/StrokeDetector.h"
 
 namespace core::recording {
 
@@ -125,7 +125,7 @@ private:
 
     // Of the thread that advances.
     Replayer m_servo;
-    servo::StrokeWatch m_watch;
+    servo::StrokeDetector m_watch;
     std::vector<float> m_shown;  ///< the top map as of the newest patch
     cutting::CutRect m_changed;  ///< since then
     std::chrono::microseconds m_time{0};

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/Result.h"
-#include "core/servo/ServoLinks.h"
+#include "core/servo/ServoChannels.h"
 #include "core/servo/ServoTick.h"
 
 namespace core::recording {

@@ -2,7 +2,7 @@
 #include "core/recording/Replay.h"
 
 #include "core/recording/Format.h"
-#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoParameters.h"
 
 namespace core::recording {
 
@@ -59,7 +59,7 @@ bool Replayer::play(const ServoEvent& event)
         m_servo->setHandpiece(static_cast<std::size_t>(event.value));
         break;
     case ServoEvent::Kind::Number:
-        if (const auto number = servo::unpackNumber(event.value))
+        if (const auto number = servo::unpackParameter(event.value))
             m_servo->setNumber(*number);
         break;
     case ServoEvent::Kind::Home:

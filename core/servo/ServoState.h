@@ -111,7 +111,7 @@ enum Aid : std::uint8_t {
 /// The note that the work was graded at this moment: "GRADED".
 inline constexpr std::uint64_t kGradedNote = 0x475241444544ULL << 16U;
 /// The notes that the student has turned from the work ("RESTED"), and is back at it ("WORKED"): what is between them
-/// is no time of the attempt (Examiner).
+/// is no time of the attempt (LiveAssessor).
 inline constexpr std::uint64_t kRestNote = 0x524553544544ULL << 16U;
 inline constexpr std::uint64_t kWorkNote = 0x574F524B4544ULL << 16U;
 /// Commands to the servo. The session passes them on.
@@ -128,9 +128,9 @@ struct SetHandpiece
 {
     std::uint8_t index = 0;  ///< into the attempt's handpieces (ServoSettings)
 };
-/// One of the numbers of the servo's settings (ServoNumbers.h) is this from now on, until a tooth is taken anew. Goes
-/// on the recording.
-struct SetNumber
+/// One of the numbers of the servo's settings (ServoParameters.h) is this from now on, until a tooth is taken anew.
+/// Goes on the recording.
+struct SetParameter
 {
     std::uint8_t index = 0;
     float value = 0.0F;

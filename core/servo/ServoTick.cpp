@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/cutting/BreakOff.h"
-#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoParameters.h"
 
 namespace core::servo {
 namespace {
@@ -137,7 +137,7 @@ void ServoTick::setHandpiece(std::size_t index) noexcept
     m_drill.setHandpiece(m_settings.handpieces[index]);
 }
 
-void ServoTick::setNumber(const SetNumber& number) noexcept
+void ServoTick::setNumber(const SetParameter& number) noexcept
 {
     setServoNumber(m_settings, number);
     takeNumbers();

@@ -55,8 +55,8 @@ public:
     /// The spring from now on as per cent of the settings: what a loop with more delay still holds.
     void setSpring(std::uint64_t percent) noexcept { m_force.setShare(0.01 * static_cast<double>(percent)); }
 
-    /// One of the settings' numbers (ServoNumbers.h) from now on; nothing where it may not be that.
-    void setNumber(const SetNumber& number) noexcept;
+    /// One of the settings' numbers (ServoParameters.h) from now on; nothing where it may not be that.
+    void setNumber(const SetParameter& number) noexcept;
 
     /// Leads the hand home over the tooth, if the device has a work area (contact::WorkArea).
     void bringHome() noexcept { m_workArea.bringHome(); }

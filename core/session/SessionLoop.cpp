@@ -2,7 +2,7 @@
 #include "core/session/SessionLoop.h"
 #include "core/history/MomentId.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ void discard(const SessionCommand& command)
 
 }  // namespace
 
-SessionLoop::SessionLoop(servo::ServoLinks& servo, UiLinks& ui, servo::ServoSettings settings,
+SessionLoop::SessionLoop(servo::ServoChannels& servo, UiChannels& ui, servo::ServoSettings settings,
                          const SessionMemory& memory)
     : m_servo(servo), m_ui(ui), m_settings(std::move(settings)), m_records(memory.recording),
       m_undoBytes(memory.undoBytes)
@@ -205,14 +205,14 @@ void SessionLoop::apply(const ReplaceTooth& replace)
 
 void SessionLoop::apply(const ResumeAttempt& resume)
 {
-    const std::unique_ptr<Unfinished> attempt(resume.attempt);
+    const std::unique_ptr<ResumableAttempt> attempt(resume.attempt);
     std::unique_ptr<servo::ServoTick> servo = std::move(attempt->servo);
     m_settings = attempt->recording.settings();
     take(std::move(*attempt), resume.generation, true, std::move(servo));
 }
 
 /// Begins with an attempt, or goes on with it.
-void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resumed,
+void SessionLoop::take(ResumableAttempt attempt, std::uint64_t generation, bool resumed,
                        std::unique_ptr<servo::ServoTick> servo)
 {
     const std::uint64_t tick = attempt.recording.ticks();
@@ -281,7 +281,7 @@ void SessionLoop::apply(const servo::SetHandpiece& handpiece)
     static_cast<void>(m_servo.commands.tryPush(handpiece));
 }
 
-void SessionLoop::apply(const servo::SetNumber& number)
+void SessionLoop::apply(const servo::SetParameter& number)
 {
     static_cast<void>(m_servo.commands.tryPush(number));
 }

@@ -10,10 +10,10 @@
 
 #include "core/history/MomentId.h"
 #include "core/rt/Loop.h"
-#include "core/servo/ServoLinks.h"
+#include "core/servo/ServoChannels.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
-#include "core/session/Unfinished.h"
+#include "core/session/ResumableAttempt.h"
+#include "core/session/SessionChannels.h"
 
 namespace core::session {
 
@@ -39,7 +39,8 @@ class SessionLoop final : public rt::Loop
 public:
     /// @param servo, ui  must outlive the loop
     /// @param settings   of the servo, until a command brings another
-    SessionLoop(servo::ServoLinks& servo, UiLinks& ui, servo::ServoSettings settings, const SessionMemory& memory = {});
+    SessionLoop(servo::ServoChannels& servo, UiChannels& ui, servo::ServoSettings settings,
+                const SessionMemory& memory = {});
     ~SessionLoop() override;
 
     void tick(std::chrono::microseconds dt) override;
@@ -85,13 +86,14 @@ private:
     void apply(const SetAids& aids);
     void apply(const AddNote& note);
     void note(const servo::ServoEvent& event);
-    void take(Unfinished attempt, std::uint64_t generation, bool resumed, std::unique_ptr<servo::ServoTick> servo);
+    void take(ResumableAttempt attempt, std::uint64_t generation, bool resumed,
+              std::unique_ptr<servo::ServoTick> servo);
     void apply(const servo::SetBur& bur);
     void apply(const servo::SetDrill& drill);
     void apply(const servo::SetHandpiece& handpiece);
     void apply(const servo::SetFixture& fixture);
     void apply(const servo::BringHome& home);
-    void apply(const servo::SetNumber& number);
+    void apply(const servo::SetParameter& number);
     void apply(const GoTo& where);
     void step(const std::function<bool()>& go);
     void rememberUnfinished();
@@ -99,8 +101,8 @@ private:
     void forward();
     void publish();
 
-    servo::ServoLinks& m_servo;
-    UiLinks& m_ui;
+    servo::ServoChannels& m_servo;
+    UiChannels& m_ui;
     servo::ServoSettings m_settings;
     bool m_records;
     std::size_t m_undoBytes;

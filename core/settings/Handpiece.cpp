@@ -26,8 +26,8 @@ Result<Handpiece> findHandpiece(std::string_view name)
             return handpiece;
         known += (known.empty() ? "" : ", ") + handpiece.name;
     }
-    return unexpected(ErrorCode::UnknownName, Words{"There is no handpiece '%1'; choose one of %2.",
-                                                    {noted(std::string(name)), noted(std::move(known))}});
+    return unexpected(ErrorCode::UnknownName, LocalizableText{"There is no handpiece '%1'; choose one of %2.",
+                                                              {noted(std::string(name)), noted(std::move(known))}});
 }
 
 Status check(const Handpiece& handpiece)

@@ -17,8 +17,8 @@ Result<HardnessPreset> findHardnessPreset(std::string_view name)
         return plastic;
     }
     return unexpected(ErrorCode::UnknownName,
-                      Words{"There is no hardness preset '%1'; choose natural or typodont, or name a file.",
-                            {noted(std::string(name))}});
+                      LocalizableText{"There is no hardness preset '%1'; choose natural or typodont, or name a file.",
+                                      {noted(std::string(name))}});
 }
 
 namespace {

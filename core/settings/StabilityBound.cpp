@@ -41,8 +41,8 @@ Status checkStability(const FeelPreset& preset, const LoopFigures& loop, double 
         return sound;
     if (preset.clampN > loop.forceLimitN)
         return unexpected(ErrorCode::OutOfRange,
-                          Words{"the force limit is %1 N, and the device gives at most %2 N; lower it",
-                                {noted(plainNumber(preset.clampN)), noted(plainNumber(loop.forceLimitN))}});
+                          LocalizableText{"the force limit is %1 N, and the device gives at most %2 N; lower it",
+                                          {noted(plainNumber(preset.clampN)), noted(plainNumber(loop.forceLimitN))}});
     const StabilityBound bound = stabilityBound(preset, loop, periodS);
     if (preset.stiffnessNPerMm <= bound.stiffnessNPerMm)
         return {};
@@ -56,9 +56,9 @@ Status checkStability(const FeelPreset& preset, const LoopFigures& loop, double 
         why = "the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm before it buzzes; "
               "lower the stiffness";
     return unexpected(ErrorCode::OutOfRange,
-                      Words{why,
-                            {noted(plainNumber(preset.stiffnessNPerMm)), noted(plainNumber(1000.0 * loop.delayS)),
-                             noted(told(bound.stiffnessNPerMm))}});
+                      LocalizableText{why,
+                                      {noted(plainNumber(preset.stiffnessNPerMm)),
+                                       noted(plainNumber(1000.0 * loop.delayS)), noted(told(bound.stiffnessNPerMm))}});
 }
 
 }  // namespace core::settings

@@ -34,12 +34,12 @@ constexpr double kPadSoftMm = 2.0;      ///< a pad's material goes so deep
 constexpr double kBetweenPitsMm = 0.5;  ///< of block that stays between two pits
 constexpr double kWaveMm = 3.5;         ///< from a thick place of the enamel over a junction to a thin one
 
-Status misfit(const char* sentence, std::vector<Words> values = {})
+Status misfit(const char* sentence, std::vector<LocalizableText> values = {})
 {
-    return unexpected(ErrorCode::OutOfRange, Words{sentence, std::move(values)});
+    return unexpected(ErrorCode::OutOfRange, LocalizableText{sentence, std::move(values)});
 }
 
-Words number(double value)
+LocalizableText number(double value)
 {
     return noted(plainNumber(value));
 }
@@ -227,8 +227,8 @@ std::optional<Result<BlockDesign>> findBlock(std::string_view name)
     std::string known;
     for (const std::string_view shape : kShapes)
         known.append(known.empty() ? "" : ", ").append(kPrefix).append(shape);
-    return unexpected(ErrorCode::UnknownName, Words{"there is no practice block '%1'; choose one of %2",
-                                                    {noted(std::string(name)), noted(std::move(known))}});
+    return unexpected(ErrorCode::UnknownName, LocalizableText{"there is no practice block '%1'; choose one of %2",
+                                                              {noted(std::string(name)), noted(std::move(known))}});
 }
 
 std::array<terrain::Material, 3> padMaterials(std::uint64_t seed)

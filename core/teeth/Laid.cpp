@@ -30,11 +30,11 @@ Result<Lying> findLying(std::string_view name, double tiltDeg, int fdi)
     const auto& names = fdi != 0 ? kOfTheMouth : kOfTheFrame;
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-        return unexpected(ErrorCode::UnknownName,
-                          Words{fdi != 0
-                                    ? "\"%1\" is no side of a tooth; write occlusal, mesial, distal, buccal or lingual"
-                                    : "\"%1\" is no side of a scan; write occlusal, -x, +x, -y or +y",
-                                {noted(std::string(name.substr(0, 40)))}});
+        return unexpected(
+            ErrorCode::UnknownName,
+            LocalizableText{fdi != 0 ? "\"%1\" is no side of a tooth; write occlusal, mesial, distal, buccal or lingual"
+                                     : "\"%1\" is no side of a scan; write occlusal, -x, +x, -y or +y",
+                            {noted(std::string(name.substr(0, 40)))}});
     auto side = static_cast<ToothSide>(found - names.begin());
     if (side == ToothSide::Occlusal)
         return Lying{};
@@ -43,9 +43,9 @@ Result<Lying> findLying(std::string_view name, double tiltDeg, int fdi)
     const Lying lying{side, tiltDeg};
     if (!lying.isSound())
         return unexpected(ErrorCode::OutOfRange,
-                          Words{"a tooth is tilted by %1 to %2 degrees, not by %3",
-                                {noted(plainNumber(Lying::kLeastTiltDeg)), noted(plainNumber(Lying::kMostTiltDeg)),
-                                 noted(plainNumber(tiltDeg))}});
+                          LocalizableText{"a tooth is tilted by %1 to %2 degrees, not by %3",
+                                          {noted(plainNumber(Lying::kLeastTiltDeg)),
+                                           noted(plainNumber(Lying::kMostTiltDeg)), noted(plainNumber(tiltDeg))}});
     return lying;
 }
 

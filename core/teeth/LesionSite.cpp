@@ -179,14 +179,16 @@ Status checkSite(LesionSite site, const Lying& lying)
 {
     if (site == LesionSite::Fissure && lying.tiltDeg > kSideTiltDeg)
         return unexpected(ErrorCode::OutOfRange,
-                          Words{"a bur reaches no fissure of a tooth that is tilted by more than %1 degrees",
-                                {noted(plainNumber(kSideTiltDeg))}});
+                          LocalizableText{"a bur reaches no fissure of a tooth that is tilted by more than %1 degrees",
+                                          {noted(plainNumber(kSideTiltDeg))}});
     if (site == LesionSite::Contact && !showsMesialOrDistal(lying))
-        return unexpected(ErrorCode::OutOfRange,
-                          Words{"decay below a contact is on the mesial or distal side; let the tooth lie that way"});
+        return unexpected(
+            ErrorCode::OutOfRange,
+            LocalizableText{"decay below a contact is on the mesial or distal side; let the tooth lie that way"});
     if ((site == LesionSite::Cervical || site == LesionSite::Pit) && (lying.isUpright() || showsMesialOrDistal(lying)))
-        return unexpected(ErrorCode::OutOfRange, Words{"decay at the neck or in a pit of a side is on the buccal or "
-                                                       "lingual side; let the tooth lie that way"});
+        return unexpected(ErrorCode::OutOfRange,
+                          LocalizableText{"decay at the neck or in a pit of a side is on the buccal or "
+                                          "lingual side; let the tooth lie that way"});
     return {};
 }
 
@@ -205,8 +207,9 @@ Status addLesion(LesionSite site, double extent, const LaidTooth& laid, const te
     if (site == LesionSite::Pit) {
         const auto pit = search.deepestPit(layers);
         if (!pit)
-            return unexpected(ErrorCode::BadStructure,
-                              Words{"there is no pit on the side that tooth '%1' shows", {noted(laid.own.name)}});
+            return unexpected(
+                ErrorCode::BadStructure,
+                LocalizableText{"there is no pit on the side that tooth '%1' shows", {noted(laid.own.name)}});
         const double room = static_cast<double>(layers[*pit].dej) - static_cast<double>(bottom[*pit]);
         const LesionStop stop{grid.nodeMm(*pit), 0.0, std::max(0.0, room)};
         options.line = std::span(&stop, 1);

@@ -42,10 +42,11 @@ const PictureLibrary* library()
 
 tl::unexpected<Error> noLibrary()
 {
-    return unexpected(ErrorCode::FileUnreadable,
-                      Words{"Cusp cannot read pictures: its file %1 or a library of OpenCV is missing. Install Cusp "
-                            "again. The mouse works without it.",
-                            {noted("lib/cusp/cusp_pictures.so")}});
+    return unexpected(
+        ErrorCode::FileUnreadable,
+        LocalizableText{"Cusp cannot read pictures: its file %1 or a library of OpenCV is missing. Install Cusp "
+                        "again. The mouse works without it.",
+                        {noted("lib/cusp/cusp_pictures.so")}});
 }
 
 std::string deviceOf(int number)
@@ -62,9 +63,9 @@ public:
     {
         if (m_reader->read(picture))
             return true;
-        return unexpected(
-            ErrorCode::ConnectionLost,
-            Words{"Camera %1 gives no more pictures. Check that it is plugged in.", {noted(std::to_string(m_number))}});
+        return unexpected(ErrorCode::ConnectionLost,
+                          LocalizableText{"Camera %1 gives no more pictures. Check that it is plugged in.",
+                                          {noted(std::to_string(m_number))}});
     }
     bool isLive() const override { return true; }
 
@@ -132,7 +133,8 @@ public:
         ++m_next;
         picture.name = file.filename().string();
         if (!m_library.readImage(file.c_str(), picture))
-            return unexpected(ErrorCode::WrongKind, Words{"%1 is no image, or is cut off.", {noted(picture.name)}});
+            return unexpected(ErrorCode::WrongKind,
+                              LocalizableText{"%1 is no image, or is cut off.", {noted(picture.name)}});
         picture.timeS = timeS;
         return true;
     }
@@ -201,23 +203,24 @@ Result<std::unique_ptr<PictureSource>> openCamera(int number, const CameraWish& 
     const std::string device = deviceOf(number);
     std::error_code ignored;
     if (!fs::exists(device, ignored))
-        return unexpected(
-            ErrorCode::FileMissing,
-            Words{"There is no camera %1. Plug in a camera, or choose another one.", {noted(std::to_string(number))}});
+        return unexpected(ErrorCode::FileMissing,
+                          LocalizableText{"There is no camera %1. Plug in a camera, or choose another one.",
+                                          {noted(std::to_string(number))}});
     if (access(device.c_str(), R_OK | W_OK) != 0)
         return unexpected(
             ErrorCode::NotAllowed,
-            Words{"You have no permission to use camera %1. An administrator of this computer can add you "
-                  "to the group \"video\".",
-                  {noted(std::to_string(number))}});
+            LocalizableText{"You have no permission to use camera %1. An administrator of this computer can add you "
+                            "to the group \"video\".",
+                            {noted(std::to_string(number))}});
     const PictureLibrary* const from = library();
     if (from == nullptr)
         return noLibrary();
     std::unique_ptr<PictureReader> reader(from->openCamera(number, wish.width, wish.height, wish.hz));
     if (!reader)
-        return unexpected(ErrorCode::Busy,
-                          Words{"Camera %1 gives no pictures. Close other programs that use it, or choose another one.",
-                                {noted(std::to_string(number))}});
+        return unexpected(
+            ErrorCode::Busy,
+            LocalizableText{"Camera %1 gives no pictures. Close other programs that use it, or choose another one.",
+                            {noted(std::to_string(number))}});
     return std::make_unique<LiveSource>(std::move(reader), number);
 }
 
@@ -225,18 +228,18 @@ Result<std::unique_ptr<PictureSource>> openVideo(const std::string& path)
 {
     std::error_code ignored;
     if (!fs::exists(path, ignored))
-        return unexpected(ErrorCode::FileMissing, Words{"There is no file %1.", {noted(path)}});
+        return unexpected(ErrorCode::FileMissing, LocalizableText{"There is no file %1.", {noted(path)}});
     if (fs::is_directory(path, ignored))
-        return unexpected(ErrorCode::WrongKind, Words{"%1 is a folder, not a video.", {noted(path)}});
+        return unexpected(ErrorCode::WrongKind, LocalizableText{"%1 is a folder, not a video.", {noted(path)}});
     if (access(path.c_str(), R_OK) != 0)
-        return unexpected(ErrorCode::FileUnreadable, Words{"The file %1 cannot be read.", {noted(path)}});
+        return unexpected(ErrorCode::FileUnreadable, LocalizableText{"The file %1 cannot be read.", {noted(path)}});
     const PictureLibrary* const from = library();
     if (from == nullptr)
         return noLibrary();
     std::unique_ptr<PictureReader> reader(isText(path) ? nullptr : from->openVideo(path.c_str()));
     if (!reader)
         return unexpected(ErrorCode::WrongKind,
-                          Words{"%1 is no video, or of a kind that cannot be read here.", {noted(path)}});
+                          LocalizableText{"%1 is no video, or of a kind that cannot be read here.", {noted(path)}});
     return std::make_unique<VideoSource>(std::move(reader), fs::path(path).filename().string());
 }
 
@@ -244,16 +247,16 @@ Result<std::unique_ptr<PictureSource>> openFolder(const std::string& path)
 {
     std::error_code error;
     if (!fs::is_directory(path, error))
-        return unexpected(ErrorCode::FileMissing, Words{"There is no folder %1.", {noted(path)}});
+        return unexpected(ErrorCode::FileMissing, LocalizableText{"There is no folder %1.", {noted(path)}});
     std::vector<fs::path> files;
     for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
         if (isImage(entry->path()) && files.size() < kMostImages)
             files.push_back(entry->path());
     if (error)
-        return unexpected(ErrorCode::FileUnreadable, Words{"The folder %1 cannot be read.", {noted(path)}});
+        return unexpected(ErrorCode::FileUnreadable, LocalizableText{"The folder %1 cannot be read.", {noted(path)}});
     if (files.empty())
         return unexpected(ErrorCode::WrongKind,
-                          Words{"The folder %1 has no images (PNG, JPEG, BMP, PGM or TIFF).", {noted(path)}});
+                          LocalizableText{"The folder %1 has no images (PNG, JPEG, BMP, PGM or TIFF).", {noted(path)}});
     std::sort(files.begin(), files.end());
     const PictureLibrary* const from = library();
     if (from == nullptr)

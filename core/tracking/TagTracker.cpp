@@ -52,10 +52,10 @@ Result<TagFrame> TagTracker::look(const PictureView& picture)
         if (m_settings.calibration)
             return unexpected(
                 ErrorCode::OutOfRange,
-                Words{"The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate "
-                      "the camera at this size.",
-                      {noted(std::to_string(m_camera.width)), noted(std::to_string(m_camera.height)),
-                       noted(std::to_string(picture.width)), noted(std::to_string(picture.height))}});
+                LocalizableText{"The calibration is for pictures of %1 x %2 pixels, and these have %3 x %4. Calibrate "
+                                "the camera at this size.",
+                                {noted(std::to_string(m_camera.width)), noted(std::to_string(m_camera.height)),
+                                 noted(std::to_string(picture.width)), noted(std::to_string(picture.height))}});
         m_camera = CameraModel::withFieldOfView(picture.width, picture.height, m_settings.fovDeg);
         m_last.reset();
     }

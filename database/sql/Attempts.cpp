@@ -9,8 +9,8 @@
 #include <QJsonDocument>
 
 #include "core/base/Bytes.h"
+#include "database/ClassOverview.h"
 #include "database/Passwords.h"
-#include "database/overview.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Recordings.h"
 #include "database/sql/Statement.h"
@@ -127,7 +127,7 @@ QVariantList valuesOf(const AttemptRecord& kept, PersonId person)
 }
 
 /// What a lesson's standing says after one more attempt.
-core::Status countIn(const School& school, PersonId person, const AttemptRecord& attempt)
+core::Status countIn(const DatabaseContext& school, PersonId person, const AttemptRecord& attempt)
 {
     return execute(school.db,
                    "INSERT INTO standings (person_id, lesson_id, attempts, best_tenths, passed, last_utc) VALUES "
@@ -145,7 +145,7 @@ core::Status countIn(const School& school, PersonId person, const AttemptRecord&
 }
 
 /// Inside a transaction.
-core::Result<AttemptId> insert(const School& school, PersonId person, const std::string& actor,
+core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, const std::string& actor,
                                const AttemptRecord& attempt, const QByteArray& recording)
 {
     AttemptRecord kept = attempt;
@@ -190,7 +190,7 @@ core::Status checkUid(const AttemptRecord& attempt)
 }
 
 /// Whose an attempt is.
-core::Result<PersonId> ownerOf(const School& school, AttemptId id)
+core::Result<PersonId> ownerOf(const DatabaseContext& school, AttemptId id)
 {
     auto row = run(school.db, "SELECT person_id FROM attempts WHERE id = ?", kReadAttempts, {number(id.value)});
     if (!row)
@@ -200,18 +200,19 @@ core::Result<PersonId> ownerOf(const School& school, AttemptId id)
     return PersonId{row->value(0).toLongLong()};
 }
 
-core::Result<Who> admitToAttempt(const School& school, const Session& session, Operation operation, AttemptId id)
+core::Result<AuthorizedUser> admitToAttempt(const DatabaseContext& school, const Login& session, Operation operation,
+                                            AttemptId id)
 {
     // Who may do it to nobody's shall not learn what there is.
-    if (auto who = admit(school, session, operation); !who)
+    if (auto who = authorize(school, session, operation); !who)
         return who;
     const auto owner = ownerOf(school, id);
     if (!owner)
         return tl::unexpected(owner.error());
-    return admitTo(school, session, operation, *owner);
+    return authorizeFor(school, session, operation, *owner);
 }
 
-core::Result<std::string> uidOf(const School& school, AttemptId id)
+core::Result<std::string> uidOf(const DatabaseContext& school, AttemptId id)
 {
     const auto uid = ask(school.db, "SELECT uid FROM attempts WHERE id = ?", kReadAttempts, {number(id.value)});
     if (!uid)
@@ -229,7 +230,7 @@ core::Result<std::string> checkWords(const std::string& words, const char* what)
 }
 
 /// Of one person at one lesson, anew from the attempts.
-core::Status recount(const School& school, AttemptId id)
+core::Status recount(const DatabaseContext& school, AttemptId id)
 {
     return execute(
         school.db,
@@ -279,7 +280,8 @@ core::Status forEachAttempt(const QSqlDatabase& db,
                    });
 }
 
-core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt, const QByteArray& recording)
+core::Result<AttemptId> deliverAttempt(const DatabaseContext& school, const AttemptRecord& attempt,
+                                       const QByteArray& recording)
 {
     if (auto fit = checkUid(attempt); !fit)
         return tl::unexpected(fit.error());
@@ -294,10 +296,10 @@ core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord
     });
 }
 
-core::Result<std::vector<AttemptRecord>> history(const School& school, const Session& session, PersonId person,
+core::Result<std::vector<AttemptRecord>> history(const DatabaseContext& school, const Login& session, PersonId person,
                                                  const HistoryQuery& query)
 {
-    if (auto who = admitTo(school, session, Operation::ReadHistory, person); !who)
+    if (auto who = authorizeFor(school, session, Operation::ReadHistory, person); !who)
         return tl::unexpected(who.error());
     QString where = QStringLiteral(" WHERE a.person_id = ?");
     QVariantList values{number(person.value)};
@@ -320,9 +322,10 @@ core::Result<std::vector<AttemptRecord>> history(const School& school, const Ses
     return found;
 }
 
-core::Result<std::vector<LessonStanding>> standingsOf(const School& school, const Session& session, PersonId person)
+core::Result<std::vector<LessonStanding>> standingsOf(const DatabaseContext& school, const Login& session,
+                                                      PersonId person)
 {
-    if (auto who = admitTo(school, session, Operation::ReadHistory, person); !who)
+    if (auto who = authorizeFor(school, session, Operation::ReadHistory, person); !who)
         return tl::unexpected(who.error());
     std::vector<LessonStanding> found;
     if (auto read = forEach(school.db,
@@ -338,7 +341,7 @@ core::Result<std::vector<LessonStanding>> standingsOf(const School& school, cons
     return found;
 }
 
-core::Result<AttemptRecord> openAttempt(const School& school, const Session& session, AttemptId id)
+core::Result<AttemptRecord> openAttempt(const DatabaseContext& school, const Login& session, AttemptId id)
 {
     if (auto who = admitToAttempt(school, session, Operation::OpenAttempt, id); !who)
         return tl::unexpected(who.error());
@@ -358,7 +361,7 @@ core::Result<AttemptRecord> openAttempt(const School& school, const Session& ses
     return record;
 }
 
-core::Result<QByteArray> openRecording(const School& school, const Session& session, AttemptId id)
+core::Result<QByteArray> openRecording(const DatabaseContext& school, const Login& session, AttemptId id)
 {
     if (auto who = admitToAttempt(school, session, Operation::OpenAttempt, id); !who)
         return tl::unexpected(who.error());
@@ -371,11 +374,11 @@ core::Result<QByteArray> openRecording(const School& school, const Session& sess
     return recordingOf(school.db, hash->toString().toStdString());
 }
 
-core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const Session& session,
+core::Result<std::vector<KeptSheet>> sheetsOfLesson(const DatabaseContext& school, const Login& session,
                                                     const std::string& lessonId, const std::string& lessonHash,
                                                     int limit)
 {
-    const auto who = admit(school, session, Operation::OpenAttempt);
+    const auto who = authorize(school, session, Operation::OpenAttempt);
     if (!who)
         return tl::unexpected(who.error());
     QString whose;
@@ -409,11 +412,11 @@ QString comparedDevice(const QString& column)
     return QStringLiteral("CASE %1 WHEN 'pointer' THEN 'mouse' ELSE %1 END").arg(column);
 }
 
-core::Result<lessons::ClassStanding> standingAmongClassmates(const School& school, const Session& session,
+core::Result<lessons::ClassStanding> standingAmongClassmates(const DatabaseContext& school, const Login& session,
                                                              const std::string& lessonId, const std::string& rubricHash,
                                                              const std::string& device, int tenths)
 {
-    if (auto who = admit(school, session, Operation::CompareWithClass); !who)
+    if (auto who = authorize(school, session, Operation::CompareWithClass); !who)
         return tl::unexpected(who.error());
     const qlonglong me = session.person().value;
     std::vector<int> best;
@@ -431,7 +434,7 @@ core::Result<lessons::ClassStanding> standingAmongClassmates(const School& schoo
     return lessons::classStanding(tenths, best);
 }
 
-core::Status overrideScore(const School& school, const Session& session, AttemptId id, std::optional<int> tenths,
+core::Status overrideScore(const DatabaseContext& school, const Login& session, AttemptId id, std::optional<int> tenths,
                            const std::string& reason, std::optional<std::size_t> before)
 {
     if (auto who = admitToAttempt(school, session, Operation::Override, id); !who)
@@ -471,7 +474,7 @@ core::Status overrideScore(const School& school, const Session& session, Attempt
     });
 }
 
-core::Result<std::int64_t> addComment(const School& school, const Session& session, AttemptId id,
+core::Result<std::int64_t> addComment(const DatabaseContext& school, const Login& session, AttemptId id,
                                       const NewComment& comment)
 {
     if (auto who = admitToAttempt(school, session, Operation::Comment, id); !who)
@@ -506,9 +509,9 @@ core::Result<std::int64_t> addComment(const School& school, const Session& sessi
     });
 }
 
-core::Status withdrawComment(const School& school, const Session& session, std::int64_t comment)
+core::Status withdrawComment(const DatabaseContext& school, const Login& session, std::int64_t comment)
 {
-    if (auto who = admit(school, session, Operation::WithdrawComment); !who)
+    if (auto who = authorize(school, session, Operation::WithdrawComment); !who)
         return tl::unexpected(who.error());
     const std::string doing = "take the comment back";
     return inTurn(school, doing, [&]() -> core::Status {

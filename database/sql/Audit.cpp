@@ -57,16 +57,17 @@ QRegularExpressionMatch matchCode(const std::string& typed)
     return kCode.match(QString::fromStdString(typed).trimmed().toLower());
 }
 
-Finding about(const AuditRow& row, const char* words)
+IntegrityIssue about(const AuditRow& row, const char* words)
 {
     return {words, {std::to_string(row.seq), row.atUtc, row.action, row.object}};
 }
 
 /// What is wrong with a row that does not follow from the one before it.
-std::optional<Finding> faultOf(const AuditRow& row, const AuditRow& before)
+std::optional<IntegrityIssue> faultOf(const AuditRow& row, const AuditRow& before)
 {
     if (row.seq > before.seq + 1)
-        return Finding{QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {std::to_string(before.seq + 1)}};
+        return IntegrityIssue{QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"),
+                              {std::to_string(before.seq + 1)}};
     if (row.action == kBroken)
         return about(row, QT_TRANSLATE_NOOP(
                               "Finding",
@@ -79,12 +80,13 @@ std::optional<Finding> faultOf(const AuditRow& row, const AuditRow& before)
 }
 
 /// The same of a row and the signed head.
-std::optional<Finding> faultBySeal(const AuditRow& row, const AuditHead& head)
+std::optional<IntegrityIssue> faultBySeal(const AuditRow& row, const AuditHead& head)
 {
     if (row.seq > head.seq)
-        return Finding{QT_TRANSLATE_NOOP("Finding", "no signature covers audit row %1: it was inserted, or the signed "
-                                                    "head was set back, or the row behind it was changed"),
-                       {std::to_string(row.seq)}};
+        return IntegrityIssue{QT_TRANSLATE_NOOP("Finding",
+                                                "no signature covers audit row %1: it was inserted, or the signed "
+                                                "head was set back, or the row behind it was changed"),
+                              {std::to_string(row.seq)}};
     if (row.seq == head.seq && row.hash != head.hash)
         return about(row,
                      QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) is not the one that was signed: it was "
@@ -94,7 +96,7 @@ std::optional<Finding> faultBySeal(const AuditRow& row, const AuditHead& head)
 
 /// The same of a row and the codes that reports show.
 /// @param witnesses  row and beginning of its hash
-std::optional<Finding> faultByWitness(const AuditRow& row, const std::vector<AuditHead>& witnesses)
+std::optional<IntegrityIssue> faultByWitness(const AuditRow& row, const std::vector<AuditHead>& witnesses)
 {
     for (const AuditHead& witness : witnesses)
         if (witness.seq == row.seq && row.hash.rfind(witness.hash, 0) != 0)
@@ -105,33 +107,37 @@ std::optional<Finding> faultByWitness(const AuditRow& row, const std::vector<Aud
 }
 
 /// Of a chain that holds from its first row to its last: what is wrong with its end.
-std::optional<Finding> faultOfEnd(const AuditRow& last, const AuditHead& head, const std::vector<AuditHead>& witnesses)
+std::optional<IntegrityIssue> faultOfEnd(const AuditRow& last, const AuditHead& head,
+                                         const std::vector<AuditHead>& witnesses)
 {
     if (head.seq > last.seq)
-        return Finding{QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {std::to_string(last.seq + 1)}};
+        return IntegrityIssue{QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {std::to_string(last.seq + 1)}};
     for (const AuditHead& witness : witnesses)
         if (witness.seq > last.seq)
-            return Finding{QT_TRANSLATE_NOOP("Finding", "audit row %1, which a report names, is not there: it was "
-                                                        "removed, or the code is not typed as it stands there"),
-                           {std::to_string(witness.seq)}};
+            return IntegrityIssue{QT_TRANSLATE_NOOP("Finding",
+                                                    "audit row %1, which a report names, is not there: it was "
+                                                    "removed, or the code is not typed as it stands there"),
+                                  {std::to_string(witness.seq)}};
     return {};
 }
 
 /// What is wrong with who signed the head.
 /// @param stations  keys of those that have joined, as they are noted
-std::optional<Finding> faultOfSigner(const AuditHead& head, const std::string& signature, const std::string& key,
-                                     const std::set<std::string>& stations)
+std::optional<IntegrityIssue> faultOfSigner(const AuditHead& head, const std::string& signature, const std::string& key,
+                                            const std::set<std::string>& stations)
 {
     if (head.seq == 0)
         return {};
     if (!StationKey::isSigned(wordsOf(head), signature, key))
-        return Finding{QT_TRANSLATE_NOOP("Finding", "the signature of the newest row of the audit was not made by the "
-                                                    "station whose key stands beside it"),
-                       {}};
+        return IntegrityIssue{QT_TRANSLATE_NOOP("Finding",
+                                                "the signature of the newest row of the audit was not made by the "
+                                                "station whose key stands beside it"),
+                              {}};
     if (stations.count(stationOf(key)) == 0)
-        return Finding{QT_TRANSLATE_NOOP("Finding", "the newest row of the audit was signed with the key %1, and the "
-                                                    "audit knows no station that has it"),
-                       {key.substr(0, kCodeDigits)}};
+        return IntegrityIssue{QT_TRANSLATE_NOOP("Finding",
+                                                "the newest row of the audit was signed with the key %1, and the "
+                                                "audit knows no station that has it"),
+                              {key.substr(0, kCodeDigits)}};
     return {};
 }
 
@@ -240,7 +246,7 @@ core::Status AuditBatch::seal()
                     text(m_school.key.publicHex())});
 }
 
-core::Status takeTurn(const School& school)
+core::Status takeTurn(const DatabaseContext& school)
 {
     if (auto right = checkClock(school.nowUtc()); !right)
         return right;
@@ -248,8 +254,8 @@ core::Status takeTurn(const School& school)
     return turn.isEmpty() ? core::Status() : execute(school.db, turn, kNote);
 }
 
-core::Status note(const School& school, const std::string& actor, const std::string& action, const std::string& object,
-                  const QJsonObject& detail)
+core::Status note(const DatabaseContext& school, const std::string& actor, const std::string& action,
+                  const std::string& object, const QJsonObject& detail)
 {
     AuditBatch batch(school);
     if (auto noted = batch.note(actor, action, object, detail); !noted)
@@ -269,10 +275,10 @@ core::Result<AuditHead> auditHead(const QSqlDatabase& db)
     return head;
 }
 
-core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,
+core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, const Login& session, int limit,
                                               std::int64_t beforeSeq, AuditRows which)
 {
-    if (auto who = admit(school, session, Operation::ReadAudit); !who)
+    if (auto who = authorize(school, session, Operation::ReadAudit); !who)
         return tl::unexpected(who.error());
     std::vector<AuditRow> rows;
     const QString others = which == AuditRows::All ? QString() : kNoAttempt;
@@ -286,14 +292,14 @@ core::Result<std::vector<AuditRow>> readAudit(const School& school, const Sessio
     return rows;
 }
 
-core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& codes,
-                                              const std::function<bool(std::int64_t rows)>& progress)
+core::Result<std::vector<IntegrityIssue>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& codes,
+                                                     const std::function<bool(std::int64_t rows)>& progress)
 {
     std::vector<AuditHead> witnesses;
     for (const std::string& code : codes) {
         const auto found = matchCode(code);
         if (!found.hasMatch())
-            return std::vector{Finding{
+            return std::vector{IntegrityIssue{
                 QT_TRANSLATE_NOOP("Finding", "\"%1\" is no audit code; a report shows one such as 412-9f3ac07be1d2"),
                 {code}}};
         witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
@@ -302,14 +308,15 @@ core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std:
     if (!seal)
         return tl::unexpected(seal.error());
     if (!seal->next())
-        return std::vector{Finding{QT_TRANSLATE_NOOP("Finding", "the signed head of the audit was removed"), {}}};
+        return std::vector{
+            IntegrityIssue{QT_TRANSLATE_NOOP("Finding", "the signed head of the audit was removed"), {}}};
     const AuditHead head{seal->value(0).toLongLong(), textOf(*seal, 1)};
     auto rows = run(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), kRead);
     if (!rows)
         return tl::unexpected(rows.error());
     AuditRow before;
     std::set<std::string> stations;
-    std::optional<Finding> fault;
+    std::optional<IntegrityIssue> fault;
     while (!fault && rows->next()) {
         const AuditRow row = rowOf(*rows);
         fault = faultOf(row, before);
@@ -321,7 +328,7 @@ core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std:
             stations.insert(row.object);
         before = row;
         if (progress && !progress(row.seq))
-            return std::vector<Finding>();
+            return std::vector<IntegrityIssue>();
     }
     if (rows->lastError().isValid())
         return tl::unexpected(dialect::error(db, rows->lastError(), kRead));
@@ -329,7 +336,7 @@ core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std:
         fault = faultOfEnd(before, head, witnesses);
     if (!fault)
         fault = faultOfSigner(head, textOf(*seal, 2), textOf(*seal, 3), stations);
-    return fault ? std::vector{*fault} : std::vector<Finding>();
+    return fault ? std::vector{*fault} : std::vector<IntegrityIssue>();
 }
 
 }  // namespace database::sql

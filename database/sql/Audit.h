@@ -11,9 +11,9 @@
 #include <QSqlQuery>
 
 #include "core/base/Result.h"
-#include "database/Finding.h"
-#include "database/records.h"
-#include "database/sql/School.h"
+#include "database/AttemptRecord.h"
+#include "database/IntegrityIssue.h"
+#include "database/sql/DatabaseContext.h"
 #include "database/sql/Statement.h"
 
 /// What was done here and by whom. Each row holds the hash of the row before it; the newest row is signed by the
@@ -30,7 +30,7 @@ class AuditBatch
 {
 public:
     /// @param school  outlives the batch
-    explicit AuditBatch(const School& school) : m_school(school) {}
+    explicit AuditBatch(const DatabaseContext& school) : m_school(school) {}
     /// As note().
     [[nodiscard]] core::Status note(const std::string& actor, const std::string& action, const std::string& object,
                                     const QJsonObject& detail = {});
@@ -40,25 +40,25 @@ public:
 private:
     [[nodiscard]] core::Status begin();
 
-    const School& m_school;
+    const DatabaseContext& m_school;
     std::optional<QSqlQuery> m_insert;
     std::int64_t m_seq = 0;
     std::string m_hash;
 };
 
 /// Adds a row, inside the transaction of what it tells of: they are kept together or not at all.
-[[nodiscard]] core::Status note(const School& school, const std::string& actor, const std::string& action,
+[[nodiscard]] core::Status note(const DatabaseContext& school, const std::string& actor, const std::string& action,
                                 const std::string& object, const QJsonObject& detail = {});
 
 /// Inside a transaction, before it reads what it will change: waits until no other one that notes something goes on. On
 /// a server two of them would otherwise each decide by what was there before the other (two admins who disable each
 /// other), or wait for each other for ever. A file lets one write at a time anyway.
-[[nodiscard]] core::Status takeTurn(const School& school);
+[[nodiscard]] core::Status takeTurn(const DatabaseContext& school);
 
 /// A transaction that takes its turn first.
 /// @param work  returns a core::Result or core::Status
 template <class Work>
-auto inTurn(const School& school, const std::string& doing, Work work) -> decltype(work())
+auto inTurn(const DatabaseContext& school, const std::string& doing, Work work) -> decltype(work())
 {
     return inTransaction(school.db, doing, [&]() -> decltype(work()) {
         if (auto turn = takeTurn(school); !turn)
@@ -78,7 +78,7 @@ struct AuditHead
     [[nodiscard]] std::string code() const;
 };
 [[nodiscard]] core::Result<AuditHead> auditHead(const QSqlDatabase& db);
-[[nodiscard]] inline core::Result<AuditHead> auditHead(const School& school)
+[[nodiscard]] inline core::Result<AuditHead> auditHead(const DatabaseContext& school)
 {
     return auditHead(school.db);
 }
@@ -90,15 +90,15 @@ struct AuditHead
 enum class AuditRows { All, WithoutAttempts };
 
 /// The newest rows of these, newest first, at most `limit`, those before row `beforeSeq` if that is not 0. Admins.
-[[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,
-                                                            std::int64_t beforeSeq = 0,
+[[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, const Login& session,
+                                                            int limit, std::int64_t beforeSeq = 0,
                                                             AuditRows rows = AuditRows::All);
 
 /// Follows the chain from its first row to its signed head and stops at the first row that does not hold: one finding.
 /// Empty: the chain is sound, or `progress` returned false. Where others write meanwhile, call it in a transaction.
 /// @param witnesses  audit codes of printed reports
 /// @param progress  number of the row that was looked at
-[[nodiscard]] core::Result<std::vector<Finding>>
+[[nodiscard]] core::Result<std::vector<IntegrityIssue>>
 checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
            const std::function<bool(std::int64_t rows)>& progress = {});
 

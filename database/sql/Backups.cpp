@@ -447,14 +447,14 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     return replace(copy, databaseFile, nowUtc);
 }
 
-core::Status mayRestore(const School& school, const Session& session)
+core::Status mayRestore(const DatabaseContext& school, const Login& session)
 {
-    return admit(school, session, Operation::KeepBackups).map([](const auto&) {});
+    return authorize(school, session, Operation::KeepBackups).map([](const auto&) {});
 }
 
-core::Status noteBackup(const School& school, const Session& session, const QString& backup)
+core::Status noteBackup(const DatabaseContext& school, const Login& session, const QString& backup)
 {
-    if (auto may = admit(school, session, Operation::KeepBackups); !may)
+    if (auto may = authorize(school, session, Operation::KeepBackups); !may)
         return tl::unexpected(may.error());
     return inTurn(school, "note the backup", [&] {
         return note(school, session.uid(), "backup.made",
@@ -462,7 +462,7 @@ core::Status noteBackup(const School& school, const Session& session, const QStr
     });
 }
 
-core::Status noteRestored(const School& school, const Session& who, const QString& backup)
+core::Status noteRestored(const DatabaseContext& school, const Login& who, const QString& backup)
 {
     const std::string doing = "note the restoring";
     return inTurn(school, doing, [&]() -> core::Status {

@@ -9,7 +9,7 @@
 #include <QStringList>
 
 #include "core/base/Result.h"
-#include "database/sql/School.h"
+#include "database/sql/DatabaseContext.h"
 
 /// Backups of an SQLite file. A server is backed up by its administrator.
 namespace database::sql {
@@ -70,13 +70,13 @@ QStringList removeOldBackups(const QSqlDatabase& db, const QString& folder);
 
 /// Whether this person may restore a backup over an open school: admins. Nobody can be asked about a damaged or missing
 /// file.
-[[nodiscard]] core::Status mayRestore(const School& school, const Session& session);
+[[nodiscard]] core::Status mayRestore(const DatabaseContext& school, const Login& session);
 
 /// Notes in the audit that a person made a backup. Admins.
-[[nodiscard]] core::Status noteBackup(const School& school, const Session& session, const QString& backup);
+[[nodiscard]] core::Status noteBackup(const DatabaseContext& school, const Login& session, const QString& backup);
 
 /// Notes in the audit of the restored database that it was restored.
 /// @param who  who wanted it; "system" is noted if the restored database does not know them
-[[nodiscard]] core::Status noteRestored(const School& school, const Session& who, const QString& backup);
+[[nodiscard]] core::Status noteRestored(const DatabaseContext& school, const Login& who, const QString& backup);
 
 }  // namespace database::sql

@@ -23,7 +23,7 @@ using Progress = std::function<bool(const char* what, std::int64_t rows)>;
 const std::string kDoing = "check it";
 constexpr std::size_t kShownDigits = 12;  ///< of a hash
 
-void say(CheckReport& report, const Finding& finding)
+void say(CheckReport& report, const IntegrityIssue& finding)
 {
     if (report.findings.size() < report.mostFindings)
         report.findings.push_back(finding);
@@ -129,7 +129,7 @@ core::Status checkChain(const QSqlDatabase& db, const std::vector<std::string>& 
     });
     if (!found)
         return tl::unexpected(found.error());
-    for (const Finding& finding : *found)
+    for (const IntegrityIssue& finding : *found)
         say(report, finding);
     if (!found->empty() && witnesses.empty())  // a code may be mistyped
         report.notes.push_back(
@@ -238,7 +238,7 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         [&] { return checkChain(db, witnesses, report, progress); },
         [&] { return checkSigner(db, stationKey, report); },
         [&] { return checkAttempts(db, report, progress); },
-        [&] { return compareWithAudit(db, [&report](const Finding& finding) { say(report, finding); }); },
+        [&] { return compareWithAudit(db, [&report](const IntegrityIssue& finding) { say(report, finding); }); },
         [&] { return checkSums(db, report); },
         [&] { return checkRecordings(db, report, progress); },
     };

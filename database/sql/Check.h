@@ -9,7 +9,7 @@
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
-#include "database/Finding.h"
+#include "database/IntegrityIssue.h"
 
 namespace database::sql {
 
@@ -18,8 +18,8 @@ inline constexpr std::size_t kMostFindings = 100;
 /// What a thorough look at a database finds.
 struct CheckReport
 {
-    std::vector<Finding> findings;  ///< empty: it is sound
-    std::vector<Finding> notes;     ///< how to read them
+    std::vector<IntegrityIssue> findings;  ///< empty: it is sound
+    std::vector<IntegrityIssue> notes;     ///< how to read them
     std::int64_t attempts = 0;
     std::int64_t auditRows = 0;
     std::string auditCode;                     ///< of the newest row, as reports show it

@@ -5,7 +5,7 @@
 
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
-#include "database/sql/ExamStarts.h"
+#include "database/sql/StartedExams.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -18,14 +18,14 @@ const std::string kChange = "change the class";
 constexpr qsizetype kLongestName = 100;
 
 /// ", and only those": what a session's reach adds to a query over classes, as c.
-QString within(const Who& who)
+QString within(const AuthorizedUser& who)
 {
     return who.reach == Reach::All ? QString()
                                    : QStringLiteral(" WHERE c.id IN (SELECT class_id FROM enrolments WHERE "
                                                     "person_id = ?)");
 }
 
-QVariantList valuesOf(const Who& who, const Session& session)
+QVariantList valuesOf(const AuthorizedUser& who, const Login& session)
 {
     return who.reach == Reach::All ? QVariantList() : QVariantList{number(session.person().value)};
 }
@@ -35,7 +35,7 @@ std::string objectOf(ClassId id)
     return "class:" + std::to_string(id.value);
 }
 
-core::Status expectFreeName(const School& school, const std::string& name, ClassId except)
+core::Status expectFreeName(const DatabaseContext& school, const std::string& name, ClassId except)
 {
     const auto taken =
         ask(school.db, "SELECT 1 FROM classes WHERE name = ? AND id <> ?", kChange, {text(name), number(except.value)});
@@ -47,7 +47,7 @@ core::Status expectFreeName(const School& school, const std::string& name, Class
     return {};
 }
 
-core::Result<std::optional<ClassAssignment>> assignmentNow(const School& school, ClassId id,
+core::Result<std::optional<ClassAssignment>> assignmentNow(const DatabaseContext& school, ClassId id,
                                                            const std::string& lessonId)
 {
     std::optional<ClassAssignment> now;
@@ -89,9 +89,9 @@ core::Result<std::string> checkClassName(const std::string& name)
     return trimmed.toStdString();
 }
 
-core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session)
+core::Result<std::vector<SchoolClass>> listClasses(const DatabaseContext& school, const Login& session)
 {
-    const auto who = admit(school, session, Operation::ListClasses);
+    const auto who = authorize(school, session, Operation::ListClasses);
     if (!who)
         return tl::unexpected(who.error());
     std::vector<SchoolClass> classes;
@@ -111,7 +111,7 @@ core::Result<std::vector<SchoolClass>> listClasses(const School& school, const S
     return classes;
 }
 
-core::Result<ClassId> classNamed(const School& school, AuditBatch& audit, const std::string& actor,
+core::Result<ClassId> classNamed(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
                                  const std::string& name)
 {
     const auto checked = checkClassName(name);
@@ -131,7 +131,8 @@ core::Result<ClassId> classNamed(const School& school, AuditBatch& audit, const 
     return id;
 }
 
-core::Status putInto(const School& school, AuditBatch& audit, const std::string& actor, ClassId id, PersonId person)
+core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std::string& actor, ClassId id,
+                     PersonId person)
 {
     const auto is = ask(school.db, "SELECT 1 FROM enrolments WHERE class_id = ? AND person_id = ?", kChange,
                         {number(id.value), number(person.value)});
@@ -149,9 +150,9 @@ core::Status putInto(const School& school, AuditBatch& audit, const std::string&
     return audit.note(actor, "class.enrol", objectOf(id), {{"person", uid->toString()}});
 }
 
-core::Result<ClassId> addClass(const School& school, const Session& session, const std::string& name)
+core::Result<ClassId> addClass(const DatabaseContext& school, const Login& session, const std::string& name)
 {
-    if (auto who = admit(school, session, Operation::ChangeClasses); !who)
+    if (auto who = authorize(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
     return inTurn(school, kChange, [&]() -> core::Result<ClassId> {
         const auto checked = checkClassName(name);
@@ -169,9 +170,9 @@ core::Result<ClassId> addClass(const School& school, const Session& session, con
     });
 }
 
-core::Status renameClass(const School& school, const Session& session, ClassId id, const std::string& name)
+core::Status renameClass(const DatabaseContext& school, const Login& session, ClassId id, const std::string& name)
 {
-    if (auto who = admit(school, session, Operation::ChangeClasses); !who)
+    if (auto who = authorize(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
     const auto checked = checkClassName(name);
     if (!checked)
@@ -187,9 +188,9 @@ core::Status renameClass(const School& school, const Session& session, ClassId i
     });
 }
 
-core::Status enrol(const School& school, const Session& session, ClassId id, PersonId person, bool belongs)
+core::Status enrol(const DatabaseContext& school, const Login& session, ClassId id, PersonId person, bool belongs)
 {
-    if (auto who = admit(school, session, Operation::ChangeClasses); !who)
+    if (auto who = authorize(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
     return inTurn(school, kChange, [&]() -> core::Status {
         if (belongs) {
@@ -210,9 +211,9 @@ core::Status enrol(const School& school, const Session& session, ClassId id, Per
     });
 }
 
-core::Result<std::vector<ClassAssignment>> listAssignments(const School& school, const Session& session)
+core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext& school, const Login& session)
 {
-    const auto who = admit(school, session, Operation::ListAssignments);
+    const auto who = authorize(school, session, Operation::ListAssignments);
     if (!who)
         return tl::unexpected(who.error());
     std::vector<ClassAssignment> assignments;
@@ -233,10 +234,10 @@ core::Result<std::vector<ClassAssignment>> listAssignments(const School& school,
     return assignments;
 }
 
-core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment,
+core::Status assign(const DatabaseContext& school, const Login& session, const ClassAssignment& assignment,
                     const std::optional<ClassAssignment>& before)
 {
-    if (auto who = admitToClass(school, session, Operation::Assign, assignment.classId); !who)
+    if (auto who = authorizeForClass(school, session, Operation::Assign, assignment.classId); !who)
         return tl::unexpected(who.error());
     const std::string doing = "assign the lesson";
     return inTurn(school, doing, [&]() -> core::Status {
@@ -261,9 +262,9 @@ core::Status assign(const School& school, const Session& session, const ClassAss
     });
 }
 
-core::Status unassign(const School& school, const Session& session, const ClassAssignment& before)
+core::Status unassign(const DatabaseContext& school, const Login& session, const ClassAssignment& before)
 {
-    if (auto who = admitToClass(school, session, Operation::Assign, before.classId); !who)
+    if (auto who = authorizeForClass(school, session, Operation::Assign, before.classId); !who)
         return tl::unexpected(who.error());
     const std::string doing = "take the lesson back";
     return inTurn(school, doing, [&]() -> core::Status {
@@ -283,13 +284,14 @@ core::Status unassign(const School& school, const Session& session, const ClassA
     });
 }
 
-core::Result<std::optional<int>> attemptsLeft(const School& school, const Session& session, const std::string& lessonId)
+core::Result<std::optional<int>> attemptsLeft(const DatabaseContext& school, const Login& session,
+                                              const std::string& lessonId)
 {
     std::optional<int> left;
     if (session.isGuest())
         return left;
     const std::string doing = "see how often the lesson may be tried";
-    if (auto who = admit(school, session, Operation::ListAssignments); !who)
+    if (auto who = authorize(school, session, Operation::ListAssignments); !who)
         return tl::unexpected(who.error());
     // No limit anywhere is the most generous of all.
     const auto limit = ask(school.db,

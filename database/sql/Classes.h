@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "database/people.h"
-#include "database/sql/School.h"
+#include "database/Person.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
@@ -16,33 +16,35 @@ class AuditBatch;
 /// or has a "|", which parts classes in a class list.
 [[nodiscard]] core::Result<std::string> checkClassName(const std::string& name);
 /// Those within the session's reach, by name.
-[[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session);
-[[nodiscard]] core::Result<ClassId> addClass(const School& school, const Session& session, const std::string& name);
-[[nodiscard]] core::Status renameClass(const School& school, const Session& session, ClassId id,
+[[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const DatabaseContext& school, const Login& session);
+[[nodiscard]] core::Result<ClassId> addClass(const DatabaseContext& school, const Login& session,
+                                             const std::string& name);
+[[nodiscard]] core::Status renameClass(const DatabaseContext& school, const Login& session, ClassId id,
                                        const std::string& name);
 /// Puts a person into a class, or takes him out; what is so already stays so.
-[[nodiscard]] core::Status enrol(const School& school, const Session& session, ClassId id, PersonId person,
+[[nodiscard]] core::Status enrol(const DatabaseContext& school, const Login& session, ClassId id, PersonId person,
                                  bool belongs);
 
 /// What the classes within the session's reach are to do, by due date.
-[[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const School& school, const Session& session);
+[[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext& school,
+                                                                         const Login& session);
 /// Gives a class a lesson to do, or changes when it is due and how often it may be tried. The id is ignored.
 /// @param before  what there is, as whoever changes it has seen it; empty: nothing. ChangedSince: it is otherwise
-[[nodiscard]] core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment,
-                                  const std::optional<ClassAssignment>& before = {});
+[[nodiscard]] core::Status assign(const DatabaseContext& school, const Login& session,
+                                  const ClassAssignment& assignment, const std::optional<ClassAssignment>& before = {});
 /// Takes it back; attempts stay. ChangedSince: it is not as it was seen; where it is gone already nothing is done.
-[[nodiscard]] core::Status unassign(const School& school, const Session& session, const ClassAssignment& before);
+[[nodiscard]] core::Status unassign(const DatabaseContext& school, const Login& session, const ClassAssignment& before);
 
 /// How often the session's person may still try a lesson; nothing: as often as he likes. Of several classes the most
 /// generous decides.
-[[nodiscard]] core::Result<std::optional<int>> attemptsLeft(const School& school, const Session& session,
+[[nodiscard]] core::Result<std::optional<int>> attemptsLeft(const DatabaseContext& school, const Login& session,
                                                             const std::string& lessonId);
 
 /// Inside a transaction of others, who have looked whether it is allowed, and seal the audit: the class of that name,
 /// made if need be.
-[[nodiscard]] core::Result<ClassId> classNamed(const School& school, AuditBatch& audit, const std::string& actor,
-                                               const std::string& name);
-[[nodiscard]] core::Status putInto(const School& school, AuditBatch& audit, const std::string& actor, ClassId id,
-                                   PersonId person);
+[[nodiscard]] core::Result<ClassId> classNamed(const DatabaseContext& school, AuditBatch& audit,
+                                               const std::string& actor, const std::string& name);
+[[nodiscard]] core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
+                                   ClassId id, PersonId person);
 
 }  // namespace database::sql

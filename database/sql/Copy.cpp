@@ -37,7 +37,7 @@ core::Status stopped()
     return core::unexpected(ErrorCode::FileUnwritable, "the copying was stopped; nothing was kept of it");
 }
 
-core::Status copyTable(const School& from, const School& to, const QString& table, RowSum& sum,
+core::Status copyTable(const DatabaseContext& from, const DatabaseContext& to, const QString& table, RowSum& sum,
                        const CopyProgress& progress)
 {
     const std::string doing = "copy the table " + table.toStdString();
@@ -63,7 +63,7 @@ core::Status copyTable(const School& from, const School& to, const QString& tabl
     return {};
 }
 
-core::Status verifyTable(const School& to, const QString& table, const RowSum& expected)
+core::Status verifyTable(const DatabaseContext& to, const QString& table, const RowSum& expected)
 {
     const auto sum = sumOf(to.db, table);
     if (!sum)
@@ -74,7 +74,8 @@ core::Status verifyTable(const School& to, const QString& table, const RowSum& e
                                                          " did not arrive as it was sent; nothing was kept, try again");
 }
 
-core::Status copyRecordings(const School& from, const School& to, CopyReport& report, const CopyProgress& progress)
+core::Status copyRecordings(const DatabaseContext& from, const DatabaseContext& to, CopyReport& report,
+                            const CopyProgress& progress)
 {
     const auto hashes = recordingsNamed(from.db);
     if (!hashes)
@@ -99,7 +100,7 @@ core::Status copyRecordings(const School& from, const School& to, CopyReport& re
     return {};
 }
 
-core::Status copySeal(const School& from, const School& to)
+core::Status copySeal(const DatabaseContext& from, const DatabaseContext& to)
 {
     const std::string doing = "copy the head of the audit";
     auto seal = run(from.db, "SELECT seq, hash, signature, station_key FROM audit_seal", doing);
@@ -149,10 +150,10 @@ core::Status makeSchema(const QSqlDatabase& to)
 
 }  // namespace
 
-core::Result<CopyReport> copySchool(const School& from, const Session& session, const School& to,
+core::Result<CopyReport> copySchool(const DatabaseContext& from, const Login& session, const DatabaseContext& to,
                                     const CopyProgress& progress)
 {
-    if (auto may = admit(from, session, Operation::CopySchool); !may)
+    if (auto may = authorize(from, session, Operation::CopySchool); !may)
         return tl::unexpected(may.error());
     if (auto empty = expectEmpty(to.db); !empty)
         return tl::unexpected(empty.error());

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "database/sql/School.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
@@ -23,7 +23,7 @@ struct CopyReport
 /// recording read back. Recordings that were written beside a file stay there if it fails; the next copy uses them.
 /// OutOfRange if the target holds a school already. Noted in the audit.
 /// @param session  an admin's of `from`
-[[nodiscard]] core::Result<CopyReport> copySchool(const School& from, const Session& session, const School& to,
-                                                  const CopyProgress& progress = {});
+[[nodiscard]] core::Result<CopyReport> copySchool(const DatabaseContext& from, const Login& session,
+                                                  const DatabaseContext& to, const CopyProgress& progress = {});
 
 }  // namespace database::sql

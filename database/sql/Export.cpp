@@ -37,10 +37,10 @@ void put(std::string& line, std::string_view field)
 
 }  // namespace
 
-core::Result<std::int64_t> exportAttempts(const School& school, const Session& session,
+core::Result<std::int64_t> exportAttempts(const DatabaseContext& school, const Login& session,
                                           const std::function<bool(std::string_view line)>& write)
 {
-    const auto who = admit(school, session, Operation::ExportAttempts);
+    const auto who = authorize(school, session, Operation::ExportAttempts);
     if (!who)
         return tl::unexpected(who.error());
     QString whose;
@@ -99,9 +99,9 @@ core::Result<std::int64_t> exportAttempts(const School& school, const Session& s
     return count;
 }
 
-core::Status noteClassExport(const School& school, const Session& session, ClassId ofClass)
+core::Status noteClassExport(const DatabaseContext& school, const Login& session, ClassId ofClass)
 {
-    if (auto who = admitToClass(school, session, Operation::ReadClass, ofClass); !who)
+    if (auto who = authorizeForClass(school, session, Operation::ReadClass, ofClass); !who)
         return tl::unexpected(who.error());
     return inTurn(school, "note the report of a class", [&] {
         return note(school, session.uid(), "class.export", "class:" + std::to_string(ofClass.value));

@@ -23,9 +23,9 @@ QString saidIn(const char* table, const char* when)
 
 }  // namespace
 
-core::Result<std::vector<Feedback>> feedbackFor(const School& school, const Session& session, PersonId person)
+core::Result<std::vector<Feedback>> feedbackFor(const DatabaseContext& school, const Login& session, PersonId person)
 {
-    if (auto who = admitTo(school, session, Operation::ReadHistory, person); !who)
+    if (auto who = authorizeFor(school, session, Operation::ReadHistory, person); !who)
         return tl::unexpected(who.error());
     std::vector<Feedback> found;
     std::set<std::int64_t> known;
@@ -51,7 +51,7 @@ core::Result<std::vector<Feedback>> feedbackFor(const School& school, const Sess
     return found;
 }
 
-core::Status seeFeedback(const School& school, const Session& session, const AttemptRecord& attempt)
+core::Status seeFeedback(const DatabaseContext& school, const Login& session, const AttemptRecord& attempt)
 {
     return changeOwnSetting(school, session, kSeen.toStdString() + attempt.uid, school.now());
 }

@@ -3,17 +3,18 @@
 
 #include <vector>
 
-#include "database/records.h"
-#include "database/sql/School.h"
+#include "database/AttemptRecord.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
 /// Those attempts of a person of which others have said something, a comment or another score; what was said last comes
 /// first, and whether that person has seen it.
-[[nodiscard]] core::Result<std::vector<Feedback>> feedbackFor(const School& school, const Session& session,
+[[nodiscard]] core::Result<std::vector<Feedback>> feedbackFor(const DatabaseContext& school, const Login& session,
                                                               PersonId person);
 
 /// The session's person has seen what was said of an attempt so far.
-[[nodiscard]] core::Status seeFeedback(const School& school, const Session& session, const AttemptRecord& attempt);
+[[nodiscard]] core::Status seeFeedback(const DatabaseContext& school, const Login& session,
+                                       const AttemptRecord& attempt);
 
 }  // namespace database::sql

@@ -50,7 +50,7 @@ std::string nameHash(const std::string& typed)
 
 constexpr std::size_t kNameInAudit = 16;  ///< digits of that hash
 
-qlonglong nowMs(const School& school)
+qlonglong nowMs(const DatabaseContext& school)
 {
     return school.nowUtc().toMSecsSinceEpoch();
 }
@@ -76,7 +76,7 @@ struct Tries
     bool isAhead = false;               ///< one was counted by a clock that was ahead of this one
 };
 
-core::Result<Tries> triesOf(const School& school, const std::string& hash)
+core::Result<Tries> triesOf(const DatabaseContext& school, const std::string& hash)
 {
     // One that a station has left half-way is soon no longer waited for.
     constexpr std::chrono::milliseconds kLongestTry = std::chrono::seconds(5);
@@ -106,14 +106,14 @@ core::Result<Tries> triesOf(const School& school, const std::string& hash)
 
 /// Counts what a clock that was ahead has counted as if it were just now: else the name would have to wait anew at each
 /// look until that time has come.
-core::Status bringBack(const School& school, const std::string& hash)
+core::Status bringBack(const DatabaseContext& school, const std::string& hash)
 {
     const qlonglong now = nowMs(school);
     return execute(school.db, "UPDATE failed_logins SET last_ms = ? WHERE name_hash IN (?, ?) AND last_ms > ?", kLogIn,
                    {now, text(hash), tryOf(hash), now});
 }
 
-core::Status countTry(const School& school, const QVariant& name)
+core::Status countTry(const DatabaseContext& school, const QVariant& name)
 {
     return execute(school.db,
                    "INSERT INTO failed_logins (name_hash, failures, last_ms) VALUES (?, 1, ?) ON CONFLICT (name_hash) "
@@ -123,7 +123,7 @@ core::Status countTry(const School& school, const QVariant& name)
 
 /// Counts a try as a failure before anything is compared: many at once are no more guesses than one after the other.
 /// False: the name has to wait.
-core::Result<bool> reserveTry(const School& school, const std::string& hash)
+core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Result<bool> {
         const auto tries = triesOf(school, hash);
@@ -148,7 +148,7 @@ core::Result<bool> reserveTry(const School& school, const std::string& hash)
 
 /// Who has to wait only because others of his name are being compared waits here for how that ends: one who logs in at
 /// many places at once guesses nothing.
-core::Status beginTry(const School& school, const std::string& hash)
+core::Status beginTry(const DatabaseContext& school, const std::string& hash)
 {
     constexpr int kMostLooks = 100;
     constexpr std::chrono::milliseconds kBetween(50);
@@ -174,18 +174,18 @@ core::Status beginTry(const School& school, const std::string& hash)
 }
 
 /// Inside the transaction of what a right password or code leads to.
-core::Status forgive(const School& school, const std::string& hash)
+core::Status forgive(const DatabaseContext& school, const std::string& hash)
 {
     return execute(school.db, "DELETE FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn, {text(hash), tryOf(hash)});
 }
 
-core::Status endTry(const School& school, const std::string& hash)
+core::Status endTry(const DatabaseContext& school, const std::string& hash)
 {
     return execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", kLogIn, {tryOf(hash)});
 }
 
 /// The try has failed, as it was counted.
-core::Status noteFailure(const School& school, const std::string& hash)
+core::Status noteFailure(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Status {
         if (auto ended = endTry(school, hash); !ended)
@@ -195,7 +195,7 @@ core::Status noteFailure(const School& school, const std::string& hash)
 }
 
 /// Nothing could be compared, which is nobody's failure.
-core::Status takeBack(const School& school, const std::string& hash)
+core::Status takeBack(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Status {
         for (const char* sql : {"DELETE FROM failed_logins WHERE name_hash = ? AND failures = 1",
@@ -206,7 +206,7 @@ core::Status takeBack(const School& school, const std::string& hash)
     });
 }
 
-core::Result<Account> accountOf(const School& school, const std::string& typed)
+core::Result<Account> accountOf(const DatabaseContext& school, const std::string& typed)
 {
     Account account;
     const auto name = normalUsername(typed);
@@ -258,7 +258,7 @@ std::string codeOf(const std::string& typed)
 /// What is compared with where nobody is called so, or he has no password: that of somebody else, the same for a name
 /// until people come or go. So it takes as long as it takes with those who are here, also while some passwords are
 /// still kept at the cost of an older computer.
-core::Result<std::string> otherPassword(const School& school, const std::string& nameHash)
+core::Result<std::string> otherPassword(const DatabaseContext& school, const std::string& nameHash)
 {
     constexpr const char* kHaving = "FROM people WHERE password_hash <> ''";
     constexpr int kHexDigits = 8;
@@ -283,8 +283,8 @@ enum class Secret { Password, Code, Either };
 /// A password is compared once, whoever it is: with his, or with another's. A code is compared quickly, whoever it is.
 /// @param hash  of the name
 /// @return nothing: it is wrong
-core::Result<std::optional<Account>> compare(const School& school, const std::string& username, const std::string& hash,
-                                             const std::string& secret, Secret kind)
+core::Result<std::optional<Account>> compare(const DatabaseContext& school, const std::string& username,
+                                             const std::string& hash, const std::string& secret, Secret kind)
 {
     auto account = accountOf(school, username);
     if (!account)
@@ -312,7 +312,7 @@ core::Result<std::optional<Account>> compare(const School& school, const std::st
 }
 
 /// What it leads to forgives the failures before.
-core::Result<Account> tryAccount(const School& school, const std::string& username, const std::string& secret,
+core::Result<Account> tryAccount(const DatabaseContext& school, const std::string& username, const std::string& secret,
                                  Secret kind)
 {
     const std::string hash = nameHash(username);
@@ -332,7 +332,7 @@ core::Result<Account> tryAccount(const School& school, const std::string& userna
 }
 
 /// Takes a fraction of a second: not while others wait.
-core::Result<std::string> hashFor(const School& school, const std::string& password)
+core::Result<std::string> hashFor(const DatabaseContext& school, const std::string& password)
 {
     const auto cost = passwordCost(school);
     if (!cost)
@@ -340,14 +340,15 @@ core::Result<std::string> hashFor(const School& school, const std::string& passw
     return hashPassword(password, *cost);
 }
 
-core::Status setPassword(const School& school, const Person& person, const std::string& hash)
+core::Status setPassword(const DatabaseContext& school, const Person& person, const std::string& hash)
 {
     return execute(school.db, "UPDATE people SET password_hash = ?, reset_hash = '', reset_until_utc = '' WHERE id = ?",
                    kSetPassword, {text(hash), number(person.id.value)});
 }
 
 /// Not where an admin has just taken the password away.
-core::Status keepDearer(const School& school, const Person& person, const std::string& before, const std::string& hash)
+core::Status keepDearer(const DatabaseContext& school, const Person& person, const std::string& before,
+                        const std::string& hash)
 {
     const auto raised =
         ask(school.db, "UPDATE people SET password_hash = ? WHERE id = ? AND password_hash = ? RETURNING id", kLogIn,
@@ -358,7 +359,8 @@ core::Status keepDearer(const School& school, const Person& person, const std::s
 }
 
 /// Whether what somebody has shown still lets him in: another station or an admin may have been quicker.
-core::Status expectStill(const School& school, const Person& person, const char* column, const std::string& hash)
+core::Status expectStill(const DatabaseContext& school, const Person& person, const char* column,
+                         const std::string& hash)
 {
     const auto still =
         ask(school.db,
@@ -373,7 +375,7 @@ core::Status expectStill(const School& school, const Person& person, const char*
 }
 
 /// What passwords cost from now on, and what nobody's is compared with: it takes as long.
-core::Status keepCost(const School& school, const std::string& actor, const PasswordCost& cost,
+core::Status keepCost(const DatabaseContext& school, const std::string& actor, const PasswordCost& cost,
                       const std::string& decoy)
 {
     for (const auto& [name, value] : {std::pair(kPasses, std::to_string(cost.passes)),
@@ -385,7 +387,7 @@ core::Status keepCost(const School& school, const std::string& actor, const Pass
 
 }  // namespace
 
-core::Result<PasswordCost> passwordCost(const School& school)
+core::Result<PasswordCost> passwordCost(const DatabaseContext& school)
 {
     PasswordCost cost;
     for (const auto& [name, take] : {std::pair(
@@ -405,9 +407,9 @@ core::Result<PasswordCost> passwordCost(const School& school)
     return cost;
 }
 
-core::Status raisePasswordCost(const School& school, const Session& session, const PasswordCost& cost)
+core::Status raisePasswordCost(const DatabaseContext& school, const Login& session, const PasswordCost& cost)
 {
-    if (auto may = admit(school, session, Operation::ChangeSettings); !may)
+    if (auto may = authorize(school, session, Operation::ChangeSettings); !may)
         return tl::unexpected(may.error());
     const auto present = passwordCost(school);
     if (!present)
@@ -435,7 +437,7 @@ core::Status Logins::checkNewPassword(const std::string& password, const std::st
     return {};
 }
 
-core::Result<bool> Logins::isNew(const School& school)
+core::Result<bool> Logins::isNew(const DatabaseContext& school)
 {
     const auto somebody = ask(school.db, "SELECT 1 FROM people LIMIT 1", "see who works here");
     if (!somebody)
@@ -443,8 +445,8 @@ core::Result<bool> Logins::isNew(const School& school)
     return somebody->isNull();
 }
 
-core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPerson& who, const std::string& password,
-                                               const PasswordCost& cost)
+core::Result<Login> Logins::createFirstAdmin(const DatabaseContext& school, const NewPerson& who,
+                                             const std::string& password, const PasswordCost& cost)
 {
     const std::string doing = "enter the first admin";
     if (auto fit = checkNewPassword(password, who.username); !fit)
@@ -475,7 +477,8 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
     return login(school, who.username, password);
 }
 
-core::Result<Session> Logins::login(const School& school, const std::string& username, const std::string& password)
+core::Result<Login> Logins::login(const DatabaseContext& school, const std::string& username,
+                                  const std::string& password)
 {
     // A password may be twelve letters, too.
     const Secret kind = looksLikeCode(password)      ? Secret::Code
@@ -512,7 +515,7 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
     });
     if (!entered)
         return tl::unexpected(entered.error());
-    Session session;
+    Login session;
     session.m_person = person.id;
     session.m_uid = person.uid;
     session.m_username = person.username;
@@ -521,8 +524,8 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
     return session;
 }
 
-core::Result<Session> Logins::redeem(const School& school, const std::string& username, const std::string& code,
-                                     const std::string& newPassword)
+core::Result<Login> Logins::redeem(const DatabaseContext& school, const std::string& username, const std::string& code,
+                                   const std::string& newPassword)
 {
     if (auto fit = checkNewPassword(newPassword, username); !fit)
         return tl::unexpected(fit.error());
@@ -547,17 +550,17 @@ core::Result<Session> Logins::redeem(const School& school, const std::string& us
     return login(school, username, newPassword);
 }
 
-core::Status Logins::logout(const School& school, const Session& session)
+core::Status Logins::logout(const DatabaseContext& school, const Login& session)
 {
     if (session.isGuest())
         return {};
     return inTurn(school, "log out", [&] { return note(school, session.uid(), "logout", "person:" + session.uid()); });
 }
 
-core::Status Logins::changePassword(const School& school, const Session& session, const std::string& old,
+core::Status Logins::changePassword(const DatabaseContext& school, const Login& session, const std::string& old,
                                     const std::string& newPassword)
 {
-    if (auto who = admit(school, session, Operation::ChangeOwnPassword); !who)
+    if (auto who = authorize(school, session, Operation::ChangeOwnPassword); !who)
         return tl::unexpected(who.error());
     if (auto fit = checkNewPassword(newPassword, session.username()); !fit)
         return fit;
@@ -578,9 +581,9 @@ core::Status Logins::changePassword(const School& school, const Session& session
     });
 }
 
-core::Result<std::string> Logins::ownHash(const School& school, const Session& session)
+core::Result<std::string> Logins::ownHash(const DatabaseContext& school, const Login& session)
 {
-    if (auto who = admit(school, session, Operation::ChangeOwnPassword); !who)
+    if (auto who = authorize(school, session, Operation::ChangeOwnPassword); !who)
         return tl::unexpected(who.error());
     const auto hash = ask(school.db, QStringLiteral("SELECT password_hash FROM people WHERE id = ?"),
                           "read one's own account", {number(session.person().value)});

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "database/Passwords.h"
-#include "database/people.h"
-#include "database/sql/School.h"
+#include "database/Person.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
@@ -27,43 +27,44 @@ public:
     [[nodiscard]] static std::string nameInAudit(const std::string& username);
 
     /// Whether nobody has been entered yet: the first may make himself the admin.
-    [[nodiscard]] static core::Result<bool> isNew(const School& school);
+    [[nodiscard]] static core::Result<bool> isNew(const DatabaseContext& school);
 
     /// checkPassword(), and it must not look like a one-time code.
     [[nodiscard]] static core::Status checkNewPassword(const std::string& password, const std::string& username);
 
     /// Enters the first person, an admin, and keeps what passwords cost here. NotAllowed when there is somebody.
-    [[nodiscard]] static core::Result<Session> createFirstAdmin(const School& school, const NewPerson& who,
-                                                                const std::string& password, const PasswordCost& cost);
+    [[nodiscard]] static core::Result<Login> createFirstAdmin(const DatabaseContext& school, const NewPerson& who,
+                                                              const std::string& password, const PasswordCost& cost);
 
     /// Lets a person in. WrongLogin, with the same words and after the same time: no such name, a wrong password, a
     /// disabled account. TooSoon: after failures, also of others at the same moment. NewPassword: a one-time code was
     /// right, which redeem() takes.
-    [[nodiscard]] static core::Result<Session> login(const School& school, const std::string& username,
-                                                     const std::string& password);
+    [[nodiscard]] static core::Result<Login> login(const DatabaseContext& school, const std::string& username,
+                                                   const std::string& password);
 
     /// Takes a one-time code, which is then used up, and sets the password. Failures as of login(), and of
     /// checkPassword().
-    [[nodiscard]] static core::Result<Session> redeem(const School& school, const std::string& username,
-                                                      const std::string& code, const std::string& newPassword);
+    [[nodiscard]] static core::Result<Login> redeem(const DatabaseContext& school, const std::string& username,
+                                                    const std::string& code, const std::string& newPassword);
 
     /// Tells the audit that a person has gone.
-    [[nodiscard]] static core::Status logout(const School& school, const Session& session);
+    [[nodiscard]] static core::Status logout(const DatabaseContext& school, const Login& session);
 
     /// WrongLogin if the present password is not `old`.
-    [[nodiscard]] static core::Status changePassword(const School& school, const Session& session,
+    [[nodiscard]] static core::Status changePassword(const DatabaseContext& school, const Login& session,
                                                      const std::string& old, const std::string& newPassword);
 
     /// What one's own password is compared with (database::fits), for where the database is away when a place that was
     /// left is unlocked.
-    [[nodiscard]] static core::Result<std::string> ownHash(const School& school, const Session& session);
+    [[nodiscard]] static core::Result<std::string> ownHash(const DatabaseContext& school, const Login& session);
 };
 
-/// What passwords cost in this school, never less than School::leastCost.
-[[nodiscard]] core::Result<PasswordCost> passwordCost(const School& school);
+/// What passwords cost in this school, never less than DatabaseContext::leastCost.
+[[nodiscard]] core::Result<PasswordCost> passwordCost(const DatabaseContext& school);
 
 /// From now on passwords cost as much, if that is at least twice what they do: each hash is made anew when its owner
 /// logs in next. Never less. Admins; hashes once.
-[[nodiscard]] core::Status raisePasswordCost(const School& school, const Session& session, const PasswordCost& cost);
+[[nodiscard]] core::Status raisePasswordCost(const DatabaseContext& school, const Login& session,
+                                             const PasswordCost& cost);
 
 }  // namespace database::sql

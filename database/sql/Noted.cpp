@@ -18,7 +18,7 @@
 namespace database::sql {
 namespace {
 
-using Say = std::function<void(const Finding&)>;
+using Say = std::function<void(const IntegrityIssue&)>;
 
 const std::string kComparing = "check it";
 
@@ -191,7 +191,7 @@ constexpr Table kTables[]{
      "SELECT 'exam:' || s.uid, p.uid, s.lesson_id, s.begun_utc FROM exam_starts s JOIN people p ON p.id = s.person_id",
      plain}};
 
-Finding differs(const char* table, const std::string& about)
+IntegrityIssue differs(const char* table, const std::string& about)
 {
     return {QT_TRANSLATE_NOOP("Finding", "%1 differs from the audit: the row of %2 was changed, added or removed"),
             {std::string("table ") + table, about}};

@@ -6,13 +6,14 @@
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
-#include "database/Finding.h"
+#include "database/IntegrityIssue.h"
 
 namespace database::sql {
 
 /// Compares tables with what the audit notes of their rows: overrides and given scores, comments, people with their
 /// logins, classes, enrolments, assignments, presets, the school's settings, exams that were begun.
 /// @param say  is told each row that differs
-[[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db, const std::function<void(const Finding&)>& say);
+[[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db,
+                                            const std::function<void(const IntegrityIssue&)>& say);
 
 }  // namespace database::sql

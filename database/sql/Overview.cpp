@@ -11,7 +11,7 @@
 #include <QJsonDocument>
 
 #include "database/sql/Attempts.h"
-#include "database/sql/ExamStarts.h"
+#include "database/sql/StartedExams.h"
 #include "database/sql/Statement.h"
 #include "lessons/ClassStanding.h"
 
@@ -27,7 +27,8 @@ constexpr double kMicronsPerMm = 1000.0;
 const QString kStudents = QStringLiteral("people p JOIN enrolments e ON e.person_id = p.id WHERE e.class_id = ? AND "
                                          "p.role = 'student'");
 
-core::Status readStudents(const School& school, ClassOverview& overview, std::map<std::int64_t, std::size_t>& rowOf)
+core::Status readStudents(const DatabaseContext& school, ClassOverview& overview,
+                          std::map<std::int64_t, std::size_t>& rowOf)
 {
     return forEach(school.db,
                    "SELECT p.id, p.username, p.given_name, p.family_name, p.last_login_utc, p.disabled FROM " +
@@ -46,7 +47,8 @@ core::Status readStudents(const School& school, ClassOverview& overview, std::ma
                    });
 }
 
-core::Status readCells(const School& school, ClassOverview& overview, const std::map<std::int64_t, std::size_t>& rowOf)
+core::Status readCells(const DatabaseContext& school, ClassOverview& overview,
+                       const std::map<std::int64_t, std::size_t>& rowOf)
 {
     if (auto read = forEach(school.db, "SELECT lesson_id FROM assignments WHERE class_id = ? ORDER BY lesson_id",
                             kReadingOverview, {number(overview.id.value)},
@@ -95,7 +97,8 @@ core::Status readCells(const School& school, ClassOverview& overview, const std:
 }
 
 /// What else counts where a class may try a lesson so often and no more.
-core::Status readLimits(const School& school, ClassOverview& overview, const std::map<std::int64_t, std::size_t>& rowOf)
+core::Status readLimits(const DatabaseContext& school, ClassOverview& overview,
+                        const std::map<std::int64_t, std::size_t>& rowOf)
 {
     std::map<std::string, std::size_t> columnOf;
     for (std::size_t k = 0; k < overview.lessons.size(); ++k)
@@ -128,7 +131,8 @@ core::Status readLimits(const School& school, ClassOverview& overview, const std
 }
 
 /// The last attempts of each student, of which those at the lesson tried last are kept.
-core::Status readRecent(const School& school, ClassOverview& overview, const std::map<std::int64_t, std::size_t>& rowOf)
+core::Status readRecent(const DatabaseContext& school, ClassOverview& overview,
+                        const std::map<std::int64_t, std::size_t>& rowOf)
 {
     return forEach(
         school.db,
@@ -204,7 +208,7 @@ LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair
 
 /// ", and of these": what a band adds to a query over the attempts a of students p. A class of fewer people tells
 /// nothing of them, however many others its students meet in their other classes; and who teaches is told of his own.
-QString amongThem(const Who& who)
+QString amongThem(const AuthorizedUser& who)
 {
     return QStringLiteral(
                " AND p.role = 'student' AND p.disabled = 0 AND a.person_id IN (SELECT e.person_id FROM enrolments e "
@@ -220,7 +224,7 @@ QString amongThem(const Who& who)
         .arg(comparedDevice(QStringLiteral("a.device")), comparedDevice(QStringLiteral("own.device")));
 }
 
-QVariantList valuesOf(const Who& who, const Session& session, PersonId person, const std::string& lessonId)
+QVariantList valuesOf(const AuthorizedUser& who, const Login& session, PersonId person, const std::string& lessonId)
 {
     QVariantList values{text(lessonId), number(person.value)};
     if (who.reach == Reach::Classes)
@@ -231,9 +235,9 @@ QVariantList valuesOf(const Who& who, const Session& session, PersonId person, c
 
 }  // namespace
 
-core::Result<ClassOverview> classOverview(const School& school, const Session& session, ClassId ofClass)
+core::Result<ClassOverview> classOverview(const DatabaseContext& school, const Login& session, ClassId ofClass)
 {
-    if (auto who = admitToClass(school, session, Operation::ReadClass, ofClass); !who)
+    if (auto who = authorizeForClass(school, session, Operation::ReadClass, ofClass); !who)
         return tl::unexpected(who.error());
     ClassOverview overview;
     overview.id = ofClass;
@@ -256,10 +260,10 @@ core::Result<ClassOverview> classOverview(const School& school, const Session& s
     return overview;
 }
 
-core::Result<LessonResults> lessonResults(const School& school, const Session& session, ClassId ofClass,
+core::Result<LessonResults> lessonResults(const DatabaseContext& school, const Login& session, ClassId ofClass,
                                           const std::string& lessonId)
 {
-    if (auto who = admitToClass(school, session, Operation::ReadClass, ofClass); !who)
+    if (auto who = authorizeForClass(school, session, Operation::ReadClass, ofClass); !who)
         return tl::unexpected(who.error());
     LessonResults results;
     results.lessonId = lessonId;
@@ -299,10 +303,10 @@ core::Result<LessonResults> lessonResults(const School& school, const Session& s
     return results;
 }
 
-core::Result<std::vector<BandPoint>> classBand(const School& school, const Session& session, PersonId person,
+core::Result<std::vector<BandPoint>> classBand(const DatabaseContext& school, const Login& session, PersonId person,
                                                const std::string& lessonId)
 {
-    const auto who = admitTo(school, session, Operation::CompareWithClass, person);
+    const auto who = authorizeFor(school, session, Operation::CompareWithClass, person);
     if (!who)
         return tl::unexpected(who.error());
     std::map<std::int64_t, int> count;
@@ -321,10 +325,10 @@ core::Result<std::vector<BandPoint>> classBand(const School& school, const Sessi
     return curveOf(scoresOfNth);
 }
 
-core::Result<std::optional<LessonMedians>> classMedians(const School& school, const Session& session, PersonId person,
-                                                        const std::string& lessonId)
+core::Result<std::optional<LessonMedians>> classMedians(const DatabaseContext& school, const Login& session,
+                                                        PersonId person, const std::string& lessonId)
 {
-    const auto who = admitTo(school, session, Operation::CompareWithClass, person);
+    const auto who = authorizeFor(school, session, Operation::CompareWithClass, person);
     if (!who)
         return tl::unexpected(who.error());
     std::set<std::int64_t> people;
@@ -350,15 +354,15 @@ core::Result<std::optional<LessonMedians>> classMedians(const School& school, co
         LessonMedians{static_cast<int>(people.size()), quantile(scores, 0.5), quantile(durations, 0.5)});
 }
 
-core::Result<AttemptTalk> readTalk(const School& school, const Session& session, AttemptId id)
+core::Result<AttemptTalk> readTalk(const DatabaseContext& school, const Login& session, AttemptId id)
 {
-    if (auto who = admit(school, session, Operation::OpenAttempt); !who)
+    if (auto who = authorize(school, session, Operation::OpenAttempt); !who)
         return tl::unexpected(who.error());
     const auto owner =
         ask(school.db, "SELECT person_id FROM attempts WHERE id = ?", kReadingOverview, {number(id.value)});
     if (!owner)
         return tl::unexpected(owner.error());
-    if (auto who = admitTo(school, session, Operation::OpenAttempt, {owner->toLongLong()}); !who)
+    if (auto who = authorizeFor(school, session, Operation::OpenAttempt, {owner->toLongLong()}); !who)
         return tl::unexpected(who.error());
     const QString author = QStringLiteral("TRIM(p.given_name || ' ' || p.family_name)");
     AttemptTalk talk;

@@ -54,7 +54,7 @@ core::Status checkNames(const NewPerson& who)
 }
 
 /// Somebody must be left who can let others in.
-core::Status expectAnotherAdmin(const School& school, PersonId person)
+core::Status expectAnotherAdmin(const DatabaseContext& school, PersonId person)
 {
     const auto other = ask(school.db,
                            "SELECT 1 FROM people WHERE role = 'admin' AND disabled = 0 AND password_hash <> '' "
@@ -68,13 +68,13 @@ core::Status expectAnotherAdmin(const School& school, PersonId person)
     return {};
 }
 
-KeptLogin codeAsKept(const School& school, const std::string& uid, const std::string& code)
+KeptLogin codeAsKept(const DatabaseContext& school, const std::string& uid, const std::string& code)
 {
     const QDateTime until = school.nowUtc().addSecs(std::chrono::seconds(Logins::kCodeLife).count());
     return {{}, hashOfCode(uid, code), until.toString(Qt::ISODate).toStdString()};
 }
 
-core::Result<Person> personBy(const School& school, const QString& column, const QVariant& value)
+core::Result<Person> personBy(const DatabaseContext& school, const QString& column, const QVariant& value)
 {
     std::optional<Person> found;
     if (auto read =
@@ -101,9 +101,9 @@ core::Status checkPersonName(const std::string& name)
     return {};
 }
 
-core::Result<std::vector<Person>> listPeople(const School& school, const Session& session)
+core::Result<std::vector<Person>> listPeople(const DatabaseContext& school, const Login& session)
 {
-    const auto who = admit(school, session, Operation::ListPeople);
+    const auto who = authorize(school, session, Operation::ListPeople);
     if (!who)
         return tl::unexpected(who.error());
     QString where;
@@ -151,7 +151,7 @@ std::string digestOfLogin(const std::string& uid, const KeptLogin& kept)
     return digestOf(bytes.bytes());
 }
 
-core::Status noteLogin(const School& school, const std::string& actor, const std::string& action,
+core::Status noteLogin(const DatabaseContext& school, const std::string& actor, const std::string& action,
                        const std::string& uid)
 {
     std::string digest;
@@ -165,8 +165,8 @@ core::Status noteLogin(const School& school, const std::string& actor, const std
     return note(school, actor, action, "person:" + uid, {{"login_digest", QString::fromStdString(digest)}});
 }
 
-core::Result<Person> enter(const School& school, AuditBatch& audit, const std::string& actor, const NewPerson& who,
-                           const FirstLogin& login)
+core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
+                           const NewPerson& who, const FirstLogin& login)
 {
     const auto username = normalUsername(who.username);
     if (!username)
@@ -211,9 +211,9 @@ core::Result<Person> enter(const School& school, AuditBatch& audit, const std::s
     return person;
 }
 
-core::Result<Entered> addPerson(const School& school, const Session& session, const NewPerson& who)
+core::Result<Entered> addPerson(const DatabaseContext& school, const Login& session, const NewPerson& who)
 {
-    if (auto may = admit(school, session, Operation::AddPerson); !may)
+    if (auto may = authorize(school, session, Operation::AddPerson); !may)
         return tl::unexpected(may.error());
     return inTurn(school, "enter the person", [&]() -> core::Result<Entered> {
         AuditBatch audit(school);
@@ -227,10 +227,10 @@ core::Result<Entered> addPerson(const School& school, const Session& session, co
     });
 }
 
-core::Result<Person> changePerson(const School& school, const Session& session, const Person& wanted,
+core::Result<Person> changePerson(const DatabaseContext& school, const Login& session, const Person& wanted,
                                   const std::optional<Person>& asItWas)
 {
-    if (auto may = admit(school, session, Operation::ChangePerson); !may)
+    if (auto may = authorize(school, session, Operation::ChangePerson); !may)
         return tl::unexpected(may.error());
     if (auto fit = checkNames({wanted.username, wanted.givenName, wanted.familyName, wanted.role}); !fit)
         return tl::unexpected(fit.error());
@@ -281,9 +281,9 @@ core::Result<Person> changePerson(const School& school, const Session& session, 
     });
 }
 
-core::Result<Entered> resetPassword(const School& school, const Session& session, PersonId person)
+core::Result<Entered> resetPassword(const DatabaseContext& school, const Login& session, PersonId person)
 {
-    if (auto may = admit(school, session, Operation::ResetPassword); !may)
+    if (auto may = authorize(school, session, Operation::ResetPassword); !may)
         return tl::unexpected(may.error());
     return inTurn(school, "set a one-time code", [&]() -> core::Result<Entered> {
         auto who = personBy(school, QStringLiteral("id"), static_cast<qlonglong>(person.value));
@@ -311,9 +311,9 @@ core::Result<Entered> resetPassword(const School& school, const Session& session
     });
 }
 
-core::Result<Person> findPerson(const School& school, const Session& session, const std::string& username)
+core::Result<Person> findPerson(const DatabaseContext& school, const Login& session, const std::string& username)
 {
-    const auto who = admit(school, session, Operation::ChangePerson);
+    const auto who = authorize(school, session, Operation::ChangePerson);
     if (!who)
         return tl::unexpected(who.error());
     const auto name = normalUsername(username);

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "database/people.h"
-#include "database/sql/School.h"
+#include "database/Person.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
 class AuditBatch;
 
 /// Everybody within the session's reach, by family name. Admins: all; instructors: those of their classes.
-[[nodiscard]] core::Result<std::vector<Person>> listPeople(const School& school, const Session& session);
+[[nodiscard]] core::Result<std::vector<Person>> listPeople(const DatabaseContext& school, const Login& session);
 
 /// OutOfRange: a given or family name is too long, or holds what cannot be seen.
 [[nodiscard]] core::Status checkPersonName(const std::string& name);
@@ -24,22 +24,23 @@ struct Entered
     Person person;
     std::string code;
 };
-[[nodiscard]] core::Result<Entered> addPerson(const School& school, const Session& session, const NewPerson& who);
+[[nodiscard]] core::Result<Entered> addPerson(const DatabaseContext& school, const Login& session,
+                                              const NewPerson& who);
 
 /// Names, role and whether disabled; the uid and the username stay. NobodyLeft: the last admin who can log in cannot be
 /// disabled or made something else.
 /// ChangedSince: others have set the same to something else, and nothing is changed.
 /// @param asItWas  when the change was thought of: what is as it was then stays as others have set it since
 /// @returns  as he is now
-[[nodiscard]] core::Result<Person> changePerson(const School& school, const Session& session, const Person& person,
-                                                const std::optional<Person>& asItWas = {});
+[[nodiscard]] core::Result<Person> changePerson(const DatabaseContext& school, const Login& session,
+                                                const Person& person, const std::optional<Person>& asItWas = {});
 
 /// Takes the password away and gives a one-time code in its place, good for Logins::kCodeLife. Failed logins are
 /// forgiven.
-[[nodiscard]] core::Result<Entered> resetPassword(const School& school, const Session& session, PersonId person);
+[[nodiscard]] core::Result<Entered> resetPassword(const DatabaseContext& school, const Login& session, PersonId person);
 
 /// By the name that is typed at the login. UnknownName; admins.
-[[nodiscard]] core::Result<Person> findPerson(const School& school, const Session& session,
+[[nodiscard]] core::Result<Person> findPerson(const DatabaseContext& school, const Login& session,
                                               const std::string& username);
 
 /// What the audit notes of a person's names: it can tell that they were changed, and not what they are.
@@ -64,11 +65,11 @@ struct FirstLogin
 /// Inside a transaction of others, who have looked whether it is allowed.
 /// @param audit  which they seal
 /// @param actor  uid, for the audit
-[[nodiscard]] core::Result<Person> enter(const School& school, AuditBatch& audit, const std::string& actor,
+[[nodiscard]] core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
                                          const NewPerson& who, const FirstLogin& login);
 
 /// Inside the transaction that has changed what lets a person in: notes it as it is now.
-[[nodiscard]] core::Status noteLogin(const School& school, const std::string& actor, const std::string& action,
+[[nodiscard]] core::Status noteLogin(const DatabaseContext& school, const std::string& actor, const std::string& action,
                                      const std::string& uid);
 
 }  // namespace database::sql

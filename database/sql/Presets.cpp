@@ -6,9 +6,9 @@
 
 namespace database::sql {
 
-core::Result<std::vector<KeptPreset>> listPresets(const School& school, const Session& session)
+core::Result<std::vector<KeptPreset>> listPresets(const DatabaseContext& school, const Login& session)
 {
-    if (auto who = admit(school, session, Operation::ListPresets); !who)
+    if (auto who = authorize(school, session, Operation::ListPresets); !who)
         return tl::unexpected(who.error());
     std::vector<KeptPreset> presets;
     if (auto read =
@@ -22,9 +22,9 @@ core::Result<std::vector<KeptPreset>> listPresets(const School& school, const Se
     return presets;
 }
 
-core::Status addPreset(const School& school, const Session& session, const KeptPreset& preset)
+core::Status addPreset(const DatabaseContext& school, const Login& session, const KeptPreset& preset)
 {
-    if (auto who = admit(school, session, Operation::AddPreset); !who)
+    if (auto who = authorize(school, session, Operation::AddPreset); !who)
         return tl::unexpected(who.error());
     const std::string doing = "keep the preset";
     return inTurn(school, doing, [&]() -> core::Status {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "database/sql/School.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
@@ -24,9 +24,9 @@ struct KeptPreset
 };
 
 /// All versions of all presets, by name, the newest version of each first. Everybody.
-[[nodiscard]] core::Result<std::vector<KeptPreset>> listPresets(const School& school, const Session& session);
+[[nodiscard]] core::Result<std::vector<KeptPreset>> listPresets(const DatabaseContext& school, const Login& session);
 /// Keeps a version, which is never changed. OutOfRange where there is one of that name and number already with another
 /// content; the same again costs nothing. Admins.
-[[nodiscard]] core::Status addPreset(const School& school, const Session& session, const KeptPreset& preset);
+[[nodiscard]] core::Status addPreset(const DatabaseContext& school, const Login& session, const KeptPreset& preset);
 
 }  // namespace database::sql

@@ -55,7 +55,7 @@ core::Status writeFile(const QString& path, const QByteArray& bytes)
 
 }  // namespace
 
-core::Result<std::string> putRecording(const School& school, const QByteArray& bytes)
+core::Result<std::string> putRecording(const DatabaseContext& school, const QByteArray& bytes)
 {
     const std::string hash = digestOf(viewOf(bytes));
     const core::Status put =

@@ -7,7 +7,7 @@
 #include <QByteArray>
 
 #include "core/base/Result.h"
-#include "database/sql/School.h"
+#include "database/sql/DatabaseContext.h"
 
 /// The recordings of attempts, each under the hash of its bytes, never changed. On a server they are in the table
 /// "recordings"; beside a file they are files in "recordings/", so that a backup of the database need not copy them
@@ -16,7 +16,7 @@ namespace database::sql {
 
 /// Keeps a recording, on the disk when this returns, and returns its hash; the same again costs nothing. To be called
 /// inside the transaction of its attempt.
-[[nodiscard]] core::Result<std::string> putRecording(const School& school, const QByteArray& bytes);
+[[nodiscard]] core::Result<std::string> putRecording(const DatabaseContext& school, const QByteArray& bytes);
 
 /// FileMissing: it is not there. BadStructure: it is not what was put there.
 [[nodiscard]] core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& hash);

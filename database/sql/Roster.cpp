@@ -222,7 +222,7 @@ struct Present
     std::map<std::string, ClassId> classes;  ///< by name
 };
 
-core::Result<Present> presentAt(const School& school)
+core::Result<Present> presentAt(const DatabaseContext& school)
 {
     Present present;
     if (auto read =
@@ -290,7 +290,7 @@ std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, R
     return wanted;
 }
 
-core::Status rename(const School& school, AuditBatch& audit, const Session& session, const Person& before,
+core::Status rename(const DatabaseContext& school, AuditBatch& audit, const Login& session, const Person& before,
                     const NewPerson& who)
 {
     if (before.givenName == who.givenName && before.familyName == who.familyName)
@@ -307,7 +307,7 @@ core::Status rename(const School& school, AuditBatch& audit, const Session& sess
 }
 
 /// Enters one line, and tells the code of who is new.
-core::Result<std::string> take(const School& school, AuditBatch& audit, const Session& session, const Line& line,
+core::Result<std::string> take(const DatabaseContext& school, AuditBatch& audit, const Login& session, const Line& line,
                                Present& present)
 {
     std::string code;
@@ -338,7 +338,7 @@ core::Result<std::string> take(const School& school, AuditBatch& audit, const Se
 }
 
 /// Inside a transaction: enters all, unless there are faults, and notes it in the audit at one go.
-core::Status enterAll(const School& school, const Session& session, const std::vector<Line>& lines,
+core::Status enterAll(const DatabaseContext& school, const Login& session, const std::vector<Line>& lines,
                       RosterOutcome& outcome, const RosterOutcome* asSeen)
 {
     auto present = presentAt(school);
@@ -364,11 +364,11 @@ core::Status enterAll(const School& school, const Session& session, const std::v
 
 }  // namespace
 
-core::Result<RosterOutcome> importRoster(const School& school, const Session& session, std::string_view csv,
+core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Login& session, std::string_view csv,
                                          bool dryRun, const RosterOutcome* asSeen)
 {
     for (const Operation operation : {Operation::AddPerson, Operation::ChangePerson, Operation::ChangeClasses})
-        if (auto who = admit(school, session, operation); !who)
+        if (auto who = authorize(school, session, operation); !who)
             return tl::unexpected(who.error());
     const auto rows = readCsv(csv);
     if (!rows && rows.error().kind == CsvFault::Kind::TooLarge)

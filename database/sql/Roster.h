@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "database/people.h"
-#include "database/sql/School.h"
+#include "database/Person.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
@@ -18,7 +18,7 @@ constexpr std::size_t kMostRosterLines = 20'000;
 /// @param dryRun  says what it would do, codes left out, and does nothing
 /// @param asSeen  what that said: where it would do anything else by now it does nothing (ChangedSince); null: nobody
 /// has looked
-[[nodiscard]] core::Result<RosterOutcome> importRoster(const School& school, const Session& session,
+[[nodiscard]] core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Login& session,
                                                        std::string_view csv, bool dryRun,
                                                        const RosterOutcome* asSeen = nullptr);
 

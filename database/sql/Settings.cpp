@@ -31,7 +31,8 @@ core::Status checkLength(const std::string& name, const std::string& value)
 }
 
 /// @param owner  uid; empty: the school
-core::Status put(const School& school, const std::string& owner, const std::string& name, const std::string& value)
+core::Status put(const DatabaseContext& school, const std::string& owner, const std::string& name,
+                 const std::string& value)
 {
     return execute(school.db,
                    "INSERT INTO settings (owner, name, value) VALUES (?, ?, ?) "
@@ -41,9 +42,9 @@ core::Status put(const School& school, const std::string& owner, const std::stri
 
 }  // namespace
 
-core::Result<SettingsMap> readSettings(const School& school, const Session& session)
+core::Result<SettingsMap> readSettings(const DatabaseContext& school, const Login& session)
 {
-    if (auto who = admit(school, session, Operation::ReadSettings); !who)
+    if (auto who = authorize(school, session, Operation::ReadSettings); !who)
         return tl::unexpected(who.error());
     SettingsMap settings;
     // One's own come first, and the school's replace them.
@@ -57,7 +58,7 @@ core::Result<SettingsMap> readSettings(const School& school, const Session& sess
     return settings;
 }
 
-core::Status putSetting(const School& school, const std::string& actor, const std::string& name,
+core::Status putSetting(const DatabaseContext& school, const std::string& actor, const std::string& name,
                         const std::string& value)
 {
     if (auto kept = put(school, "", name, value); !kept)
@@ -68,17 +69,18 @@ core::Status putSetting(const School& school, const std::string& actor, const st
     return note(school, actor, "setting.change", "setting:" + name, detail);
 }
 
-core::Status changeSetting(const School& school, const Session& session, const std::string& name,
+core::Status changeSetting(const DatabaseContext& school, const Login& session, const std::string& name,
                            const std::string& value)
 {
     const auto replaced = replaceSetting(school, session, name, value);
     return replaced ? core::Status() : tl::unexpected(replaced.error());
 }
 
-core::Result<ReplacedSetting> replaceSetting(const School& school, const Session& session, const std::string& name,
-                                             const std::string& value, const std::optional<std::string>& of)
+core::Result<ReplacedSetting> replaceSetting(const DatabaseContext& school, const Login& session,
+                                             const std::string& name, const std::string& value,
+                                             const std::optional<std::string>& of)
 {
-    if (auto who = admit(school, session, Operation::ChangeSettings); !who)
+    if (auto who = authorize(school, session, Operation::ChangeSettings); !who)
         return tl::unexpected(who.error());
     if (auto fit = refuseSecret(name); !fit)
         return tl::unexpected(fit.error());
@@ -104,10 +106,10 @@ core::Result<ReplacedSetting> replaceSetting(const School& school, const Session
     return replaced;
 }
 
-core::Status changeOwnSetting(const School& school, const Session& session, const std::string& name,
+core::Status changeOwnSetting(const DatabaseContext& school, const Login& session, const std::string& name,
                               const std::string& value)
 {
-    if (auto who = admit(school, session, Operation::ChangeOwnSettings); !who)
+    if (auto who = authorize(school, session, Operation::ChangeOwnSettings); !who)
         return tl::unexpected(who.error());
     if (auto fit = refuseSecret(name); !fit)
         return fit;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/Result.h"
-#include "database/sql/School.h"
+#include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
@@ -14,9 +14,9 @@ namespace database::sql {
 using SettingsMap = std::map<std::string, std::string>;
 
 /// The session's own, and the school's, over which nobody has a say for himself.
-[[nodiscard]] core::Result<SettingsMap> readSettings(const School& school, const Session& session);
+[[nodiscard]] core::Result<SettingsMap> readSettings(const DatabaseContext& school, const Login& session);
 /// For everybody here. OutOfRange: the value has more than 16,000 characters.
-[[nodiscard]] core::Status changeSetting(const School& school, const Session& session, const std::string& name,
+[[nodiscard]] core::Status changeSetting(const DatabaseContext& school, const Login& session, const std::string& name,
                                          const std::string& value);
 
 struct ReplacedSetting
@@ -26,17 +26,17 @@ struct ReplacedSetting
 };
 /// The same, and tells in the place of what.
 /// @param of  only where that is still what is there; nothing: whatever is
-[[nodiscard]] core::Result<ReplacedSetting> replaceSetting(const School& school, const Session& session,
+[[nodiscard]] core::Result<ReplacedSetting> replaceSetting(const DatabaseContext& school, const Login& session,
                                                            const std::string& name, const std::string& value,
                                                            const std::optional<std::string>& of = {});
 /// For the session's person alone. OutOfRange as above.
-[[nodiscard]] core::Status changeOwnSetting(const School& school, const Session& session, const std::string& name,
-                                            const std::string& value);
+[[nodiscard]] core::Status changeOwnSetting(const DatabaseContext& school, const Login& session,
+                                            const std::string& name, const std::string& value);
 
 /// For everybody here, into the audit, too: inside a transaction of others, who have taken their turn and looked
 /// whether it is allowed.
 /// @param actor  uid, or "system"
-[[nodiscard]] core::Status putSetting(const School& school, const std::string& actor, const std::string& name,
+[[nodiscard]] core::Status putSetting(const DatabaseContext& school, const std::string& actor, const std::string& name,
                                       const std::string& value);
 
 }  // namespace database::sql

@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using core::ErrorCode;
-using core::Words;
+using core::LocalizableText;
 using core::session::DeviceStage;
 
 constexpr auto kLookAgain = 500ms;     ///< interval between two searches for a missing device
@@ -56,7 +56,7 @@ thread_local bool t_isDeviceThread = false;
 constexpr std::array kButtons{Button::Centre, Button::Minus, Button::Plus, Button::Forward};
 constexpr std::uint8_t kDrillBit = 1;
 
-core::Error errorOf(ErrorCode code, Words words)
+core::Error errorOf(ErrorCode code, LocalizableText words)
 {
     return core::unexpected(code, std::move(words)).value();
 }
@@ -67,7 +67,8 @@ core::Result<FirmwareImage> readFirmware(const std::string& path)
     std::vector<std::uint8_t> bytes(FirmwareImage::kLargestBytes + 1);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     if (!file.is_open() || file.bad())
-        return core::unexpected(ErrorCode::FileUnreadable, Words{"The firmware file cannot be read; choose it again."});
+        return core::unexpected(ErrorCode::FileUnreadable,
+                                LocalizableText{"The firmware file cannot be read; choose it again."});
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return FirmwareImage::check(std::move(bytes));
 }
@@ -234,11 +235,12 @@ std::unique_ptr<FtdiPort> FalconDevice::bringUp(const Usb& usb)
 std::unique_ptr<FtdiPort> FalconDevice::load(const Usb& usb, std::unique_ptr<FtdiPort> port)
 {
     takeWishes();
-    const auto image = m_firmware.empty()
-                           ? core::unexpected(ErrorCode::FileMissing,
-                                              Words{"The Falcon needs its firmware, which cannot be shipped with Cusp. "
-                                                    "Choose the firmware file of your Falcon's software."})
-                           : readFirmware(m_firmware);
+    const auto image =
+        m_firmware.empty()
+            ? core::unexpected(ErrorCode::FileMissing,
+                               LocalizableText{"The Falcon needs its firmware, which cannot be shipped with Cusp. "
+                                               "Choose the firmware file of your Falcon's software."})
+            : readFirmware(m_firmware);
     if (!image) {
         tell(Stage::NeedsFirmware, image.error());
         waitWith(*port, std::chrono::hours(1));
@@ -264,9 +266,10 @@ std::unique_ptr<FtdiPort> FalconDevice::load(const Usb& usb, std::unique_ptr<Ftd
             if (runs && *runs)
                 return port;
         }
-        why = loaded ? errorOf(ErrorCode::ConnectionLost,
-                               Words{"The firmware was loaded, but does not answer. Try another firmware file."})
-                     : loaded.error();
+        why = loaded
+                  ? errorOf(ErrorCode::ConnectionLost,
+                            LocalizableText{"The firmware was loaded, but does not answer. Try another firmware file."})
+                  : loaded.error();
         port.reset();
     }
     tell(Stage::Unavailable, why);

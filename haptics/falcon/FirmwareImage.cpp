@@ -11,9 +11,9 @@ namespace haptics::falcon {
 namespace {
 
 using core::ErrorCode;
+using core::LocalizableText;
 using core::noted;
 using core::unexpected;
-using core::Words;
 
 constexpr std::size_t kWordBytes = 2;
 constexpr std::array<std::uint8_t, kWordBytes> kKey{0xAA, 0x08};
@@ -61,7 +61,8 @@ std::string sha256Of(std::span<const std::uint8_t> bytes)
 
 tl::unexpected<core::Error> notFirmware()
 {
-    return unexpected(ErrorCode::WrongKind, Words{"This is not firmware for the Falcon; choose another file."});
+    return unexpected(ErrorCode::WrongKind,
+                      LocalizableText{"This is not firmware for the Falcon; choose another file."});
 }
 
 }  // namespace
@@ -69,12 +70,13 @@ tl::unexpected<core::Error> notFirmware()
 core::Result<FirmwareImage> FirmwareImage::check(std::vector<std::uint8_t> bytes)
 {
     if (bytes.empty())
-        return unexpected(ErrorCode::FileEmpty, Words{"The firmware file is empty; choose another file."});
+        return unexpected(ErrorCode::FileEmpty, LocalizableText{"The firmware file is empty; choose another file."});
     if (bytes.size() > kLargestBytes)
-        return unexpected(ErrorCode::FileTooLarge,
-                          Words{"The file is larger than %1 KiB and cannot be firmware for the Falcon; choose another "
-                                "file.",
-                                {noted(std::to_string(kLargestBytes / 1024))}});
+        return unexpected(
+            ErrorCode::FileTooLarge,
+            LocalizableText{"The file is larger than %1 KiB and cannot be firmware for the Falcon; choose another "
+                            "file.",
+                            {noted(std::to_string(kLargestBytes / 1024))}});
     const std::span<const std::uint8_t> all(bytes);
     const auto keyBytes = all.first(std::min(all.size(), kWordBytes));
     const auto reserved = all.subspan(keyBytes.size(), std::min(all.size(), kEntryAt) - keyBytes.size());
@@ -82,10 +84,11 @@ core::Result<FirmwareImage> FirmwareImage::check(std::vector<std::uint8_t> bytes
         std::any_of(reserved.begin(), reserved.end(), [](std::uint8_t byte) { return byte != 0; }))
         return notFirmware();
     if (all.size() < kHeaderBytes)
-        return unexpected(ErrorCode::FileTruncated,
-                          Words{"The firmware file is too short: it has %1 bytes, and its header alone has %2. Use a "
-                                "complete copy.",
-                                {noted(std::to_string(all.size())), noted(std::to_string(kHeaderBytes))}});
+        return unexpected(
+            ErrorCode::FileTruncated,
+            LocalizableText{"The firmware file is too short: it has %1 bytes, and its header alone has %2. Use a "
+                            "complete copy.",
+                            {noted(std::to_string(all.size())), noted(std::to_string(kHeaderBytes))}});
 
     FirmwareImage image;
     image.m_entryPoint = wordAt(all, kEntryAt) << 16U | wordAt(all, kEntryAt + kWordBytes);
@@ -95,17 +98,19 @@ core::Result<FirmwareImage> FirmwareImage::check(std::vector<std::uint8_t> bytes
     for (bool ended = false; !ended;) {
         const std::size_t blockBytes = blockBytesAt(rest);
         if (rest.size() < blockBytes)
-            return unexpected(ErrorCode::FileTruncated,
-                              Words{"The firmware file ends before its block %1 is complete. Use a complete copy.",
-                                    {noted(std::to_string(image.m_blockCount + 1))}});
+            return unexpected(
+                ErrorCode::FileTruncated,
+                LocalizableText{"The firmware file ends before its block %1 is complete. Use a complete copy.",
+                                {noted(std::to_string(image.m_blockCount + 1))}});
         rest = rest.subspan(blockBytes);
         ended = blockBytes == kWordBytes;
         image.m_blockCount += ended ? 0 : 1;
     }
     if (!rest.empty())
-        return unexpected(ErrorCode::BadStructure,
-                          Words{"The firmware ends after %1 bytes, but the file has %2. Use an unchanged copy.",
-                                {noted(std::to_string(all.size() - rest.size())), noted(std::to_string(all.size()))}});
+        return unexpected(
+            ErrorCode::BadStructure,
+            LocalizableText{"The firmware ends after %1 bytes, but the file has %2. Use an unchanged copy.",
+                            {noted(std::to_string(all.size() - rest.size())), noted(std::to_string(all.size()))}});
     if (image.m_blockCount == 0)
         return notFirmware();
     image.m_sha256 = sha256Of(all);

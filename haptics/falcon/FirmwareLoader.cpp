@@ -9,9 +9,9 @@ namespace {
 
 using namespace std::chrono_literals;
 using core::ErrorCode;
+using core::LocalizableText;
 using core::noted;
 using core::unexpected;
-using core::Words;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::array<std::uint8_t, 3> kGreeting{0x0A, 0x43, 0x0D};
@@ -34,13 +34,14 @@ core::Status silent()
 {
     return unexpected(
         ErrorCode::ConnectionLost,
-        Words{"The Falcon does not answer. Check that its mains adapter is plugged in, then unplug its USB "
-              "cable and plug it in again."});
+        LocalizableText{"The Falcon does not answer. Check that its mains adapter is plugged in, then unplug its USB "
+                        "cable and plug it in again."});
 }
 
 core::Status gone()
 {
-    return unexpected(ErrorCode::ConnectionLost, Words{"The Falcon was unplugged while its firmware was loaded."});
+    return unexpected(ErrorCode::ConnectionLost,
+                      LocalizableText{"The Falcon was unplugged while its firmware was loaded."});
 }
 
 /// Sends, waiting until the last bytes are out.
@@ -105,8 +106,8 @@ core::Status sendBlock(FtdiPort& port, std::span<const std::uint8_t> block, std:
     if (isWrong)
         return unexpected(
             ErrorCode::ConnectionLost,
-            Words{"The Falcon received byte %1 of the firmware wrongly. Try another USB port, without a hub.",
-                  {noted(std::to_string(at + matched))}});
+            LocalizableText{"The Falcon received byte %1 of the firmware wrongly. Try another USB port, without a hub.",
+                            {noted(std::to_string(at + matched))}});
     if (!ended)
         return port.isGone() ? gone() : silent();
     return {};
@@ -172,7 +173,7 @@ core::Status loadFirmware(FtdiPort& port, const FirmwareImage& image, const std:
     const auto all = image.bytes();
     for (std::size_t at = 0; at < all.size(); at += kBlockBytes) {
         if (!goOn(static_cast<double>(at) / static_cast<double>(all.size())))
-            return unexpected(ErrorCode::Busy, Words{"Loading the firmware was stopped."});
+            return unexpected(ErrorCode::Busy, LocalizableText{"Loading the firmware was stopped."});
         if (auto done = sendBlock(port, all.subspan(at, std::min(kBlockBytes, all.size() - at)), at); !done)
             return done;
     }

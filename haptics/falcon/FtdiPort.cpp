@@ -13,7 +13,7 @@ namespace haptics::falcon {
 namespace {
 
 using core::ErrorCode;
-using core::Words;
+using core::LocalizableText;
 
 constexpr int kInterface = 0;
 constexpr std::uint8_t kOutEndpoint = 0x02;
@@ -40,7 +40,7 @@ constexpr std::uint8_t kLatency = 9;
 core::Result<std::unique_ptr<FtdiPort>> FtdiPort::open(const Usb& usb, const std::string& serial)
 {
     const DeviceList devices(usb.context());
-    core::Error why = core::unexpected(ErrorCode::FileMissing, Words{"No Falcon is plugged in."}).value();
+    core::Error why = core::unexpected(ErrorCode::FileMissing, LocalizableText{"No Falcon is plugged in."}).value();
     const std::vector<libusb_device*> falcons = devices.falcons();
     for (libusb_device* const device : falcons) {
         auto opened = openDevice(device);
@@ -50,8 +50,9 @@ core::Result<std::unique_ptr<FtdiPort>> FtdiPort::open(const Usb& usb, const std
         }
         const std::string itsSerial = serialOf(opened->get());
         if (!serial.empty() && itsSerial != serial) {
-            why = core::unexpected(ErrorCode::FileMissing,
-                                   Words{"No Falcon with the serial number %1 is plugged in.", {core::noted(serial)}})
+            why = core::unexpected(
+                      ErrorCode::FileMissing,
+                      LocalizableText{"No Falcon with the serial number %1 is plugged in.", {core::noted(serial)}})
                       .value();
             continue;
         }

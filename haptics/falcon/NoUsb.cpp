@@ -12,8 +12,9 @@ bool hasUsb() noexcept
 
 core::Result<std::unique_ptr<Usb>> Usb::open()
 {
-    return core::unexpected(core::ErrorCode::FileUnreadable,
-                            core::Words{"This program was built without libusb: force devices are left out."});
+    return core::unexpected(
+        core::ErrorCode::FileUnreadable,
+        core::LocalizableText{"This program was built without libusb: force devices are left out."});
 }
 
 // Usb.cpp has something to do here.
@@ -27,7 +28,7 @@ std::vector<FoundFalcon> Usb::falcons() const
 // Nothing below is ever reached: without a Usb there is no port.
 core::Result<std::unique_ptr<FtdiPort>> FtdiPort::open(const Usb& /*usb*/, const std::string& /*serial*/)
 {
-    return core::unexpected(core::ErrorCode::FileMissing, core::Words{"No Falcon is plugged in."});
+    return core::unexpected(core::ErrorCode::FileMissing, core::LocalizableText{"No Falcon is plugged in."});
 }
 FtdiPort::~FtdiPort() = default;
 core::Status FtdiPort::setBaud(Baud /*baud*/)

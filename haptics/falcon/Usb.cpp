@@ -9,9 +9,9 @@ namespace haptics::falcon {
 namespace {
 
 using core::ErrorCode;
+using core::LocalizableText;
 using core::noted;
 using core::unexpected;
-using core::Words;
 
 }  // namespace
 
@@ -25,8 +25,8 @@ core::Result<std::unique_ptr<Usb>> Usb::open()
     libusb_context* context = nullptr;
     if (const int code = libusb_init(&context); code != LIBUSB_SUCCESS)
         return unexpected(ErrorCode::FileUnreadable,
-                          Words{"The USB of this computer cannot be used (%1). The mouse works without it.",
-                                {noted(libusb_error_name(code))}});
+                          LocalizableText{"The USB of this computer cannot be used (%1). The mouse works without it.",
+                                          {noted(libusb_error_name(code))}});
     return std::unique_ptr<Usb>(new Usb(context));
 }
 
@@ -79,20 +79,23 @@ core::Error usbError(int code)
     case LIBUSB_ERROR_ACCESS:
         return unexpected(
                    ErrorCode::NotAllowed,
-                   Words{"You have no permission to use the Falcon. Install the rule that %1 prints, then unplug the "
-                         "Falcon and plug it in again.",
-                         {noted("\"cusp falcon rules\"")}})
+                   LocalizableText{
+                       "You have no permission to use the Falcon. Install the rule that %1 prints, then unplug the "
+                       "Falcon and plug it in again.",
+                       {noted("\"cusp falcon rules\"")}})
             .value();
     case LIBUSB_ERROR_BUSY:
-        return unexpected(ErrorCode::Busy, Words{"Another program uses the Falcon. Close that program."}).value();
+        return unexpected(ErrorCode::Busy, LocalizableText{"Another program uses the Falcon. Close that program."})
+            .value();
     case LIBUSB_ERROR_NOT_SUPPORTED:
         return unexpected(ErrorCode::NotAllowed,
-                          Words{"Another driver of the system holds the Falcon. Give it the driver WinUSB."})
+                          LocalizableText{"Another driver of the system holds the Falcon. Give it the driver WinUSB."})
             .value();
     default:
         return unexpected(ErrorCode::ConnectionLost,
-                          Words{"The USB connection to the Falcon failed (%1). Unplug the Falcon and plug it in again.",
-                                {noted(libusb_error_name(code))}})
+                          LocalizableText{
+                              "The USB connection to the Falcon failed (%1). Unplug the Falcon and plug it in again.",
+                              {noted(libusb_error_name(code))}})
             .value();
     }
 }

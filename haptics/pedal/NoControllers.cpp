@@ -11,8 +11,9 @@ bool hasControllers() noexcept
 
 core::Result<std::unique_ptr<ControllerPort>> openControllerPort()
 {
-    return core::unexpected(core::ErrorCode::FileUnreadable,
-                            core::Words{"This program was built without SDL 2: pedals and gamepads are left out."});
+    return core::unexpected(
+        core::ErrorCode::FileUnreadable,
+        core::LocalizableText{"This program was built without SDL 2: pedals and gamepads are left out."});
 }
 
 }  // namespace haptics

@@ -164,8 +164,9 @@ core::Result<std::unique_ptr<ControllerPort>> openControllerPort()
     if (SDL_InitSubSystem(kSubsystems) != 0)
         return core::unexpected(
             core::ErrorCode::FileUnreadable,
-            core::Words{"Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.",
-                        {core::noted(SDL_GetError())}});
+            core::LocalizableText{
+                "Pedals and gamepads cannot be read (%1). The mouse and the keyboard work without them.",
+                {core::noted(SDL_GetError())}});
     return std::make_unique<SdlPort>();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/simulated/Simulation.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 
 #include <cmath>
 #include <ctime>
@@ -36,8 +36,8 @@ core::Result<SimulationOutcome> simulate(
     if (!servoTick)
         return tl::unexpected(servoTick.error());
     const std::chrono::microseconds period(std::llround(1.0e6 / options.rateHz));
-    const auto servoLinks = std::make_unique<ServoLinks>();
-    const auto uiLinks = std::make_unique<UiLinks>();
+    const auto servoLinks = std::make_unique<ServoChannels>();
+    const auto uiLinks = std::make_unique<UiChannels>();
     // Nothing is ever undone here.
     SessionLoop session(*servoLinks, *uiLinks, options.settings, {options.record, 0});
     ServoLoop servo(device, std::move(*servoTick), *servoLinks, uiLinks->servo, period);

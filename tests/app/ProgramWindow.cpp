@@ -13,12 +13,12 @@
 #include <QRadioButton>
 #include <QSlider>
 
-#include "core/servo/StrokeWatch.h"
+#include "core/servo/StrokeDetector.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonReader.h"
 #include "tests/support/Files.h"
-#include "ui/scoring/Forecast.h"
 #include "ui/scoring/ScorePage.h"
+#include "ui/scoring/ScorePredictionPage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace support {
@@ -84,7 +84,7 @@ void ProgramWindow::drill(glm::dvec3 pointMm) const
 
 void ProgramWindow::waitForStrokeEnd() const
 {
-    constexpr std::uint64_t kEndedTicks = 2 * core::servo::StrokeWatch::kPauseTicks;
+    constexpr std::uint64_t kEndedTicks = 2 * core::servo::StrokeDetector::kPauseTicks;
     WAIT_FOR(m_servo.tick > m_cutAtTick + kEndedTicks);
 }
 
@@ -126,10 +126,10 @@ lessons::Lesson ProgramWindow::openLesson(const std::string& id) const
 
 void ProgramWindow::expectScore() const
 {
-    waitForPage<ui::scoring::Forecast>();
+    waitForPage<ui::scoring::ScorePredictionPage>();
     QVERIFY(!child<QPushButton>("showScore")->isEnabled());
     QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
-    QTest::keyClick(child<ui::scoring::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    QTest::keyClick(child<ui::scoring::ScorePredictionPage>()->findChild<QRadioButton*>(), Qt::Key_Space);
     click("showScore");
     waitForPage<ui::scoring::ScorePage>();
 }

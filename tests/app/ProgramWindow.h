@@ -18,7 +18,7 @@
 #include "lessons/Lesson.h"
 #include "ui/kit/Actions.h"
 #include "ui/kit/MessageBar.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 
 /// QTRY_VERIFY and QTRY_COMPARE with a timeout that is long enough for a window on a busy machine.
 #define WAIT_FOR(condition) QTRY_VERIFY2_WITH_TIMEOUT(condition, qPrintable(message()), support::kPatienceMs)
@@ -69,7 +69,7 @@ protected:
     [[nodiscard]] QString message() const { return child<ui::kit::MessageBar>()->sentence(); }
     void waitForMessage(const QString& words) const { WAIT_FOR(message().contains(words)); }
     /// Returns the volume of removed enamel that the window shows.
-    [[nodiscard]] QString removed() const { return child<ui::kit::TabularLabel>("enamelRemoved")->text(); }
+    [[nodiscard]] QString removed() const { return child<ui::kit::TabularDigitsLabel>("enamelRemoved")->text(); }
     /// Waits until the button is enabled, and clicks it.
     void click(const char* button) const;
     /// Goes back, step by step, to a page that was open before.

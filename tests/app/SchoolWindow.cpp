@@ -10,13 +10,13 @@
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "ui/people/HistoryPage.h"
-#include "ui/scoring/Forecast.h"
 #include "ui/scoring/ScorePage.h"
+#include "ui/scoring/ScorePredictionPage.h"
 #include "ui/text/Language.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace database;
-using ui::people::Door;
+using ui::people::LoginMode;
 
 namespace support {
 
@@ -38,7 +38,7 @@ OtherStation::OtherStation(const QString& place)
     school.leastCost = kCheap;
 }
 
-Session OtherStation::logIn(const std::string& name) const
+Login OtherStation::logIn(const std::string& name) const
 {
     return sql::Logins::login(school, name, kPassword).value();
 }
@@ -50,7 +50,7 @@ void SchoolWindow::makeSchool(const QString& server)
     m_server = server;
     {
         const OtherStation elsewhere(place());
-        const sql::School& school = elsewhere.school;
+        const sql::DatabaseContext& school = elsewhere.school;
         const auto admin =
             sql::Logins::createFirstAdmin(school, {"admin", "Ada", "Admin", Role::Admin}, kPassword, kCheap).value();
         for (const NewPerson& person : {NewPerson{"sam", "sam", "Student", Role::Student},
@@ -136,9 +136,9 @@ void SchoolWindow::logIn(const QString& name) const
 void SchoolWindow::logOut() const
 {
     actions().lock->trigger();
-    QCOMPARE(door(), Door::Locked);
+    QCOMPARE(door(), LoginMode::Locked);
     click("otherLogin");
-    WAIT_FOR_VALUE(door(), Door::Login);
+    WAIT_FOR_VALUE(door(), LoginMode::Login);
 }
 
 void SchoolWindow::switchTo(const QString& name) const
@@ -188,7 +188,7 @@ void SchoolWindow::grade(const QString& words) const
 
 void SchoolWindow::gradeLesson(int expectedAttempts) const
 {
-    gradeUntil<ui::scoring::Forecast>();
+    gradeUntil<ui::scoring::ScorePredictionPage>();
     expectScore();
     WAIT_FOR_VALUE(attempts(), expectedAttempts);
 }
@@ -235,7 +235,7 @@ void SchoolWindow::openNewest() const
 
 void SchoolWindow::savePdf(const QString& path) const
 {
-    emit child<ui::scoring::ScorePage>()->pdfWanted();
+    emit child<ui::scoring::ScorePage>()->pdfRequested();
     auto* dialog = child<QFileDialog>("QFileDialog");
     QVERIFY(dialog != nullptr);
     emit dialog->fileSelected(path);

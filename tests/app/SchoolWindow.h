@@ -10,7 +10,7 @@
 #include <QLabel>
 #include <QTableView>
 
-#include "database/sql/School.h"
+#include "database/sql/DatabaseContext.h"
 #include "database/sql/Statement.h"
 #include "lessons/LessonCatalog.h"
 #include "tests/app/ProgramWindow.h"
@@ -47,7 +47,7 @@ struct OtherStation
 {
     /// @param place  a file with its key beside it, or the address of a server
     explicit OtherStation(const QString& place);
-    [[nodiscard]] database::Session logIn(const std::string& name) const;
+    [[nodiscard]] database::Login logIn(const std::string& name) const;
     [[nodiscard]] QVariant ask(const QString& query) const
     {
         return database::sql::ask(school.db, query, "read").value();
@@ -59,7 +59,7 @@ struct OtherStation
     void execute(const QString& statement) const { QVERIFY(database::sql::execute(school.db, statement, "write")); }
 
     std::unique_ptr<database::sql::Database> database;
-    database::sql::School school;
+    database::sql::DatabaseContext school;
 };
 
 /// The whole program with a school of its own.
@@ -71,7 +71,7 @@ protected:
     void makeSchool(const QString& server = {});
     /// Makes an empty folder with a copy of the school that is a file.
     void takeCopyOfSchool();
-    [[nodiscard]] ui::people::Door door() const { return child<ui::people::LoginPage>()->door(); }
+    [[nodiscard]] ui::people::LoginMode door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] bool isAtDoor() const { return window().isAtDoor(); }
     [[nodiscard]] QString saidAtDoor() const;
     void waitForDoorToSay(const QString& words) const;

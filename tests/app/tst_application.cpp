@@ -25,10 +25,10 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/kit/Actions.h"
 #include "ui/kit/MessageBar.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/practice/HistoryPanel.h"
-#include "ui/scoring/Forecast.h"
 #include "ui/scoring/ScorePage.h"
+#include "ui/scoring/ScorePredictionPage.h"
 #include "ui/tooth/ToothView.h"
 
 using support::kPatienceMs;
@@ -90,7 +90,7 @@ private slots:
         openLesson("orientation-3-layers");
         lookFromAbove();
         WAIT_FOR(actions().drill->isChecked());
-        QVERIFY(!child<ui::kit::TabularLabel>("materialFigure")->isVisible());
+        QVERIFY(!child<ui::kit::TabularDigitsLabel>("materialFigure")->isVisible());
         pressAt({core::teeth::kPadX[0], 0.0});
         WAIT_FOR(hasCut());
         release();
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(title(), QString("Every pad has an answer"));
         QCOMPARE(graded(), QString("70.0"));  // two of three: 90 * 2 / 3 and 10 for the force
         actions().back->trigger();
-        QVERIFY(child<ui::kit::TabularLabel>("materialFigure")->isVisible());
+        QVERIFY(child<ui::kit::TabularDigitsLabel>("materialFigure")->isVisible());
         QVERIFY(child<QLabel>("padTruth0")->text().contains("right"));
         QVERIFY(child<QLabel>("padTruth2")->text().contains("it is"));
     }
@@ -160,7 +160,7 @@ private slots:
         QVERIFY(areMomentsKnown());
         QVERIFY(child<QLabel>("noise")->isVisible());
         window().view().setCamera(-140.0, 20.0, 35.0);
-        emit child<ui::scoring::ScorePage>()->momentWanted(1000.0);
+        emit child<ui::scoring::ScorePage>()->momentRequested(1000.0);
         waitForReplay();
         QVERIFY(!child<ui::scoring::ScorePage>()->isVisible());
         WAIT_FOR_VALUE(removed(), own);  // how it ended
@@ -254,7 +254,7 @@ private slots:
         m_application->showMoment(1.0e6);
         // It plays the last seconds and rests at the end.
         WAIT_FOR(actions().pauseReplay->text().startsWith("Resume"));
-        const auto time = [this] { return child<ui::kit::TabularLabel>("replayTime")->text(); };
+        const auto time = [this] { return child<ui::kit::TabularDigitsLabel>("replayTime")->text(); };
         // To a second, for the words are rounded.
         const auto seconds = [&](int part) {
             const QStringList words = time().section(" of ", part, part).split(u':');
@@ -289,7 +289,7 @@ private slots:
         grade();
         m_application->showMoment(1.0e6);
         for (int n = 0; n < 2; ++n) {  // another one takes its place
-            emit window().besideWanted(recording);
+            emit window().besideRequested(recording);
             WAIT_FOR(actions().beside->isEnabled() && views().size() == 2);
         }
         const auto* beside = views().front() == &window().view() ? views().back() : views().front();
@@ -308,7 +308,7 @@ private slots:
         WAIT_FOR(cutIn(*beside) == 0.0 && cutIn(window().view()) == 0.0);
         actions().beside->trigger();
         QCOMPARE(views().size(), 1);
-        emit window().besideWanted(recording);
+        emit window().besideRequested(recording);
         WAIT_FOR_VALUE(views().size(), 2);
         actions().back->trigger();
         QCOMPARE(views().size(), 1);
@@ -362,7 +362,7 @@ private slots:
             if (actions().pauseReplay->text().startsWith("Resume"))
                 actions().pauseReplay->trigger();
             const auto isOneSecondOn = [this] {
-                return child<ui::kit::TabularLabel>("replayTime")->text().startsWith("0:01");
+                return child<ui::kit::TabularDigitsLabel>("replayTime")->text().startsWith("0:01");
             };
             WAIT_FOR(isOneSecondOn() || !actions().along->isChecked());
         }
@@ -488,9 +488,9 @@ private slots:
         start();
         waitForMessage("an attempt of");
         waitForNewTooth([this] { answer(); });
-        const auto* left = child<ui::kit::TabularLabel>("lessonTime");
+        const auto* left = child<ui::kit::TabularDigitsLabel>("lessonTime");
         QTRY_VERIFY2_WITH_TIMEOUT(left->text().startsWith("5:"), qPrintable(left->text()), kPatienceMs);
-        gradeUntil<ui::scoring::Forecast>();
+        gradeUntil<ui::scoring::ScorePredictionPage>();
         expectScore();
         static_cast<void>(killWithJournal());
         start();
@@ -513,7 +513,7 @@ private:
     void logIn() const
     {
         window().askLogin();
-        emit window().schoolWanted({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
+        emit window().schoolRequested({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
         WAIT_FOR_VALUE(actions().account->text(), QString("admin"));
         actions().back->trigger();
         waitForTooth();
@@ -572,10 +572,11 @@ private:
         if (!child<QPushButton>("exerciseGrade")->isVisible())
             return QStringLiteral("is not offered");
         click("exerciseGrade");
-        if (!QTest::qWaitFor([this] { return child<ui::scoring::Forecast>()->isVisible(); }, support::kSecondTryMs))
-            gradeUntil<ui::scoring::Forecast>();
+        if (!QTest::qWaitFor([this] { return child<ui::scoring::ScorePredictionPage>()->isVisible(); },
+                             support::kSecondTryMs))
+            gradeUntil<ui::scoring::ScorePredictionPage>();
         expectScore();
-        return child<ui::kit::TabularLabel>("total")->text();
+        return child<ui::kit::TabularDigitsLabel>("total")->text();
     }
 
     /// Has the work graded and goes back to it.

@@ -67,12 +67,12 @@ private slots:
 
     void everyBreachHasAName()
     {
-        using core::grading::Breach;
+        using core::grading::RuleViolation;
         QSet<QString> names;
-        constexpr int kBreaches = static_cast<int>(Breach::NeighbourHit) + 1;
+        constexpr int kBreaches = static_cast<int>(RuleViolation::NeighbourHit) + 1;
         for (int k = 0; k < kBreaches; ++k) {
             core::grading::Infraction infraction;
-            infraction.breach = static_cast<Breach>(k);
+            infraction.breach = static_cast<RuleViolation>(k);
             names << cli::toJson(std::vector{infraction})[0].toObject()["what"].toString();
         }
         QCOMPARE(names.size(), kBreaches);

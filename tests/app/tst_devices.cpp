@@ -19,8 +19,8 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
-#include "ui/kit/Memory.h"
-#include "ui/kit/QuestionCard.h"
+#include "ui/kit/AppSettings.h"
+#include "ui/kit/ConfirmOverlay.h"
 #include "ui/scoring/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -254,7 +254,7 @@ private slots:
         openPage();
         hands().selectHand("simulated");
         click("deviceNext");
-        WAIT_FOR(child<ui::kit::QuestionCard>("workQuestion") != nullptr);
+        WAIT_FOR(child<ui::kit::ConfirmOverlay>("workQuestion") != nullptr);
         click("questionDiscard");
         WAIT_FOR(servo().toothGeneration > own);
         waitForTooth();
@@ -288,7 +288,7 @@ private:
     void logIn() const
     {
         window().askLogin();
-        emit window().schoolWanted({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
+        emit window().schoolRequested({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
         WAIT_FOR_VALUE(actions().account->text(), QString("admin"));
         actions().back->trigger();
         waitForTooth();

@@ -12,7 +12,7 @@
 #include "tests/support/falcon/EmulatedFalcon.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 
 using namespace std::chrono_literals;
 using haptics::falcon::Button;

@@ -14,7 +14,7 @@
 #include <QTest>
 
 #include "core/recording/Replay.h"
-#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoParameters.h"
 #include "lessons/PresetFile.h"
 #include "tests/app/ProgramWindow.h"
 #include "tests/support/Files.h"
@@ -59,7 +59,7 @@ private slots:
             made.forEach([&](const core::servo::ServoEvent& event) {
                 if (event.kind != core::servo::ServoEvent::Kind::Number)
                     return;
-                if (const auto number = core::servo::unpackNumber(event.value))
+                if (const auto number = core::servo::unpackParameter(event.value))
                     core::servo::setServoNumber(settings, *number);
             });
             return std::pair(static_cast<float>(settings.hardness.material[0].rateMm3PerNs),
@@ -107,7 +107,7 @@ private slots:
         m_application.reset();
         start();
         QVERIFY(recording().settings().hardness.name.starts_with("natural v3 #"));
-        emit window().presetUseWanted(lessons::shippedPresets().front());
+        emit window().presetUseRequested(lessons::shippedPresets().front());
     }
 
     void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
@@ -157,7 +157,7 @@ private slots:
         emit window().scanChosen(scan);
         WAIT_FOR(isAsked());
         const core::settings::FeelPreset& other = lessons::shippedPresets().front();
-        emit window().feelWanted(other);
+        emit window().feelRequested(other);
         WAIT_FOR_VALUE(used().name, QString::fromStdString(other.name));
         QVERIFY(!used().isChanged);
         child<ui::kit::MessageBar>()->dismiss();  // that the recording was saved
@@ -170,7 +170,7 @@ private slots:
         core::settings::FeelPreset hard;
         hard.name = "hard";
         hard.enamelRate = 0.2;
-        emit window().presetSaveWanted(hard);
+        emit window().presetSaveRequested(hard);
         actions().presets->trigger();
         child<QComboBox>("presetOther")->setCurrentIndex(child<QComboBox>("presetOther")->findText("natural v1"));
         child<QSpinBox>("presetTrials")->setValue(2);
@@ -213,7 +213,7 @@ private slots:
         const auto import = [this](const char* json) {
             const QString path = m_folder->filePath("slip.json");
             support::write(path, json);
-            emit window().presetImportWanted(path);
+            emit window().presetImportRequested(path);
         };
         auto* fault = child<QLabel>("presetFault");
         import(R"({"name": "slip", "enamell": {"rate_mm3_per_ns": 3}})");
@@ -232,7 +232,7 @@ private slots:
         stiff.name = "stiff";
         stiff.version = 0;
         stiff.stiffnessNPerMm = 15.0;
-        emit window().presetSaveWanted(stiff);
+        emit window().presetSaveRequested(stiff);
         QVERIFY2(fault->text().contains("Not kept: Would tremble"), qPrintable(fault->text()));
     }
 

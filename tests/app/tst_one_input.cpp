@@ -25,10 +25,10 @@
 #include "ui/catalog/LessonsPage.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/PedalCard.h"
-#include "ui/kit/Memory.h"
-#include "ui/scoring/Forecast.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/text/LessonWords.h"
+#include "ui/scoring/ScorePredictionPage.h"
+#include "ui/text/LessonTexts.h"
 
 #include "ui/tooth/ToothView.h"
 
@@ -495,7 +495,7 @@ private:
     void finish()
     {
         // What covers the button for a moment, a message or a card, takes the first press.
-        const auto isAsked = [&] { return child<ui::scoring::Forecast>()->isVisible(); };
+        const auto isAsked = [&] { return child<ui::scoring::ScorePredictionPage>()->isVisible(); };
         const auto ask = [&] {
             if (auto* const goOn = child<QPushButton>("goOn"); goOn != nullptr && goOn->isVisible())
                 m_hand->press(*goOn);

@@ -10,7 +10,7 @@
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/HandList.h"
 #include "ui/devices/PedalCard.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/tooth/ToothView.h"
 
 using core::session::PedalStage;

@@ -7,7 +7,7 @@
 #include "app/replay/ReplayLoop.h"
 #include "core/base/Rng.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "tests/support/Rig.h"
@@ -20,7 +20,7 @@ using app::ReplayLoop;
 using app::ReplayTrack;
 using recording::Player;
 using recording::Recording;
-using ui::replay::Course;
+using ui::replay::AttemptTimeline;
 using ui::replay::Mark;
 
 namespace {
@@ -84,7 +84,7 @@ struct Viewer
     }
     [[nodiscard]] double shownS() const { return links->session.latest().recordedS; }
 
-    std::unique_ptr<session::UiLinks> links = std::make_unique<session::UiLinks>();
+    std::unique_ptr<session::UiChannels> links = std::make_unique<session::UiChannels>();
     ui::tooth::PatchInbox inbox;
     terrain::Tooth tooth;
 };
@@ -206,7 +206,7 @@ private slots:
         QVERIFY(track->course().strokes.empty());
         while (track->prepare(1000)) {
         }
-        const Course course = track->course();
+        const AttemptTimeline course = track->course();
         QCOMPARE(course.readyS, course.lengthS);
         QCOMPARE(course.strokes.size(), 3U);
         QCOMPARE(course.strokes[0].burIndex, course.strokes[1].burIndex);
@@ -264,7 +264,7 @@ private slots:
         QVERIFY(!track->course().points[0].touchedAtS);
         while (track->prepare(100)) {
         }
-        const Course course = track->course();
+        const AttemptTimeline course = track->course();
         QVERIFY(course.points[0].touchedAtS && course.points[2].touchedAtS && !course.points[1].touchedAtS);
         QVERIFY(*course.points[2].touchedAtS < *course.points[0].touchedAtS);
         QCOMPARE(course.points[0].placeMm, asked.pointsMm[0]);

@@ -368,8 +368,8 @@ private slots:
         {
             const auto opened = database::sql::Database::open(school());
             VERIFY_DONE(opened);
-            const database::sql::School there{(*opened)->handle(),
-                                              database::StationKey::readOrMake(at("station.key")).value()};
+            const database::sql::DatabaseContext there{(*opened)->handle(),
+                                                       database::StationKey::readOrMake(at("station.key")).value()};
             const auto admin = database::sql::Logins::login(there, "admin", kPassword.trimmed().toStdString());
             VERIFY_DONE(admin);
             VERIFY_DONE(support::addAttempt(there, *admin, SchoolRig::attempt("class1-36", 500), "a recording"));

@@ -26,9 +26,9 @@
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryModel.h"
 #include "ui/people/HistoryPage.h"
+#include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/HeatMap.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/scoring/TalkPanel.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/ToothView.h"
 #include "ui/window/Tour.h"
@@ -39,7 +39,7 @@ using support::kPatienceMs;
 using support::OtherStation;
 using ui::admin::AdminPage;
 using ui::people::ClassPage;
-using ui::people::Door;
+using ui::people::LoginMode;
 
 class TestSchoolPages : public support::SchoolWindow
 {
@@ -53,17 +53,17 @@ private slots:
     {
         QVERIFY(QFile::remove(file()));
         start();
-        WAIT_FOR_VALUE(door(), Door::Welcome);
+        WAIT_FOR_VALUE(door(), LoginMode::Welcome);
         QVERIFY(!child<QLineEdit>("username")->isVisible());
         click("practiseNow");
         WAIT_FOR(!isAtDoor());
         // A guest who goes back to the login sees the same page.
         actions().account->trigger();
-        QCOMPARE(door(), Door::Welcome);
+        QCOMPARE(door(), LoginMode::Welcome);
         click("setUpSchool");
-        QCOMPARE(door(), Door::NewSchool);
+        QCOMPARE(door(), LoginMode::NewSchool);
         click("otherLogin");
-        QCOMPARE(door(), Door::Welcome);
+        QCOMPARE(door(), LoginMode::Welcome);
         click("setUpSchool");
         child<QLineEdit>("passwordAgain")->setText(kRight);
         typeLogin("nora");
@@ -101,7 +101,7 @@ private slots:
             click("checkAll");
         else
             actions().readAgain->trigger();
-        WAIT_FOR(isAtDoor() && door() == Door::Login);
+        WAIT_FOR(isAtDoor() && door() == LoginMode::Login);
         QVERIFY2(saidAtDoor().contains(reason), qPrintable(saidAtDoor()));
         if (change.startsWith("role")) {
             logIn(name);
@@ -118,7 +118,7 @@ private slots:
         };
         const auto lockAndTryWrong = [this](int times) {
             actions().lock->trigger();
-            QCOMPARE(door(), Door::Locked);
+            QCOMPARE(door(), LoginMode::Locked);
             for (int k = 0; k < times; ++k) {
                 tryPassword("somebody else's");
                 QVERIFY(isAtDoor());
@@ -154,7 +154,7 @@ private slots:
         lockAndTryWrong(6);
         QVERIFY2(mustWait(), qPrintable(saidAtDoor()));
         click("otherLogin");
-        WAIT_FOR_VALUE(door(), Door::Login);
+        WAIT_FOR_VALUE(door(), LoginMode::Login);
         child<QLineEdit>("username")->setText("sam");
         tryPassword();
         QVERIFY(isAtDoor());
@@ -180,7 +180,7 @@ private slots:
         other.execute("BEGIN IMMEDIATE");
         actions().lock->trigger();
         tryPassword("somebody else's");
-        QVERIFY(isAtDoor() && door() == Door::Locked);
+        QVERIFY(isAtDoor() && door() == LoginMode::Locked);
         QVERIFY2(saidAtDoor().contains("Wrong username or password"), qPrintable(saidAtDoor()));
         tryPassword();
         QVERIFY2(!isAtDoor(), qPrintable(saidAtDoor()));
@@ -205,7 +205,7 @@ private slots:
         };
         const auto open = [this] {
             child<QMenu>("accountMenu")->findChild<QAction*>("ownPassword")->trigger();
-            WAIT_FOR_VALUE(door(), Door::OwnPassword);
+            WAIT_FOR_VALUE(door(), LoginMode::OwnPassword);
         };
         // From the menu it leads back to the page before; from the lock it does not.
         actions().lessons->trigger();
@@ -214,7 +214,7 @@ private slots:
         QVERIFY(child<ui::catalog::LessonsPage>()->isVisible());
         open();
         actions().lock->trigger();
-        QCOMPARE(door(), Door::Locked);
+        QCOMPARE(door(), LoginMode::Locked);
         actions().back->trigger();
         QVERIFY(isAtDoor());
         click("changePassword");
@@ -256,9 +256,9 @@ private slots:
         goToTooth();
         actions().classes->trigger();
         actions().lock->trigger();
-        QCOMPARE(door(), Door::Locked);
+        QCOMPARE(door(), LoginMode::Locked);
         tryPassword("somebody else's");  // which is answered after the classes
-        QVERIFY(isAtDoor() && door() == Door::Locked);
+        QVERIFY(isAtDoor() && door() == LoginMode::Locked);
         tryPassword();
         waitForPage<ClassPage>();
     }
@@ -306,7 +306,7 @@ private slots:
         moveAway();
         QVERIFY(QFile::rename(other, file()));
         actions().classes->trigger();
-        WAIT_FOR(isAtDoor() && door() == Door::Login);
+        WAIT_FOR(isAtDoor() && door() == LoginMode::Login);
         waitForDoorToSay("Another school is now where yours was");
         logIn("admin");
         QCOMPARE(count("people"), 1);
@@ -398,7 +398,7 @@ private slots:
         OtherStation(file()).execute(
             "DELETE FROM enrolments WHERE person_id = (SELECT id FROM people WHERE username = 'ines')");
         click("addComment");
-        const auto* const fault = child<ui::scoring::TalkPanel>()->findChild<QLabel*>("fault");
+        const auto* const fault = child<ui::scoring::CommentsPanel>()->findChild<QLabel*>("fault");
         WAIT_FOR(fault->isVisible());
         QVERIFY2(fault->text().contains("in none of your classes any more"), qPrintable(fault->text()));
         QCOMPARE(words->toPlainText(), QString("Half a sentence"));
@@ -425,7 +425,7 @@ private slots:
         const auto student = [matrix] { return matrix->headerData(0, Qt::Vertical).toString(); };
         QVERIFY2(student().startsWith("sam"), qPrintable(student()));
         const QString table = m_folder->filePath("class.csv");
-        emit child<ClassPage>()->tableWanted(table);
+        emit child<ClassPage>()->tableRequested(table);
         auto* const classes = child<QComboBox>("classChooser");
         classes->setCurrentIndex(classes->findText("DEN102-B", Qt::MatchStartsWith));
         WAIT_FOR(QFile::exists(table));
@@ -445,7 +445,7 @@ private slots:
         beginAsInes();
         openStudent();
         openNewest();
-        auto* const talk = child<ui::scoring::TalkPanel>();
+        auto* const talk = child<ui::scoring::CommentsPanel>();
         auto* const points = talk->findChild<QDoubleSpinBox*>("givenPoints");
         auto* const reason = talk->findChild<QLineEdit*>("reason");
         WAIT_FOR(reason->isVisible());
@@ -578,7 +578,7 @@ private slots:
         const auto* people = child<QTableView>("people")->model();
         WAIT_FOR_VALUE(people->rowCount(), 4);
         const OtherStation elsewhere(file());
-        const sql::School& school = elsewhere.school;
+        const sql::DatabaseContext& school = elsewhere.school;
         const auto* const fault = child<QLabel>("personFault");
         const auto* const code = child<QLabel>("oneTimeCode");
         // A new user, in a class, with a code that is good for one login.
@@ -713,12 +713,12 @@ private slots:
         const auto* said = child<QLabel>("backupSaid");
         {
             const OtherStation elsewhere(file());
-            emit child<ui::admin::BackupPart>()->restoreWanted(backups().front());
+            emit child<ui::admin::BackupPart>()->restoreRequested(backups().front());
             QTRY_VERIFY2_WITH_TIMEOUT(said->text().contains("was not restored"), qPrintable(said->text()), kPatienceMs);
             QVERIFY(!isAtDoor());
             QCOMPARE(actions().account->text(), QString("admin"));
         }
-        emit child<ui::admin::BackupPart>()->restoreWanted(backups().front());
+        emit child<ui::admin::BackupPart>()->restoreRequested(backups().front());
         logOut();  // before the backup has been looked at
         logIn("sam");
         QTRY_VERIFY2_WITH_TIMEOUT(said->text().isEmpty(), qPrintable(said->text()), kPatienceMs);

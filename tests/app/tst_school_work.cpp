@@ -11,7 +11,7 @@
 
 #include "database/sql/Audit.h"
 #include "database/sql/Backups.h"
-#include "database/sql/ExamStarts.h"
+#include "database/sql/StartedExams.h"
 #include "lessons/PresetFile.h"
 #include "tests/app/SchoolWindow.h"
 #include "tests/support/OpenGlMain.h"
@@ -19,16 +19,16 @@
 #include "ui/charts/ChartPanel.h"
 #include "ui/people/HistoryModel.h"
 #include "ui/people/HistoryPage.h"
-#include "ui/scoring/Forecast.h"
+#include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/HeatMap.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/scoring/TalkPanel.h"
+#include "ui/scoring/ScorePredictionPage.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace database;
 using support::Exam;
 using support::OtherStation;
-using ui::people::Door;
+using ui::people::LoginMode;
 
 class TestSchoolWork : public support::SchoolWindow
 {
@@ -113,7 +113,7 @@ private slots:
         doLesson("exam-36", 0);
         waitForSaved("will not be here next time");
         QVERIFY(!child<QPushButton>("keepGrade")->isVisible());
-        emit window().keepWanted();
+        emit window().keepRequested();
         logIn("sue");
         openAttempts();
         QCOMPARE(attempts(), 0);
@@ -190,7 +190,7 @@ private slots:
             };
             WAIT_FOR(isUndone());
             WAIT_FOR(actions().redo->isEnabled());
-            emit window().feelWanted(lessons::shippedPresets().back());
+            emit window().feelRequested(lessons::shippedPresets().back());
             waitForTicks(500);
             QVERIFY(actions().redo->isEnabled());
         };
@@ -214,7 +214,7 @@ private slots:
         drill(2.0);
         actions().grade->trigger();
         waitForMessage("no attempts left");
-        QVERIFY(!child<ui::scoring::Forecast>()->isVisible());
+        QVERIFY(!child<ui::scoring::ScorePredictionPage>()->isVisible());
         actions().lessons->trigger();
         WAIT_FOR(child<QLabel>("whyNotStart")->isVisible());
         QVERIFY(!child<QPushButton>("startLesson")->isEnabled());
@@ -236,7 +236,7 @@ private slots:
         drill(-2.0);
         const QString own = removed();
         window().setIdleLimit(std::chrono::milliseconds(300));
-        WAIT_FOR(isAtDoor() && door() == Door::Locked);
+        WAIT_FOR(isAtDoor() && door() == LoginMode::Locked);
         window().setIdleLimit(std::chrono::minutes(10));
         tryPassword();
         WAIT_FOR(window().view().isVisible());
@@ -484,7 +484,7 @@ private slots:
         click("continue");
         WAIT_FOR_VALUE(attempts(), 1);
         // The forecast is not asked again: the student knows the score.
-        QVERIFY(!child<ui::scoring::Forecast>()->isVisible());
+        QVERIFY(!child<ui::scoring::ScorePredictionPage>()->isVisible());
         QCOMPARE(OtherStation(file()).ask("SELECT expected_tenths FROM attempts").toInt(), expectedTenths);
         goToTooth();
         QVERIFY(!actions().drill->isEnabled());
@@ -502,7 +502,7 @@ private slots:
         drill(-2.0);
         window().endExam();
         emit window().gradeRequested();
-        waitForPage<ui::scoring::Forecast>();
+        waitForPage<ui::scoring::ScorePredictionPage>();
         const qint64 endMs = clock.elapsed();
         actions().back->trigger();
         QVERIFY(window().view().isVisible());
@@ -594,7 +594,7 @@ private slots:
         openStudent();
         openNewest();
         WAIT_FOR_VALUE(pins().size(), 2);
-        QTest::mouseClick(child<ui::scoring::TalkPanel>()->findChild<QPushButton*>("takeBack"), Qt::LeftButton);
+        QTest::mouseClick(child<ui::scoring::CommentsPanel>()->findChild<QPushButton*>("takeBack"), Qt::LeftButton);
         WAIT_FOR_VALUE(pins().size(), 0);
         QCOMPARE(count("comments WHERE withdrawn_utc IS NOT NULL"), 1);
         QCOMPARE(child<QPlainTextEdit>("commentWords")->toPlainText(), QString("Here you pressed too hard."));
@@ -610,7 +610,7 @@ private slots:
         hard.enamelRate *= 0.5;
         startAs("admin");
         actions().presets->trigger();
-        emit window().presetSaveWanted(hard);
+        emit window().presetSaveRequested(hard);
         WAIT_FOR_VALUE(count("presets WHERE name = 'hard'"), 1);
         // A preset that is not in use can be retired and offered again.
         click("presetRetire");
@@ -623,7 +623,7 @@ private slots:
         actions().presets->trigger();
         QVERIFY(!child<QPushButton>("presetUse")->isEnabled() && !child<QPushButton>("presetImport")->isEnabled());
         hard.dentinRate *= 0.5;
-        emit window().presetSaveWanted(hard);
+        emit window().presetSaveRequested(hard);
         WAIT_FOR(child<QLabel>("presetFault")->text().contains("only an admin"));
         QCOMPARE(count("presets WHERE name = 'hard'"), 1);
         goToTooth();
@@ -699,7 +699,7 @@ private:
     [[nodiscard]] QList<QPushButton*> pins() const
     {
         QList<QPushButton*> found;
-        for (QPushButton* button : child<ui::scoring::TalkPanel>()->findChildren<QPushButton*>())
+        for (QPushButton* button : child<ui::scoring::CommentsPanel>()->findChildren<QPushButton*>())
             if (button->property("kind") == "chip")
                 found << button;
         return found;

@@ -8,7 +8,7 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/devices/DevicesPage.h"
 #include "ui/devices/SoundCard.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/sound/AudioPort.h"
 
 using ui::sound::AudioFormat;

@@ -17,8 +17,8 @@
 #include <QSqlQuery>
 #include <QTest>
 
-#include "app/school/Backups.h"
-#include "app/school/SchoolDesk.h"
+#include "app/school/DailyBackup.h"
+#include "app/school/SchoolService.h"
 #include "core/base/Rng.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothBuilder.h"
@@ -66,18 +66,19 @@ public:
         : m_desk(Address::parse(words[0]).value(), words[1]), m_left(words[3].toInt()), m_recording(ofNothing())
     {
         QDir().mkpath(words[1]);
-        connect(&m_desk, &app::SchoolDesk::delivered, this, [this](const QString& uid) {
+        connect(&m_desk, &app::SchoolService::delivered, this, [this](const QString& uid) {
             if (uid != QString::fromStdString(m_attempt.uid))
                 return;  // that was left over from a station that was killed
             std::cout << "took " << m_since.nsecsElapsed() / 1000 << std::endl;
             next();
         });
-        m_desk.open(this, [this, name = words[2].toStdString()](const app::SchoolDesk::Opening& opening) {
+        m_desk.open(this, [this, name = words[2].toStdString()](const app::SchoolService::Opening& opening) {
             if (!opening.status)
                 fail(opening.status.error());
             m_desk.ask(
-                this, [name](const School& school) { return Logins::login(school, name, SchoolRig::kPassword); },
-                [this](const core::Result<Session>& session) {
+                this,
+                [name](const DatabaseContext& school) { return Logins::login(school, name, SchoolRig::kPassword); },
+                [this](const core::Result<Login>& session) {
                     if (!session)
                         return fail(session.error());
                     m_session = *session;
@@ -105,8 +106,8 @@ private:
         QCoreApplication::exit(1);
     }
 
-    app::SchoolDesk m_desk;
-    Session m_session;
+    app::SchoolService m_desk;
+    Login m_session;
     AttemptRecord m_attempt;
     int m_left = 0;
     core::recording::Recording m_recording;
@@ -133,7 +134,7 @@ QStringList said(const QByteArray& output, const char* beginning)
     return words;
 }
 
-std::set<QString> keptIn(const School& school)
+std::set<QString> keptIn(const DatabaseContext& school)
 {
     std::set<QString> uids;
     static_cast<void>(forEach(school.db, "SELECT uid FROM attempts", "list them", {},
@@ -238,7 +239,7 @@ private slots:
             return ask(rig.school().db, "SELECT count(*) FROM exam_starts", "count")->toInt();
         };
         const auto letters = [&] { return Outbox(m_folder->filePath("outbox"), StationKey::make()).waiting(); };
-        const auto work = [&](app::SchoolDesk& desk) {
+        const auto work = [&](app::SchoolService& desk) {
             int kept = 0;
             const auto count = [&kept](const core::Status& status) {
                 VERIFY_DONE(status);
@@ -253,7 +254,7 @@ private slots:
             QTRY_COMPARE(kept, 2);
         };
         {
-            app::SchoolDesk desk(addressOf(rig), m_folder->path());
+            app::SchoolService desk(addressOf(rig), m_folder->path());
             open(desk);
             work(desk);
             QTRY_VERIFY(letters().isEmpty());
@@ -265,9 +266,9 @@ private slots:
         }
         // The program ends without a server, and starts without one.
         QCOMPARE(letters().size(), 4);
-        app::SchoolDesk desk(addressOf(rig), m_folder->path());
+        app::SchoolService desk(addressOf(rig), m_folder->path());
         bool isAway = false;
-        desk.open(this, [&](const app::SchoolDesk::Opening& opening) { isAway = !opening.status; });
+        desk.open(this, [&](const app::SchoolService::Opening& opening) { isAway = !opening.status; });
         QTRY_VERIFY(isAway);
         QCOMPARE(letters().size(), 4);
         QVERIFY(support::sharedServer().start());
@@ -284,13 +285,14 @@ private slots:
     {
         auto& server = support::sharedServer();
         SERVER_RIG(rig);
-        app::SchoolDesk desk(addressOf(rig), m_folder->path());
-        std::optional<core::Result<Session>> answered;
+        app::SchoolService desk(addressOf(rig), m_folder->path());
+        std::optional<core::Result<Login>> answered;
         const auto logIn = [&] {
             answered.reset();
             desk.ask(
-                this, [](const School& school) { return Logins::login(school, "s1001", SchoolRig::kPassword); },
-                [&answered](const core::Result<Session>& session) { answered = session; });
+                this,
+                [](const DatabaseContext& school) { return Logins::login(school, "s1001", SchoolRig::kPassword); },
+                [&answered](const core::Result<Login>& session) { answered = session; });
             QTRY_VERIFY(answered);
         };
         logIn();
@@ -402,12 +404,12 @@ private slots:
             VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", k), recordingOfNothing()));
         const QString gone = outbox.waiting().front();
         {
-            app::SchoolDesk one(addressOf(rig), m_folder->path());
-            app::SchoolDesk other(addressOf(rig), m_folder->path());
-            for (app::SchoolDesk* desk : {&one, &other}) {
-                connect(desk, &app::SchoolDesk::damaged, this,
+            app::SchoolService one(addressOf(rig), m_folder->path());
+            app::SchoolService other(addressOf(rig), m_folder->path());
+            for (app::SchoolService* desk : {&one, &other}) {
+                connect(desk, &app::SchoolService::damaged, this,
                         [](const core::Error& error) { QFAIL(error.detail.c_str()); });
-                connect(desk, &app::SchoolDesk::waitOn, this, [](int) { QFAIL("one waits on"); });
+                connect(desk, &app::SchoolService::waitOn, this, [](int) { QFAIL("one waits on"); });
                 open(*desk);
             }
             QTRY_VERIFY_WITH_TIMEOUT(outbox.waiting().isEmpty(), 60'000);
@@ -430,12 +432,12 @@ private slots:
         AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
         VERIFY_DONE(Outbox(outbox).put(mine.student, attempt, recordingOfNothing()));
         const auto openOnce = [&](const QString& address) {
-            app::SchoolDesk desk(Address::parse(address).value(), m_folder->path());
+            app::SchoolService desk(Address::parse(address).value(), m_folder->path());
             int waiting = 0;
             bool isDelivered = false;
-            connect(&desk, &app::SchoolDesk::waitOn, this, [&](int count) { waiting = count; });
-            connect(&desk, &app::SchoolDesk::delivered, this, [&](const QString&) { isDelivered = true; });
-            desk.open(this, [](const app::SchoolDesk::Opening&) {});
+            connect(&desk, &app::SchoolService::waitOn, this, [&](int count) { waiting = count; });
+            connect(&desk, &app::SchoolService::delivered, this, [&](const QString&) { isDelivered = true; });
+            desk.open(this, [](const app::SchoolService::Opening&) {});
             [&] { QTRY_VERIFY(waiting > 0 || isDelivered); }();
             return waiting;
         };
@@ -446,8 +448,8 @@ private slots:
         QVERIFY(outbox.waiting().isEmpty());
         // It is kept until the next backup; one of the other school changes nothing.
         const auto made = [&](const SchoolRig& rig, int day) {
-            return app::makeBackup(School{rig.school().db, StationKey::readOrMake(key).value()}, addressOf(rig),
-                                   m_folder->path(), rig.nowUtc.addDays(day));
+            return app::makeBackup(DatabaseContext{rig.school().db, StationKey::readOrMake(key).value()},
+                                   addressOf(rig), m_folder->path(), rig.nowUtc.addDays(day));
         };
         const Outbox ofMine(m_folder->filePath("outbox"), StationKey::readOrMake(key).value(),
                             Outbox::schoolAt(addressOf(mine), m_folder->path()));
@@ -477,9 +479,9 @@ private slots:
             VERIFY_DONE(execute(rig.school().db, sql, "set a limit"));
         Outbox outbox = ownOutbox();
         VERIFY_DONE(outbox.put(rig.student, first, recordingOfNothing()));
-        app::SchoolDesk desk(addressOf(rig), m_folder->path());
+        app::SchoolService desk(addressOf(rig), m_folder->path());
         std::optional<core::Status> opened;
-        desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
+        desk.open(this, [&](const app::SchoolService::Opening& opening) { opened = opening.status; });
         QTRY_VERIFY(opened.has_value());
         VERIFY_DONE(*opened);
         AttemptRecord later = SchoolRig::attempt("class1-36", 600);
@@ -500,14 +502,14 @@ private slots:
     {
         SchoolRig rig(false);
         rig.populate();
-        app::SchoolDesk desk(addressOf(rig), m_folder->path());
+        app::SchoolService desk(addressOf(rig), m_folder->path());
         QStringList told;
-        connect(&desk, &app::SchoolDesk::unanswered, this, [&] { told << "unanswered"; });
-        connect(&desk, &app::SchoolDesk::answered, this, [&] { told << "answered"; });
+        connect(&desk, &app::SchoolService::unanswered, this, [&] { told << "unanswered"; });
+        connect(&desk, &app::SchoolService::answered, this, [&] { told << "answered"; });
         const auto ask = [&](std::atomic<bool>& mayAnswer) {
             desk.ask(
                 this,
-                [&mayAnswer](const School&) -> core::Result<bool> {
+                [&mayAnswer](const DatabaseContext&) -> core::Result<bool> {
                     mayAnswer.wait(false);
                     return true;
                 },
@@ -543,10 +545,10 @@ private slots:
         VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), recordingOfNothing()));
         VERIFY_DONE(outbox.put(rig.student, anExam()));
         for (const QString& copy : copies) {
-            app::SchoolDesk desk(addressOf(copy), m_folder->path());
+            app::SchoolService desk(addressOf(copy), m_folder->path());
             int waiting = 0;
             QString whose = "?";
-            connect(&desk, &app::SchoolDesk::waitForOthers, this, [&](int count, const QString& schools) {
+            connect(&desk, &app::SchoolService::waitForOthers, this, [&](int count, const QString& schools) {
                 waiting = count;
                 whose = schools;
             });
@@ -555,7 +557,7 @@ private slots:
             QCOMPARE(whose, QString("school.sqlite"));
             QCOMPARE(outbox.waiting().size(), 2);
         }
-        app::SchoolDesk desk(addressOf("school.sqlite"), m_folder->path());
+        app::SchoolService desk(addressOf("school.sqlite"), m_folder->path());
         open(desk);
         QTRY_VERIFY(outbox.waiting().isEmpty());
         QCOMPARE(Outbox::schoolAt(Address::parse("postgresql://me@HOST/a").value(), m_folder->path()),
@@ -575,9 +577,9 @@ private slots:
         VERIFY_DONE(execute(rig.school().db, "BEGIN EXCLUSIVE", "lock"));
         Database::Options hasty;
         hasty.patience = std::chrono::milliseconds(50);
-        app::SchoolDesk desk(addressOf(rig), m_folder->path(), hasty);
+        app::SchoolService desk(addressOf(rig), m_folder->path(), hasty);
         std::optional<core::Status> opened;
-        desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
+        desk.open(this, [&](const app::SchoolService::Opening& opening) { opened = opening.status; });
         QTRY_VERIFY(opened.has_value());
         VERIFY_REFUSED(*opened, core::ErrorCode::Busy);
         rig.close();
@@ -594,9 +596,9 @@ private:
         return {m_folder->filePath("outbox"), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
     }
 
-    void open(app::SchoolDesk& desk)
+    void open(app::SchoolService& desk)
     {
-        desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+        desk.open(this, [](const app::SchoolService::Opening& opening) { VERIFY_DONE(opening.status); });
     }
 
     static void expectSound(const SchoolRig& rig)

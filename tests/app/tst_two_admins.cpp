@@ -8,9 +8,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/AdminDesk.h"
-#include "app/PresetDesk.h"
-#include "core/session/Links.h"
+#include "app/AdminController.h"
+#include "app/PresetController.h"
+#include "core/session/SessionChannels.h"
 #include "database/sql/Settings.h"
 #include "tests/database/SchoolRig.h"
 #include "ui/admin/AdminPage.h"
@@ -37,7 +37,8 @@ private slots:
         m_window = std::make_unique<ui::window::MainWindow>(m_links);
         m_window->setWho(m_who);
         m_window->show();
-        m_desk = std::make_unique<app::SchoolDesk>(database::Address::parse(m_rig->address()).value(), m_folder.path());
+        m_desk =
+            std::make_unique<app::SchoolService>(database::Address::parse(m_rig->address()).value(), m_folder.path());
     }
     void cleanup()
     {
@@ -47,7 +48,7 @@ private slots:
 
     void whatAnotherAdminHasChosenIsNotUndone()
     {
-        app::PresetDesk presets(*m_window, [this] { return m_who; });
+        app::PresetController presets(*m_window, [this] { return m_who; });
         presets.setSchool(m_desk.get());
         const auto inUse = [this] {
             return QString::fromStdString(sql::readSettings(m_rig->school(), m_rig->admin).value()["preset.in_use"]);
@@ -61,7 +62,7 @@ private slots:
             mine.name = "mine";
             while (messages->dismiss()) {
             }
-            emit m_window->presetUseWanted(mine);
+            emit m_window->presetUseRequested(mine);
             QTRY_VERIFY_WITH_TIMEOUT(messages->sentence().contains("everybody"), kPatienceMs);
             QCOMPARE(inUse(), QString("mine v1"));
         };
@@ -92,8 +93,8 @@ private slots:
     void aCodeIsNotShownToTheNextAdmin()
     {
         QFETCH(bool, isLate);
-        const database::Session next = m_rig->join({"admin2", "Eve", "Admin", database::Role::Admin}, m_rig->first);
-        app::AdminDesk admin(*m_window, *m_desk, {}, [this] { return m_who; });
+        const database::Login next = m_rig->join({"admin2", "Eve", "Admin", database::Role::Admin}, m_rig->first);
+        app::AdminController admin(*m_window, *m_desk, {}, [this] { return m_who; });
         ui::admin::PeoplePart& people = m_window->adminPage().people();
         const auto* code = m_window->findChild<QLabel*>("oneTimeCode");
         const auto show = [&] {
@@ -101,14 +102,14 @@ private slots:
             m_window->findChild<QTableView*>("people")->selectRow(0);
         };
         show();
-        emit people.resetWanted(m_rig->student.person().value);
+        emit people.resetRequested(m_rig->student.person().value);
         if (!isLate)
             QTRY_VERIFY_WITH_TIMEOUT(!code->text().isEmpty(), kPatienceMs);
         m_who = next;
         m_window->setWho(next);
         bool isAnswered = false;
         m_desk->ask(
-            this, [](const sql::School&) { return core::Result<bool>(true); },
+            this, [](const sql::DatabaseContext&) { return core::Result<bool>(true); },
             [&isAnswered](const core::Result<bool>&) { isAnswered = true; });
         QTRY_VERIFY_WITH_TIMEOUT(isAnswered, kPatienceMs);
         show();
@@ -119,10 +120,10 @@ private slots:
 private:
     QTemporaryDir m_folder;
     std::unique_ptr<support::SchoolRig> m_rig;
-    core::session::UiLinks m_links;
-    database::Session m_who;
+    core::session::UiChannels m_links;
+    database::Login m_who;
     std::unique_ptr<ui::window::MainWindow> m_window;
-    std::unique_ptr<app::SchoolDesk> m_desk;
+    std::unique_ptr<app::SchoolService> m_desk;
 };
 
 QTEST_MAIN(TestTwoAdmins)

@@ -263,8 +263,8 @@ QString complaint(const QString& file, const QString& line)
 }
 
 /// Whether a line of the window's puts a box before it, which stops all else until it is answered. What is to be said
-/// or asked stands within the page: MessageBar, QuestionCard. Where to save and what to print on is asked by FileDialog
-/// and QPrintDialog, by open(), beside which the window goes on.
+/// or asked stands within the page: MessageBar, ConfirmOverlay. Where to save and what to print on is asked by
+/// FileDialog and QPrintDialog, by open(), beside which the window goes on.
 bool putsABox(QString line)
 {
     static const QRegularExpression box(

@@ -6,7 +6,7 @@
 
 #include "core/bur/BurFile.h"
 #include "core/bur/BurMask.h"
-#include "core/contact/Head.h"
+#include "core/contact/BurHead.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
@@ -171,7 +171,7 @@ private slots:
         QFETCH(std::size_t, index);
         const Bur& bur = core::bur::burs()[index];
         const core::bur::BurMask mask(bur, 0.07);
-        const contact::Head head = contact::headAt(mask, 0.07, 0.0, 0.0);
+        const contact::BurHead head = contact::headAt(mask, 0.07, 0.0, 0.0);
         float before = 0.0F;
         for (int k = 0; k <= kSamples; ++k) {
             const double radius = bur.headRadiusMm * k / kSamples;

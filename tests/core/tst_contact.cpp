@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/Rng.h"
+#include "core/contact/BurHead.h"
 #include "core/contact/ContactMethod.h"
-#include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "core/teeth/ToothBuilder.h"
 #include "core/terrain/DecayZones.h"
@@ -120,7 +120,8 @@ private slots:
             contact::LiveTooth tooth(thin);
             tooth.selectBur(static_cast<std::size_t>(n) % core::bur::burs().size());
             const core::bur::BurMask& mask = tooth.mask();
-            const contact::Head head = contact::headAt(mask, cell, rng.uniform(-5.0, 155.0), rng.uniform(-5.0, 155.0));
+            const contact::BurHead head =
+                contact::headAt(mask, cell, rng.uniform(-5.0, 155.0), rng.uniform(-5.0, 155.0));
             const contact::Descent descent{static_cast<float>(rng.uniform(-6.0, 0.0)), 0.5F};
             const float share = n % 3 == 0 ? 0.4F : 1.0F;
             const terrain::PerMaterial seconds{2.0, 7.0, 3.0, 1.0};
@@ -227,7 +228,7 @@ private slots:
                 if (peak.i < 0)
                     continue;
                 // A peak that is remembered must answer as the whole search does, and no column may top it.
-                const contact::Head head = contact::headAt(mask, 0.07, u, v);
+                const contact::BurHead head = contact::headAt(mask, 0.07, u, v);
                 const auto heightOver = [&](int p, int q) {
                     return contact::valueOver<contact::Side::Above>(tooth.tooth().top[tooth.grid().index(p, q)], p,
                                                                     contact::dy2Of(q, head), head);
@@ -263,7 +264,7 @@ private slots:
             const glm::dvec2 p(rng.uniform(-5.5, 5.5), rng.uniform(-5.5, 5.5));
             const double z = rng.uniform(-6.0, 0.0);
             const glm::dvec2 lattice = grid.latticeOf(p);
-            const contact::Head head = contact::headAt(tooth.mask(), grid.cellMm, lattice.x, lattice.y);
+            const contact::BurHead head = contact::headAt(tooth.mask(), grid.cellMm, lattice.x, lattice.y);
             float floor = terrain::kEmptyTop;
             float roof = terrain::kEmptyBottom;
             float lowest = core::bur::BurMask::kAbsent;

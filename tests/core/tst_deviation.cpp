@@ -301,7 +301,7 @@ private slots:
     void theFloorsErrorIsSignedAndFound()
     {
         // A floor that runs from 0.3 too deep at one end to 0.1 too high at the other: 4 mm, of which the margin of 0.2
-        // at each end does not speak.
+        // at each end does not retranslateUi.
         const auto slope = [](double x) { return -0.1 + 0.1 * x; };
         for (const int side : {64, 150, 300})
             for (const glm::dvec2 shift : lies(6)) {
@@ -373,7 +373,7 @@ private slots:
         // A hole of 0.2 mm2 is none, and in a floor of 8 mm2 no more than 5 percent.
         QVERIFY(near(dug(0.25).depth->gougeMm.value, 0.05, 1.0e-5));
         QVERIFY(near(dug(0.25).depth->deepP95Mm, 0.05, 1.0e-5));
-        // Beside a floor too narrow to speak for itself, and too high.
+        // Beside a floor too narrow to retranslateUi for itself, and too high.
         const Surface narrow = box(4.0, 0.5, 1.5);
         QVERIFY(near(compared(anatomy, movedBy(narrow, {0.0, 0.0, -0.3}), narrow).depth->gougeMm.value, 0.3, 1.0e-5));
         const Deviation high = compared(anatomy, movedBy(wanted, {0.0, 0.0, 0.3}), wanted);

@@ -6,8 +6,8 @@
 #include "core/base/Rng.h"
 #include "core/grading/MeasureTable.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Follower.h"
-#include "core/session/Links.h"
+#include "core/session/LiveAssessmentLoop.h"
+#include "core/session/SessionChannels.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -271,7 +271,7 @@ private slots:
         const Exercise all[] = {threePoints(), ForceToHold{1.0, 0.4, 60.0}, PadsToName{teeth::padMaterials(2)}};
         examination.exercise = all[which];
         support::Rig rig;
-        session::Follower follower(*rig.session);
+        session::LiveAssessmentLoop follower(*rig.session);
         rig.open(block);
         follower.watch(1, examination);
         Rng rng(7);
@@ -292,7 +292,7 @@ private slots:
         QVERIFY(concluded->findings.practised.has_value());
         QVERIFY(isBegun(*concluded->findings.practised));
         const auto examined = [&](const recording::Recording& recording) {
-            session::Examiner examiner(examination, block);
+            session::LiveAssessor examiner(examination, block);
             const auto outcome =
                 recording::replay(recording, [&](const core::servo::ServoEvent& event,
                                                  const recording::Replayer& servo) { examiner.take(event, servo); });

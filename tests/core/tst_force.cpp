@@ -7,7 +7,7 @@
 
 #include "core/contact/BurVibration.h"
 #include "core/contact/ForceLaw.h"
-#include "core/contact/PaceMeter.h"
+#include "core/contact/VelocityEstimator.h"
 #include "core/contact/WorkArea.h"
 #include "core/servo/ServoState.h"
 #include "tests/support/Checks.h"
@@ -276,7 +276,7 @@ private slots:
     void paceOfCountsIsSteady()
     {
         // 5 mm/s in counts of 0.05 mm: a backward difference says 0 or 50, and is 45 off.
-        contact::PaceMeter meter;
+        contact::VelocityEstimator meter;
         meter.restart(glm::dvec3(0.0));
         for (int n = 0; n < 400; ++n) {
             meter.add({counted(0.005 * n), 0.0, 0.0}, kTickS);
@@ -293,7 +293,7 @@ private slots:
 
     void paceOfAFastHandIsKnownAtOnce()
     {
-        contact::PaceMeter meter;
+        contact::VelocityEstimator meter;
         meter.restart(glm::dvec3(0.0));
         for (int n = 1; n <= 5; ++n)
             meter.add({0.0, 0.0, counted(-0.3 * n)}, kTickS);
@@ -304,7 +304,7 @@ private slots:
     {
         // A swing of 0.15 mm with 20 Hz, as a stiff wall makes it: by how much is either pace late?
         constexpr double kRadPerS = 2.0 * std::numbers::pi * 20.0;
-        contact::PaceMeter meter;
+        contact::VelocityEstimator meter;
         meter.restart(glm::dvec3(0.0));
         glm::dvec2 late(0.0);  // in phase with the pace and a quarter behind
         glm::dvec2 proven(0.0);
@@ -322,7 +322,7 @@ private slots:
     void restAndCreepProveNoPace()
     {
         // On the edge of a count of one arm, and at 5 mm/s: a backward difference says 45 mm/s.
-        contact::PaceMeter meter;
+        contact::VelocityEstimator meter;
         meter.restart(glm::dvec3(0.0));
         for (int n = 0; n < 100; ++n) {
             meter.add({0.045 * (n % 2), 0.0, 0.045 * std::floor(0.005 * n / 0.045)}, kTickS);

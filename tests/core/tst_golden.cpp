@@ -9,7 +9,7 @@
 #include "core/contact/Kernels.h"
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Suite.h"

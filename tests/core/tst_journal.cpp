@@ -6,7 +6,7 @@
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
 #include "core/session/JournalLoop.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"

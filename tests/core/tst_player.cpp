@@ -8,7 +8,7 @@
 #include "core/recording/Format.h"
 #include "core/recording/Player.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 

@@ -9,8 +9,8 @@
 #include "core/grading/Process.h"
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Examiner.h"
-#include "core/session/Links.h"
+#include "core/session/LiveAssessor.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
@@ -342,7 +342,7 @@ private slots:
         const double away = wait(core::servo::kRestNote, 2000) - before;
         QVERIFY(away >= 2.0);
         const double all = wait(core::servo::kWorkNote, 300);
-        session::Examiner examiner({}, block);
+        session::LiveAssessor examiner({}, block);
         QVERIFY(recording::replay(*rig.session->recordingSoFar(),
                                   [&](const core::servo::ServoEvent& event, const recording::Replayer& servo) {
                                       examiner.take(event, servo);

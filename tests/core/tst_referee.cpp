@@ -3,10 +3,10 @@
 
 #include <type_traits>
 
-#include "core/grading/Referee.h"
+#include "core/grading/RuleChecker.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Follower.h"
-#include "core/session/Links.h"
+#include "core/session/LiveAssessmentLoop.h"
+#include "core/session/SessionChannels.h"
 #include "core/teeth/Beside.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
@@ -23,7 +23,7 @@ namespace {
 constexpr std::chrono::microseconds kTick = 1ms;
 
 /// Returns whether the referee found this breach once and no other.
-bool isOne(const std::vector<Infraction>& found, Breach breach)
+bool isOne(const std::vector<Infraction>& found, RuleViolation breach)
 {
     return found.size() == 1 && found.front().breach == breach;
 }
@@ -66,7 +66,7 @@ private slots:
         const float toRoof = m_anatomy->top[k] - m_anatomy->layers[k].pulpRoof;
         QVERIFY(cut(i, j, toRoof - 0.01F).empty());
         const auto found = cut(i, j, toRoof + 0.01F);
-        QVERIFY(isOne(found, Breach::PulpExposed));
+        QVERIFY(isOne(found, RuleViolation::PulpExposed));
         QCOMPARE(found.front().tick, std::uint64_t{2});
         QVERIFY(cut(i, j, toRoof + 0.5F).empty());
         // Put back to where it was open already: not told again. Put back further: told when it happens again.
@@ -74,7 +74,7 @@ private slots:
         QVERIFY(cut(i, j, toRoof + 0.6F).empty());
         m_tooth.emplace(m_anatomy);
         m_referee->restored(*m_tooth);
-        QVERIFY(isOne(cut(i, j, toRoof + 0.01F), Breach::PulpExposed));
+        QVERIFY(isOne(cut(i, j, toRoof + 0.01F), RuleViolation::PulpExposed));
     }
 
     void tellsDepthAtItsLimit()
@@ -82,7 +82,7 @@ private slots:
         watch(&Rules::depthLimitMm, 2.0);
         QVERIFY(cut(m_middle, m_middle, 1.99F).empty());
         const auto found = cut(m_middle, m_middle, 2.01F);
-        QVERIFY(isOne(found, Breach::TooDeep));
+        QVERIFY(isOne(found, RuleViolation::TooDeep));
         QVERIFY(support::near(found.front().value, 2.01, 1e-5));
         QCOMPARE(found.front().limit, 2.0);
     }
@@ -91,7 +91,7 @@ private slots:
     {
         watch(&Rules::ridgeLimitMm, 100.0);
         QVERIFY(cut(m_middle, m_middle, 0.09F).empty());
-        QVERIFY(isOne(cut(m_middle, m_middle, 0.11F), Breach::RidgeCut));
+        QVERIFY(isOne(cut(m_middle, m_middle, 0.11F), RuleViolation::RidgeCut));
     }
 
     void theRidgeIsMeasuredAlongTheRow()
@@ -103,7 +103,7 @@ private slots:
         const double cell = m_anatomy->grid.cellMm;
         QVERIFY(cut(low + static_cast<int>(1.7 / cell), m_middle, 0.5F).empty());
         const auto found = cut(low + static_cast<int>(1.4 / cell), m_middle, 0.5F);
-        QVERIFY(isOne(found, Breach::RidgeCut));
+        QVERIFY(isOne(found, RuleViolation::RidgeCut));
         QVERIFY(support::near(found.front().value, 1.4, cell));
     }
 
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(cut(m_middle, m_middle, 3.0F).empty());
         QVERIFY(cut(edge + static_cast<int>(0.3 / cell), m_middle, 0.5F).empty());
         const auto found = cut(edge + static_cast<int>(0.8 / cell), m_middle, 0.5F);
-        QVERIFY(isOne(found, Breach::WrongPlace));
+        QVERIFY(isOne(found, RuleViolation::WrongPlace));
         QVERIFY(support::near(found.front().value, 0.8, 1.5 * cell));
     }
 
@@ -129,7 +129,7 @@ private slots:
         m_state.forceN = {0.0, 1.9, 2.4};  // 3.06 N
         QVERIFY(wait(200).empty());
         const auto found = wait(1);
-        QVERIFY(isOne(found, Breach::TooMuchForce));
+        QVERIFY(isOne(found, RuleViolation::TooMuchForce));
         QVERIFY(support::near(found.front().value, 3.0610, 1e-3));
         QVERIFY(wait(1000).empty());
         // Let go for a tick, it counts from the beginning.
@@ -137,7 +137,7 @@ private slots:
         QVERIFY(wait(1).empty());
         m_state.forceN = {0.0, 0.0, 3.5};
         QVERIFY(wait(200).empty());
-        QVERIFY(isOne(wait(1), Breach::TooMuchForce));
+        QVERIFY(isOne(wait(1), RuleViolation::TooMuchForce));
     }
 
     void aBurInTheAirIsToldOncePerStretch()
@@ -149,12 +149,12 @@ private slots:
         QVERIFY(cut(m_middle, m_middle, 0.2F).empty());
         m_state.touching = false;
         QVERIFY(wait(2000).empty());
-        QVERIFY(isOne(wait(5000), Breach::BurInAir));
+        QVERIFY(isOne(wait(5000), RuleViolation::BurInAir));
         m_state.touching = true;
         QVERIFY(wait(1).empty());
         m_state.touching = false;
         QVERIFY(wait(2000).empty());
-        QVERIFY(isOne(wait(1), Breach::BurInAir));
+        QVERIFY(isOne(wait(1), RuleViolation::BurInAir));
         m_state.drillOn = false;
         QVERIFY(wait(9000).empty());
     }
@@ -171,7 +171,7 @@ private slots:
         QVERIFY(wait(60'000).empty());
         m_state.health = 0;
         QVERIFY(wait(500).empty());
-        QVERIFY(isOne(wait(1), Breach::BurInAir));
+        QVERIFY(isOne(wait(1), RuleViolation::BurInAir));
         // A force before the gap and one after it are two.
         m_state.touching = true;
         m_state.forceN = {0.0, 0.0, 3.5};
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(wait(100).empty());
         m_state.health = 0;
         QVERIFY(wait(200).empty());
-        QVERIFY(isOne(wait(1), Breach::TooMuchForce));
+        QVERIFY(isOne(wait(1), RuleViolation::TooMuchForce));
     }
 
     void aWrongBurMayBeHeldButNotCut()
@@ -188,12 +188,12 @@ private slots:
         watch(&Rules::allowedBurs, 0b0011);
         m_state.burIndex = 2;
         QVERIFY(wait(100).empty());
-        QVERIFY(isOne(cut(m_middle, m_middle, 0.2F), Breach::WrongBur));
+        QVERIFY(isOne(cut(m_middle, m_middle, 0.2F), RuleViolation::WrongBur));
         QVERIFY(cut(m_middle, m_middle, 0.3F).empty());
         m_state.burIndex = 1;
         QVERIFY(cut(m_middle, m_middle, 0.4F).empty());
         m_state.burIndex = 3;
-        QVERIFY(isOne(cut(m_middle, m_middle, 0.5F), Breach::WrongBur));
+        QVERIFY(isOne(cut(m_middle, m_middle, 0.5F), RuleViolation::WrongBur));
     }
 
     void theToothBesideIsSpared()
@@ -225,7 +225,7 @@ private slots:
         for (double x = low + 0.6; x < high - 0.6; x += 0.1)
             QVERIFY2(at(x, -2.5).empty(), qPrintable(QString::number(x)));
         for (const double beyond : {low - 0.9, high + 0.9}) {
-            QVERIFY(isOne(at(beyond, -2.5), Breach::NeighbourHit));
+            QVERIFY(isOne(at(beyond, -2.5), RuleViolation::NeighbourHit));
             QVERIFY2(at(beyond, -2.6).empty(), "told once");
             m_state.drillOn = false;
             QVERIFY(at(beyond, -2.6).empty());
@@ -254,7 +254,7 @@ private slots:
             auto found = m_referee->look(m_state, {m_middle, m_middle, m_middle, m_middle}, *m_tooth, kTick);
             for (const Infraction& late : wait(100))
                 found.push_back(late);
-            QVERIFY(isAsked ? found.empty() : isOne(found, Breach::Perforated));
+            QVERIFY(isAsked ? found.empty() : isOne(found, RuleViolation::Perforated));
         }
     }
 
@@ -265,7 +265,7 @@ private slots:
         examination.rules.depthLimitMm = 0.3;
         examination.rules.forceLimitN = 0.5;
         examination.rules.airLimitS = 0.5;
-        session::Follower follower(*rig.session);
+        session::LiveAssessmentLoop follower(*rig.session);
         rig.open(m_anatomy);
         follower.watch(1, examination);
         rig.send(core::servo::SetDrill{true});
@@ -283,7 +283,7 @@ private slots:
         QCOMPARE(concluded->findings.ticks, concluded->recording.ticks());
         QVERIFY(!concluded->findings.infractions.empty());
 
-        session::Examiner examiner(examination, m_anatomy);
+        session::LiveAssessor examiner(examination, m_anatomy);
         const auto outcome = recording::replay(concluded->recording,
                                                [&](const core::servo::ServoEvent& event,
                                                    const recording::Replayer& servo) { examiner.take(event, servo); });
@@ -298,7 +298,7 @@ private slots:
     void followsThroughAStormOfUndos()
     {
         support::Rig rig;
-        session::Follower follower(*rig.session);
+        session::LiveAssessmentLoop follower(*rig.session);
         rig.drill(m_anatomy);
         support::RestlessHand hand(12);
         rig.follow(hand, 2000);
@@ -348,7 +348,7 @@ private:
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
     std::optional<terrain::Tooth> m_tooth;
     Rules m_rules;
-    std::optional<Referee> m_referee;
+    std::optional<RuleChecker> m_referee;
     core::servo::ServoState m_state;
     int m_middle = 0;
 };

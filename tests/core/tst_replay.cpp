@@ -5,9 +5,9 @@
 
 #include "core/bur/Bur.h"
 #include "core/recording/Replay.h"
-#include "core/servo/ServoNumbers.h"
+#include "core/servo/ServoParameters.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Suite.h"
@@ -140,8 +140,8 @@ std::vector<session::SessionCommand> anything(Rng& rng, const core::servo::Servo
         return {};
     case 11:
     case 12:
-        return {core::servo::SetNumber{static_cast<std::uint8_t>(rng.below(core::servo::kServoNumbers + 2)),
-                                       static_cast<float>(rng.below(400)) * 0.01F}};
+        return {core::servo::SetParameter{static_cast<std::uint8_t>(rng.below(core::servo::kServoNumbers + 2)),
+                                          static_cast<float>(rng.below(400)) * 0.01F}};
     default:
         return {};
     }
@@ -159,12 +159,12 @@ private slots:
         ReplayedDrilling rig(64);
         rig.lean(0.0, 0.0, 1.0, 100);
         const double before = removedMm3(rig);
-        const core::servo::ServoNumbers was = core::servo::numbersOf({});
+        const core::servo::ServoParameters was = core::servo::parametersOf({});
         for (std::size_t k = 0; k < core::servo::kServoNumbers; ++k)
-            rig.send(core::servo::SetNumber{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
-        rig.send(core::servo::SetNumber{2, 20.0F});  // the rate of enamel
-        rig.send(core::servo::SetNumber{2, std::nanf("")});
-        rig.send(core::servo::SetNumber{99, 1.0F});
+            rig.send(core::servo::SetParameter{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
+        rig.send(core::servo::SetParameter{2, 20.0F});  // the rate of enamel
+        rig.send(core::servo::SetParameter{2, std::nanf("")});
+        rig.send(core::servo::SetParameter{99, 1.0F});
         rig.lean(0.0, 0.0, 1.0, 100);
         QVERIFY(removedMm3(rig) > 4.0 * before);
         compareWithLive(rig);

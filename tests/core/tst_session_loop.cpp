@@ -11,7 +11,7 @@
 #include "core/history/MomentId.h"
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Scenes.h"
 #include "tests/support/SyntheticTooth.h"
@@ -102,12 +102,12 @@ private slots:
         // Two cuts with a long way through the air between them, with the pedal pressed all the time.
         rig.lean(-1.0, 0.0, 2.0, 300);
         rig.device.tipMm.z = 2.0F;
-        rig.run(3 * StrokeWatch::kPauseTicks);
+        rig.run(3 * StrokeDetector::kPauseTicks);
         rig.lean(1.0, 0.0, 2.0, 300);
         rig.device.tipMm.z = 2.0F;
-        rig.run(2 * StrokeWatch::kPauseTicks);
+        rig.run(2 * StrokeDetector::kPauseTicks);
         rig.device.pedal = false;
-        rig.run(2 * StrokeWatch::kPauseTicks);
+        rig.run(2 * StrokeDetector::kPauseTicks);
         rig.settle();
         QCOMPARE(state(rig).undoSteps, 1);
         QVERIFY(rig.liveHash() != uncut);

@@ -44,7 +44,7 @@ struct Student
 class Maker
 {
 public:
-    Maker(const School& school, const Session& admin, std::uint64_t seed)
+    Maker(const DatabaseContext& school, const Login& admin, std::uint64_t seed)
         : m_school(school), m_admin(admin), m_seed(seed), m_rng(seed)
     {
         for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
@@ -144,8 +144,8 @@ private:
         return record;
     }
 
-    const School& m_school;
-    const Session& m_admin;
+    const DatabaseContext& m_school;
+    const Login& m_admin;
     std::uint64_t m_seed;
     core::Rng m_rng;
     std::vector<lessons::Lesson> m_lessons;
@@ -159,7 +159,7 @@ core::Result<std::string> makeSchool(const QString& where, const SampleSize& siz
     const auto opened = Database::open(where);
     if (!opened)
         return tl::unexpected(opened.error());
-    const School school{(*opened)->handle(), StationKey::make()};
+    const DatabaseContext school{(*opened)->handle(), StationKey::make()};
     const std::string password = newCode() + "x";
     const auto admin = Logins::createFirstAdmin(school, {"admin", "", "", Role::Admin}, password, PasswordCost{});
     if (!admin)

@@ -43,8 +43,8 @@ inline PostgresServer& sharedServer()
 }
 
 /// As an attempt of the session's person comes out of a station's outbox.
-inline core::Result<database::AttemptId> addAttempt(const database::sql::School& school,
-                                                    const database::Session& session,
+inline core::Result<database::AttemptId> addAttempt(const database::sql::DatabaseContext& school,
+                                                    const database::Login& session,
                                                     const database::AttemptRecord& attempt, const QByteArray& recording)
 {
     database::AttemptRecord own = attempt;
@@ -53,10 +53,10 @@ inline core::Result<database::AttemptId> addAttempt(const database::sql::School&
 }
 
 /// What a check found, a line each.
-inline QString wordsOf(const std::vector<database::Finding>& findings)
+inline QString wordsOf(const std::vector<database::IntegrityIssue>& findings)
 {
     QStringList lines;
-    for (const database::Finding& finding : findings)
+    for (const database::IntegrityIssue& finding : findings)
         lines << finding.english();
     return lines.join(u'\n');
 }
@@ -115,8 +115,8 @@ public:
             return;
         }
         m_database = std::move(*opened);
-        m_school = std::make_unique<database::sql::School>(
-            database::sql::School{m_database->handle(), m_key, [this] { return nowUtc; }, kCheap});
+        m_school = std::make_unique<database::sql::DatabaseContext>(
+            database::sql::DatabaseContext{m_database->handle(), m_key, [this] { return nowUtc; }, kCheap});
     }
     void close()
     {
@@ -124,7 +124,7 @@ public:
         m_database.reset();
     }
     [[nodiscard]] bool isOpen() const { return m_database != nullptr; }
-    [[nodiscard]] const database::sql::School& school() const { return *m_school; }
+    [[nodiscard]] const database::sql::DatabaseContext& school() const { return *m_school; }
     [[nodiscard]] database::sql::Database& database() { return *m_database; }
     [[nodiscard]] const QString& address() const { return m_address; }
 
@@ -157,13 +157,13 @@ public:
         stranger = join({"s2001", "Kim", "Far", Role::Student}, second);
         otherInstructor = join({"teach2", "Otto", "Teach", Role::Instructor}, second);
     }
-    [[nodiscard]] core::Result<database::Session> logIn(const std::string& name,
-                                                        const std::string& password = kPassword) const
+    [[nodiscard]] core::Result<database::Login> logIn(const std::string& name,
+                                                      const std::string& password = kPassword) const
     {
         return database::sql::Logins::login(school(), name, password);
     }
     /// Enters a person with the common password, into a class, and logs them in.
-    database::Session join(const database::NewPerson& who, database::ClassId into)
+    database::Login join(const database::NewPerson& who, database::ClassId into)
     {
         using namespace database::sql;
         const Entered entered = addPerson(school(), admin, who).value();
@@ -173,12 +173,12 @@ public:
     }
 
     /// Delivers an attempt, as it comes out of a station's outbox.
-    core::Result<database::AttemptId> add(const database::Session& who, const database::AttemptRecord& attempt,
+    core::Result<database::AttemptId> add(const database::Login& who, const database::AttemptRecord& attempt,
                                           const QByteArray& recording = {}) const
     {
         return addAttempt(school(), who, attempt, recording);
     }
-    core::Result<database::AttemptId> add(const database::Session& who, const std::string& lesson, int tenths,
+    core::Result<database::AttemptId> add(const database::Login& who, const std::string& lesson, int tenths,
                                           const std::string& finished = "2026-11-20T10:15:00Z",
                                           const QByteArray& recording = {}) const
     {
@@ -217,7 +217,7 @@ public:
     }
 
     QDateTime nowUtc = QDateTime(QDate(2026, 11, 20), QTime(10, 15), Qt::UTC);
-    database::Session admin, instructor, student, classmate, stranger, otherInstructor, guest;
+    database::Login admin, instructor, student, classmate, stranger, otherInstructor, guest;
     database::ClassId first, second;
 
 private:
@@ -225,7 +225,7 @@ private:
     QString m_address;
     database::StationKey m_key = database::StationKey::make();
     std::unique_ptr<database::sql::Database> m_database;
-    std::unique_ptr<database::sql::School> m_school;
+    std::unique_ptr<database::sql::DatabaseContext> m_school;
 };
 
 /// A connection to a database file without the checks of the program.
@@ -287,9 +287,9 @@ public:
     explicit Station(const QString& address, std::chrono::milliseconds patience = std::chrono::seconds(5))
         : m_database(database::sql::Database::open(address, patience).value())
     {}
-    [[nodiscard]] database::sql::School school() const
+    [[nodiscard]] database::sql::DatabaseContext school() const
     {
-        database::sql::School school{m_database->handle(), m_key};
+        database::sql::DatabaseContext school{m_database->handle(), m_key};
         school.leastCost = SchoolRig::kCheap;
         return school;
     }

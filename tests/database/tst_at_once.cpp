@@ -22,7 +22,7 @@ using support::Station;
 
 namespace {
 
-using Work = std::function<void(School)>;
+using Work = std::function<void(DatabaseContext)>;
 
 /// Runs each task on its own connection. All of them start at the same time.
 void atOnce(const QString& address, const std::vector<Work>& works)
@@ -32,7 +32,7 @@ void atOnce(const QString& address, const std::vector<Work>& works)
     for (const Work& work : works)
         threads.emplace_back([&] {
             const Station station(address);
-            const School school = station.school();
+            const DatabaseContext school = station.school();
             ++ready;
             while (ready < works.size())
                 std::this_thread::yield();
@@ -65,7 +65,7 @@ private slots:
     void whatAnotherHasGivenIsNotOverwritten()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const ClassAssignment seen{0, rig.first, "class1-36", "", 3};
         ClassAssignment mine = seen;
         mine.attemptLimit = 5;
@@ -96,10 +96,10 @@ private slots:
     {
         COPY_OF(support::populatedSchool, rig);
         const Entered entered = addPerson(rig.school(), rig.admin, {"second", "Bo", "Two", Role::Admin}).value();
-        const Session second = Logins::redeem(rig.school(), "second", entered.code, SchoolRig::kPassword).value();
+        const Login second = Logins::redeem(rig.school(), "second", entered.code, SchoolRig::kPassword).value();
         for (int round = 0; round < kRounds; ++round) {
-            const auto disable = [&](const Session& me, const char* whom) {
-                return [&me, whom](const School& school) {
+            const auto disable = [&](const Login& me, const char* whom) {
+                return [&me, whom](const DatabaseContext& school) {
                     auto person = findPerson(school, me, whom);
                     if (!person)
                         return;  // the other was quicker
@@ -110,7 +110,7 @@ private slots:
             atOnce(rig.address(), {disable(rig.admin, "second"), disable(second, "admin")});
             QCOMPARE(rig.count("people WHERE role = 'admin' AND disabled = 0"), 1);
             // Both again, by whoever is left.
-            using Admin = std::pair<const Session*, const char*>;
+            using Admin = std::pair<const Login*, const char*>;
             for (const auto& [me, whom] : {Admin(&rig.admin, "second"), Admin(&second, "admin")})
                 if (auto person = findPerson(rig.school(), *me, whom); person && person->disabled) {
                     person->disabled = false;
@@ -128,11 +128,11 @@ private slots:
             const AttemptId first = rig.add(rig.student, lesson, 500).value();
             const AttemptId second = rig.add(rig.student, lesson, 600).value();
             const auto mark = [&](AttemptId id, int tenths) {
-                return [&, id, tenths](const School& school) {
+                return [&, id, tenths](const DatabaseContext& school) {
                     VERIFY_DONE(overrideScore(school, rig.instructor, id, tenths, "as seen"));
                 };
             };
-            const auto deliver = [&](const School& school) {
+            const auto deliver = [&](const DatabaseContext& school) {
                 VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt(lesson, 700), {}));
             };
             atOnce(rig.address(), {mark(first, 990), mark(second, 100)});
@@ -158,7 +158,7 @@ private slots:
                 rig.nowUtc = rig.nowUtc.addSecs(wait);
                 std::atomic<int> compared = 0;
                 std::atomic<int> refused = 0;
-                atOnce(rig.address(), std::vector<Work>(kStations, [&](School school) {
+                atOnce(rig.address(), std::vector<Work>(kStations, [&](DatabaseContext school) {
                            school.nowUtc = [&rig] { return rig.nowUtc; };
                            const auto session = Logins::login(school, name, "wrong horse");
                            if (!session)
@@ -176,7 +176,7 @@ private slots:
         COPY_OF(support::populatedSchool, rig);
         makePasswordDear(rig, "s1001");
         std::atomic<int> in = 0;
-        atOnce(rig.address(), std::vector<Work>(kStations, [&in](const School& school) {
+        atOnce(rig.address(), std::vector<Work>(kStations, [&in](const DatabaseContext& school) {
                    VERIFY_DONE(Logins::login(school, "s1001", SchoolRig::kPassword));
                    ++in;
                }));
@@ -194,7 +194,7 @@ private slots:
         QSemaphore done;
         std::thread other([&] {
             const Station station(rig.address(), std::chrono::milliseconds(100));
-            const School school = station.school();
+            const DatabaseContext school = station.school();
             do
                 VERIFY_DONE(Logins::logout(school, rig.student));
             while (!done.tryAcquire(1, 10));  // ms: a file has no queue, and lets the other in then
@@ -226,7 +226,7 @@ private slots:
         COPY_OF(support::populatedSchool, rig);
         const std::string list = "username,given_name,class\nnew1,Ada,A|B\nnew2,Bo,B\ns1001,,A\n";
         const Station other(rig.address());
-        const School writer = other.school();
+        const DatabaseContext writer = other.school();
         VERIFY_DONE(execute(writer.db, dialect::beginWrite(writer.db), "begin"));
         VERIFY_DONE(takeTurn(writer));
         const auto tried = importRoster(rig.school(), rig.admin, list, true);

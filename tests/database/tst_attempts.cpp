@@ -13,11 +13,11 @@
 #include "database/Codes.h"
 #include "database/Outbox.h"
 #include "database/sql/Dialect.h"
-#include "database/sql/ExamStarts.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Recordings.h"
-#include "lessons/Stuck.h"
+#include "database/sql/StartedExams.h"
+#include "lessons/NeedsHelp.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/FullDisk.h"
 #include "tests/support/Suite.h"
@@ -31,9 +31,9 @@ using support::SchoolRig;
 namespace {
 
 /// The class "first" with four more students than the rig enters.
-std::vector<Session> sixStudents(SchoolRig& rig)
+std::vector<Login> sixStudents(SchoolRig& rig)
 {
-    std::vector<Session> six{rig.student, rig.classmate};
+    std::vector<Login> six{rig.student, rig.classmate};
     for (const char* name : {"Three", "Four", "Five", "Six"})
         six.push_back(rig.join({std::string("s-") + name, "Sid", name, Role::Student}, rig.first));
     return six;
@@ -258,7 +258,7 @@ private slots:
         AttemptRecord other = SchoolRig::attempt("class1-36", 1000);
         other.rubricHash = std::string(64, 'z');
         VERIFY_DONE(rig.add(rig.classmate, other));
-        const auto standing = [&](const Session& who, const char* device = "mouse") {
+        const auto standing = [&](const Login& who, const char* device = "mouse") {
             return standingAmongClassmates(rig.school(), who, "class1-36", rubric, device, 800).value();
         };
         // Of fewer than five nobody learns how the others did; a teacher practises among his students, and is not one.
@@ -297,13 +297,13 @@ private slots:
     {
         COPY_OF(support::populatedSchool, rig);
         const std::string lesson = "class1-36";
-        const std::vector<Session> six = sixStudents(rig);
+        const std::vector<Login> six = sixStudents(rig);
         // What the machine gave: a row for each student, from his first attempt on.
         const std::vector<std::vector<int>> given{{400, 500, 800}, {300, 540, 450}, {610, 520, 740, 770},
                                                   {700, 700},      {900, 810},      {760}};
         std::map<std::pair<std::size_t, std::size_t>, AttemptId> kept;
         int minutes = 0;
-        const auto work = [&](const Session& who, std::size_t turn, int tenths) {
+        const auto work = [&](const Login& who, std::size_t turn, int tenths) {
             AttemptRecord attempt = SchoolRig::attempt(lesson, tenths, dayOf(turn));
             attempt.durationMs = ++minutes * 60'000;
             attempt.criteria = {{"depth", 30, 300}, {"outline", 100, 200}, {"pulp", 0, 0}};
@@ -367,13 +367,13 @@ private slots:
     void anotherDeviceIsNotCompared()
     {
         COPY_OF(support::populatedSchool, rig);
-        const std::vector<Session> people = sixStudents(rig);
-        const auto add = [&](const Session& who, int tenths, const char* device) {
+        const std::vector<Login> people = sixStudents(rig);
+        const auto add = [&](const Login& who, int tenths, const char* device) {
             AttemptRecord attempt = SchoolRig::attempt("class1-36", tenths);
             attempt.device = device;
             return rig.add(who, attempt);
         };
-        for (const Session& who : people) {
+        for (const Login& who : people) {
             VERIFY_DONE(add(who, 700, "pointer"));
             VERIFY_DONE(add(who, 500, "falcon"));
         }
@@ -392,9 +392,9 @@ private slots:
     void ofFourPeopleNoBandIsShown()
     {
         COPY_OF(support::populatedSchool, rig);
-        std::vector<Session> people = sixStudents(rig);
+        std::vector<Login> people = sixStudents(rig);
         people.resize(5);
-        for (const Session& who : people) {
+        for (const Login& who : people) {
             QVERIFY(classBand(rig.school(), rig.student, rig.student.person(), "class1-36")->empty());
             QVERIFY(!classMedians(rig.school(), rig.student, rig.student.person(), "class1-36")->has_value());
             QVERIFY(lessonResults(rig.school(), rig.instructor, rig.first, "class1-36")->curve.empty());
@@ -410,10 +410,10 @@ private slots:
     void aBandIsOfTheClassesOfWhoAsks()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const std::string lesson = "class1-36";
         const PersonId sam = rig.student.person();
-        const auto people = [&](const Session& who) {
+        const auto people = [&](const Login& who) {
             const auto band = classBand(school, who, sam, lesson).value();
             const auto medians = classMedians(school, who, sam, lesson).value();
             if (band.empty() != !medians || (medians && medians->people != band.front().people))
@@ -422,13 +422,13 @@ private slots:
         };
         // Sam and Sue are the first class; Sam is with six others in the second, too.
         VERIFY_DONE(enrol(school, rig.admin, rig.second, sam, true));
-        std::vector<Session> others;
+        std::vector<Login> others;
         for (int k = 0; k < 6; ++k)
             others.push_back(
                 rig.join({"s300" + std::to_string(k), "Nn", std::to_string(k), Role::Student}, rig.second));
-        for (const Session* who : {&rig.student, &rig.classmate})
+        for (const Login* who : {&rig.student, &rig.classmate})
             VERIFY_DONE(rig.add(*who, lesson, 700));
-        for (const Session& who : others)
+        for (const Login& who : others)
             VERIFY_DONE(rig.add(who, lesson, 600));
         QCOMPARE(people(rig.instructor), 0);
         QCOMPARE(people(rig.otherInstructor), 7);
@@ -450,14 +450,14 @@ private slots:
     void whoIsStuckIsToldByTheLastAttempts()
     {
         COPY_OF(support::populatedSchool, rig);
-        const auto isStuck = [](const MatrixStudent& student) {
-            std::vector<lessons::Try> tries;
+        const auto needsHelp = [](const MatrixStudent& student) {
+            std::vector<lessons::AttemptOutcome> tries;
             for (std::size_t k = 0; k < student.recentTenths.size(); ++k)
                 tries.push_back({student.recentTenths[k], student.recentPassed[k]});
-            return lessons::isStuck(tries);
+            return lessons::needsHelp(tries);
         };
         std::vector<AttemptId> sams;
-        const auto work = [&](const Session& who, const char* lesson, int tenths, std::size_t day) {
+        const auto work = [&](const Login& who, const char* lesson, int tenths, std::size_t day) {
             sams.push_back(rig.add(who, lesson, tenths, dayOf(day)).value());
         };
         // Sam, by day: passed once; then another lesson; then five times more. What he practised freely is no lesson.
@@ -481,7 +481,7 @@ private slots:
         QCOMPARE(overview.students[0].lastAttemptUtc, dayOf(7));
         QCOMPARE(overview.students[1].recentLesson, std::string("decay-21"));
         QCOMPARE(overview.students[1].recentTenths, (std::vector<int>{100}));
-        QVERIFY(!isStuck(overview.students[0]) && !isStuck(overview.students[1]));
+        QVERIFY(!needsHelp(overview.students[0]) && !needsHelp(overview.students[1]));
         // The one that freed him is worth less: none of the last three is passed, and none better by five points.
         VERIFY_DONE(overrideScore(rig.school(), rig.instructor, sams[5], 535, "The floor was not seen."));
         // And Sue went back to where she was.
@@ -489,9 +489,9 @@ private slots:
         overview = read();
         QCOMPARE(overview.students[0].recentTenths, (std::vector<int>{545, 540, 535, 530, 520}));
         QCOMPARE(overview.students[0].recentPassed, std::vector<bool>(5, false));
-        QVERIFY(isStuck(overview.students[0]));
+        QVERIFY(needsHelp(overview.students[0]));
         QCOMPARE(overview.students[1].recentTenths, (std::vector<int>{410, 400, 400, 400}));
-        QVERIFY(isStuck(overview.students[1]));
+        QVERIFY(needsHelp(overview.students[1]));
         // Students by lessons: what was assigned, then what was tried.
         QCOMPARE(overview.lessons, (std::vector<std::string>{"x-assigned", "class1-36", "decay-21"}));
         QVERIFY(
@@ -588,7 +588,7 @@ private slots:
     void anExamThatIsBegunIsAnAttempt()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const std::string exam = "exam-36";
         VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, exam, "", 3}));
         const auto left = [&] { return attemptsLeft(school, rig.student, exam)->value(); };
@@ -657,7 +657,7 @@ private slots:
     void anAttemptBeyondTheLimitIsKept()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const std::string lesson = "class1-36";
         VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, lesson, "", 1}));
         const auto left = [&] { return attemptsLeft(school, rig.student, lesson).value(); };
@@ -668,7 +668,7 @@ private slots:
         VERIFY_DONE(beyond);
         QCOMPARE(left().value(), 0);
         // In his history, in that which his teacher reads, and in the overview of the class, as any other.
-        for (const Session* reader : {&rig.student, &rig.instructor}) {
+        for (const Login* reader : {&rig.student, &rig.instructor}) {
             const auto listed = history(school, *reader, rig.student.person(), {lesson, "", 0});
             VERIFY_DONE(listed);
             QCOMPARE(listed->size(), std::size_t{2});
@@ -685,13 +685,11 @@ private slots:
     void whatATeacherSaysIsNewUntilItIsRead()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const AttemptRecord first = SchoolRig::attempt("class1-36", 700);
         const AttemptId one = rig.add(rig.student, first).value();
         const AttemptId two = rig.add(rig.student, "decay-21", 600).value();
-        const auto feedback = [&](const Session& who) {
-            return feedbackFor(school, who, rig.student.person()).value();
-        };
+        const auto feedback = [&](const Login& who) { return feedbackFor(school, who, rig.student.person()).value(); };
         QVERIFY(feedback(rig.student).empty());
         // What he says himself, and what is said of others, is no news to him.
         VERIFY_DONE(addComment(school, rig.instructor, one, {"too deep", {}, {}}));
@@ -720,7 +718,7 @@ private slots:
     void aCommentIsTakenBackByWhoWroteIt()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         VERIFY_DONE(enrol(school, rig.admin, rig.first, rig.otherInstructor.person(), true));
         const AttemptRecord attempt = SchoolRig::attempt("class1-36", 700);
         const AttemptId id = rig.add(rig.student, attempt).value();
@@ -728,9 +726,9 @@ private slots:
             addComment(school, rig.instructor, id, {"too deep", {{1.0, 2.0, -0.5}}, 4200}).value();
         const std::int64_t again =
             addComment(school, rig.instructor, id, {"too deep", {{1.0, 2.0, -0.5}}, 4200}).value();
-        const auto said = [&](const Session& who) { return readTalk(school, who, id)->comments; };
+        const auto said = [&](const Login& who) { return readTalk(school, who, id)->comments; };
         QVERIFY(said(rig.instructor).front().isMine);
-        for (const Session* who : {&rig.student, &rig.otherInstructor, &rig.admin}) {
+        for (const Login* who : {&rig.student, &rig.otherInstructor, &rig.admin}) {
             QVERIFY(!said(*who).front().isMine);
             VERIFY_REFUSED(withdrawComment(school, *who, first), ErrorCode::NotAllowed);
         }
@@ -740,7 +738,7 @@ private slots:
         // Of two that say the same it is the one that was meant.
         VERIFY_DONE(withdrawComment(school, rig.instructor, again));
         VERIFY_REFUSED(withdrawComment(school, rig.instructor, again), ErrorCode::ChangedSince);
-        for (const Session* who : {&rig.student, &rig.instructor, &rig.admin}) {
+        for (const Login* who : {&rig.student, &rig.instructor, &rig.admin}) {
             QCOMPARE(said(*who).size(), std::size_t{1});
             QCOMPARE(said(*who).front().id, first);
         }
@@ -761,12 +759,12 @@ private slots:
     void aTeacherSeesWhoHasNoAttemptsLeft()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const std::string exam = "exam-36";
         const auto isUsedUp = [&](int limit) {
             return classOverview(school, rig.instructor, rig.first)->cells.at(0).at(0).isUsedUp(limit);
         };
-        const auto give = [&](const Session& teacher, ClassId ofClass, int limit) {
+        const auto give = [&](const Login& teacher, ClassId ofClass, int limit) {
             std::optional<ClassAssignment> before;
             const std::vector<ClassAssignment> given = listAssignments(school, teacher).value();
             for (const ClassAssignment& one : given)
@@ -802,7 +800,7 @@ private slots:
     void whoIsDisabledCountsNowhere()
     {
         COPY_OF(support::populatedSchool, rig);
-        for (const Session* who : {&rig.student, &rig.classmate})
+        for (const Login* who : {&rig.student, &rig.classmate})
             VERIFY_DONE(rig.add(*who, "class1-36", 700));
         const auto results = [&] {
             return lessonResults(rig.school(), rig.instructor, rig.first, "class1-36").value();

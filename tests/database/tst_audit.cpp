@@ -10,8 +10,8 @@
 
 #include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
-#include "database/sql/ExamStarts.h"
 #include "database/sql/Presets.h"
+#include "database/sql/StartedExams.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
@@ -227,7 +227,7 @@ private slots:
         SchoolRig rig(support::populatedSchool(false));
         const std::string own = rig.school().key.publicHex();
         QVERIFY(checkDatabase(rig.school().db, {}, {}, own)->findings.empty());
-        const School stranger{rig.school().db, StationKey::make()};
+        const DatabaseContext stranger{rig.school().db, StationKey::make()};
         VERIFY_DONE(addAttempt(stranger, rig.student, SchoolRig::attempt("class1-36", 1000), {}));
         QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
         const auto report = checkDatabase(rig.school().db, {}, {}, own);
@@ -446,7 +446,7 @@ private:
     static void fill(SchoolRig& rig)
     {
         rig.populate();
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const AttemptId first = rig.add(rig.student, "class1-36", 700).value();
         const AttemptId other = rig.add(rig.classmate, "class1-36", 600).value();
         VERIFY_DONE(overrideScore(school, rig.instructor, first, 800, "neat"));
@@ -495,7 +495,7 @@ private:
         for (int k = 0; k < times; ++k)
             VERIFY_DONE(rig.add(rig.student, "class1-36", 500));
     }
-    static QString chainFault(const School& school, const std::vector<std::string>& witnesses = {})
+    static QString chainFault(const DatabaseContext& school, const std::vector<std::string>& witnesses = {})
     {
         const auto found = checkAudit(school.db, witnesses);
         return found ? support::wordsOf(*found) : QString::fromStdString(found.error().detail);

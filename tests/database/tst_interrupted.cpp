@@ -270,7 +270,7 @@ private slots:
     {
         NEEDS_SERVER();
         SchoolRig rig(support::populatedSchool(true));
-        const School& stopped = rig.school();
+        const DatabaseContext& stopped = rig.school();
         VERIFY_DONE(execute(stopped.db, dialect::beginWrite(stopped.db), "begin"));
         VERIFY_DONE(takeTurn(stopped));
         const Station other(rig.address());

@@ -63,7 +63,7 @@ FailedLogins timeFailedLogins(SchoolRig& rig)
 }
 
 /// Returns a column of Sam's row in the database.
-QString kept(const School& school, const QString& column)
+QString kept(const DatabaseContext& school, const QString& column)
 {
     return ask(school.db, "SELECT " + column + " FROM people WHERE username = 's1001'", "look").value().toString();
 }
@@ -326,7 +326,7 @@ private slots:
     void everyChangeOfAPasswordIsNoted()
     {
         COPY_OF(support::populatedSchool, rig);
-        const School& school = rig.school();
+        const DatabaseContext& school = rig.school();
         const Entered entered = addPerson(school, rig.admin, {"s1003", "Cod", "Three", Role::Student}).value();
         QCOMPARE(support::faultsOf(school.db), QString());
         const auto list = importRoster(school, rig.admin, "username\ns1004\n", false);
@@ -350,7 +350,7 @@ private slots:
     void aHashIsNeverMadeCheaper()
     {
         SchoolRig rig(support::populatedSchool(false));
-        School school = rig.school();
+        DatabaseContext school = rig.school();
         school.leastCost = {};  // as outside of tests
         const auto hash = [&school] { return kept(school, "password_hash"); };
         QVERIFY(passwordCost(school).value() == PasswordCost{});

@@ -15,12 +15,12 @@
 #include "database/Outbox.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Copy.h"
-#include "database/sql/ExamStarts.h"
 #include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Presets.h"
 #include "database/sql/Roster.h"
+#include "database/sql/StartedExams.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/Suite.h"
 
@@ -71,11 +71,11 @@ struct Call
 {
     template <class Ask>
     Call(Operation of, const char* called, Ask ask)
-        : operation(of), name(called), hasTarget(std::is_invocable_v<Ask, const Session&, Target>)
+        : operation(of), name(called), hasTarget(std::is_invocable_v<Ask, const Login&, Target>)
     {
-        call = [ask](const Session& me, Target target) {
+        call = [ask](const Login& me, Target target) {
             const auto ended = [&] {
-                if constexpr (std::is_invocable_v<Ask, const Session&, Target>)
+                if constexpr (std::is_invocable_v<Ask, const Login&, Target>)
                     return ask(me, target);
                 else
                     return ask(me);
@@ -87,7 +87,7 @@ struct Call
     Operation operation;
     const char* name;
     bool hasTarget;  ///< else it is about nobody's thing
-    std::function<core::Status(const Session&, Target)> call;
+    std::function<core::Status(const Login&, Target)> call;
 };
 
 /// A school in which every user owns something, and all requests that a session can make.
@@ -96,9 +96,9 @@ class Asked
 public:
     explicit Asked(SchoolRig& rig) : m_rig(rig)
     {
-        for (const Session* who : {&rig.student, &rig.classmate, &rig.stranger, &rig.instructor, &rig.admin})
+        for (const Login* who : {&rig.student, &rig.classmate, &rig.stranger, &rig.instructor, &rig.admin})
             m_attempts[who->person().value] = rig.add(*who, SchoolRig::attempt("class1-36", 700), "recording").value();
-        const auto comment = [&](const Session& by, const Session& about) {
+        const auto comment = [&](const Login& by, const Login& about) {
             return addComment(s, by, m_attempts[about.person().value], {"well", {}, {}}).value();
         };
         m_ownComment = comment(rig.instructor, rig.classmate);
@@ -110,11 +110,11 @@ public:
 
 private:
     /// An admin is in no class, so each other user is a stranger to them.
-    [[nodiscard]] PersonId personOf(const Session& me, Target target) const
+    [[nodiscard]] PersonId personOf(const Login& me, Target target) const
     {
         return target == Mine ? me.person() : target == Classmates ? m_rig.classmate.person() : m_rig.stranger.person();
     }
-    [[nodiscard]] AttemptId attempt(const Session& me, Target target) const
+    [[nodiscard]] AttemptId attempt(const Login& me, Target target) const
     {
         const auto found = m_attempts.find(personOf(me, target).value);
         return found == m_attempts.end() ? m_attempts.begin()->second : found->second;
@@ -124,7 +124,7 @@ private:
     [[nodiscard]] Outbox outbox() const { return {m_folder.path(), StationKey::make()}; }
 
     SchoolRig& m_rig;
-    const School& s = m_rig.school();
+    const DatabaseContext& s = m_rig.school();
     QTemporaryDir m_folder;
     std::map<std::int64_t, AttemptId> m_attempts;
     std::int64_t m_ownComment = 0;
@@ -247,12 +247,12 @@ private slots:
         COPY_OF(support::populatedSchool, rig);
         const Asked asked(rig);
         std::set<Operation> called;
-        const std::array<const Session*, kRoles> sessions{&rig.guest, &rig.student, &rig.instructor, &rig.admin};
+        const std::array<const Login*, kRoles> sessions{&rig.guest, &rig.student, &rig.instructor, &rig.admin};
         for (const Call& call : asked.calls) {
             called.insert(call.operation);
             for (std::size_t role = 0; role < kRoles; ++role)
                 for (const Target target : {Mine, Classmates, Strangers}) {
-                    const Session& me = *sessions.at(role);
+                    const Login& me = *sessions.at(role);
                     if (!call.hasTarget && target != Mine)
                         continue;
                     if (role == 0 && target == Mine && call.hasTarget)
@@ -294,12 +294,12 @@ private slots:
         for (const Call& call : asked.calls)
             called.insert(QLatin1String(call.name));
         const std::set<QString> others{
-            "admit",        "admitTo", "admitToClass",  // which do the refusing
-            "logout",                                   // anybody may leave
-            "attemptsLeft",                             // of one's own; a guest's are not counted
-            "noteRestored"                              // after mayRestore(), by whom the restored school may not know
+            "authorize",    "authorizeFor", "authorizeForClass",  // which do the refusing
+            "logout",                                             // anybody may leave
+            "attemptsLeft",                                       // of one's own; a guest's are not counted
+            "noteRestored"  // after mayRestore(), by whom the restored school may not know
         };
-        static const QRegularExpression kTakesSession(R"(\b(\w+)\(\s*const School& \w+,\s*const Session& \w+)");
+        static const QRegularExpression kTakesSession(R"(\b(\w+)\(\s*const DatabaseContext& \w+,\s*const Login& \w+)");
         const QDir folder(QStringLiteral(CUSP_SOURCE_DIR "/database/sql"));
         int found = 0;
         for (const QString& name : folder.entryList({"*.h"})) {
@@ -320,7 +320,7 @@ private slots:
         SchoolRig rig(support::populatedSchool(false));
         VERIFY_DONE(enrol(rig.school(), rig.admin, rig.first, rig.otherInstructor.person(), true));
         const AttemptId own = rig.add(rig.instructor, "class1-36", 500).value();
-        for (const Session* who : {&rig.instructor, &rig.otherInstructor})
+        for (const Login* who : {&rig.instructor, &rig.otherInstructor})
             VERIFY_REFUSED(overrideScore(rig.school(), *who, own, 1000, "neat"), ErrorCode::NotAllowed);
         // What colleagues tell each other is another thing.
         VERIFY_REFUSED(addComment(rig.school(), rig.instructor, own, {"neat", {}, {}}), ErrorCode::NotAllowed);
@@ -333,9 +333,9 @@ private slots:
     void listsHoldOnlyWhatOneMaySee()
     {
         COPY_OF(support::populatedSchool, rig);
-        for (const Session* who : {&rig.student, &rig.classmate, &rig.stranger})
+        for (const Login* who : {&rig.student, &rig.classmate, &rig.stranger})
             VERIFY_DONE(rig.add(*who, "class1-36", 700));
-        const auto names = [&](const Session& me) {
+        const auto names = [&](const Login& me) {
             std::set<std::string> found;
             const auto people = listPeople(rig.school(), me);
             for (const Person& person : *people)
@@ -356,7 +356,7 @@ private slots:
         }
         QCOMPARE(listClasses(rig.school(), rig.student)->size(), std::size_t{1});
         QCOMPARE(listClasses(rig.school(), rig.admin)->size(), std::size_t{2});
-        const auto sheets = [&](const Session& me) {
+        const auto sheets = [&](const Login& me) {
             return sheetsOfLesson(rig.school(), me, "class1-36", std::string(64, 'a'), 9)->size();
         };
         QCOMPARE(sheets(rig.student), std::size_t{1});

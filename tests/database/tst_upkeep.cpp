@@ -187,7 +187,7 @@ private slots:
             return batch.seal();
         }));
         const auto elsewhere = Database::open(rig.address()).value();
-        School other = rig.school();
+        DatabaseContext other = rig.school();
         other.db = elsewhere->handle();
         int written = 0;
         const auto report = checkDatabase(rig.school().db, {}, [&](const char*, std::int64_t) {

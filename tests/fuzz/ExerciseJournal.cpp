@@ -5,7 +5,7 @@
 
 #include "core/base/Bytes.h"
 #include "core/recording/JournalFile.h"
-#include "core/session/Unfinished.h"
+#include "core/session/ResumableAttempt.h"
 
 namespace fuzz {
 namespace {

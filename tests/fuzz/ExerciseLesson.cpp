@@ -12,7 +12,7 @@ void exerciseLesson(std::string_view bytes)
     const QString name = QStringLiteral("fuzzed.lesson.json");
     const lessons::ReadLesson read =
         lessons::readLessonText(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())), name);
-    for (const lessons::Fault& fault : read.faults)
+    for (const lessons::ValidationIssue& fault : read.faults)
         promise(!fault.english().isEmpty() && !fault.sentence().isEmpty());
     if (!read.lesson) {
         promise(!read.faults.empty());

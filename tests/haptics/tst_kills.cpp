@@ -20,7 +20,7 @@
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
 #include "core/session/JournalLoop.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
@@ -85,8 +85,8 @@ void say(const char* line)
 ///     was TICK HASH                                      what the tooth was after a tick
 [[noreturn]] void work(const char* folder, std::uint64_t seed)
 {
-    const auto servoLinks = std::make_unique<ServoLinks>();
-    const auto uiLinks = std::make_unique<UiLinks>();
+    const auto servoLinks = std::make_unique<ServoChannels>();
+    const auto uiLinks = std::make_unique<UiChannels>();
     StrokingDevice device(seed);
     SessionLoop session(*servoLinks, *uiLinks, {});
     haptics::ServoLoop servo(device, makeServoTick({}).value(), *servoLinks, uiLinks->servo, 1ms);

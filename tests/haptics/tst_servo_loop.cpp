@@ -55,7 +55,7 @@ struct Bare
 
     ServoSettings settings;
     std::chrono::microseconds period;
-    std::unique_ptr<ServoLinks> links = std::make_unique<ServoLinks>();
+    std::unique_ptr<ServoChannels> links = std::make_unique<ServoChannels>();
     rt::TripleBuffer<ServoState> state;
     support::HeldDevice device;
     haptics::ServoLoop servo{device, makeServoTick(settings).value(), *links, state, period};
@@ -276,7 +276,7 @@ private slots:
             if (n % 500 == 100)
                 bare.send(SetBur{static_cast<std::uint8_t>(n / 500 % 4)});
             if (n % 40 == 7)
-                bare.send(SetNumber{static_cast<std::uint8_t>(n / 40 % 18), 0.003F * static_cast<float>(n % 700)});
+                bare.send(SetParameter{static_cast<std::uint8_t>(n / 40 % 18), 0.003F * static_cast<float>(n % 700)});
             if (n % 1000 == 300) {
                 bare.give(anatomy, ++serial, n % 2000 == 300);  // outside the measured tick
                 bare.freeRetired();
@@ -706,7 +706,7 @@ private slots:
         for (const float nPerMm : {4.0F, 0.5F, 2.0F}) {
             bare.drainEvents();
             const double before = bare.forceN();
-            bare.send(SetNumber{9, nPerMm});
+            bare.send(SetParameter{9, nPerMm});
             double last = before;
             for (int n = 0; n < 300; ++n) {
                 bare.device.tipMm = glm::vec3(device);
@@ -787,7 +787,7 @@ private slots:
         std::vector<float> top = anatomy->top;
         for (float& height : top)
             height -= 2.0F;
-        const auto links = std::make_unique<ServoLinks>();
+        const auto links = std::make_unique<ServoChannels>();
         rt::TripleBuffer<ServoState> state;
         haptics::ServoLoop servo(falcon, makeServoTick({}).value(), *links, state, 1ms);
         auto* tooth = new contact::LiveTooth(terrain::restored(anatomy, std::move(top)));

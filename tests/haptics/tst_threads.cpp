@@ -7,7 +7,7 @@
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
 #include "core/session/JournalLoop.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 

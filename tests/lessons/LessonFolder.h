@@ -13,7 +13,7 @@ namespace support {
 inline QString sentencesOf(const lessons::ReadLesson& read)
 {
     QStringList all;
-    for (const lessons::Fault& fault : read.faults)
+    for (const lessons::ValidationIssue& fault : read.faults)
         all << fault.sentence();
     return all.join(u'\n');
 }

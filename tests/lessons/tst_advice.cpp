@@ -105,7 +105,7 @@ struct PlungeAttempt
     }
     [[nodiscard]] std::vector<Advice> advice() const
     {
-        const Moments found = momentsOf(assignment, rig.session->recordingSoFar().value()).value().value();
+        const PointLossTimeline found = momentsOf(assignment, rig.session->recordingSoFar().value()).value().value();
         return adviceOn(found.sheet, mark(assignment, rig.live()).value().measured, found.ofCriteria);
     }
 };

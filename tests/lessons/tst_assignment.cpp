@@ -15,7 +15,7 @@
 #include "core/bur/Reach.h"
 #include "core/grading/IdealCavity.h"
 #include "core/grading/MeasureTable.h"
-#include "core/grading/Referee.h"
+#include "core/grading/RuleChecker.h"
 #include "core/guidance/Landmarks.h"
 #include "core/preparation/ToothDesign.h"
 #include "core/servo/ServoState.h"
@@ -380,14 +380,14 @@ private slots:
         core::grading::Rules rules;
         rules.neighbours = assignment.neighbours;
         const core::terrain::Tooth tooth(assignment.anatomy);
-        core::grading::Referee referee(rules, assignment.anatomy, nullptr);
+        core::grading::RuleChecker referee(rules, assignment.anatomy, nullptr);
         core::servo::ServoState state;
         state.drillOn = true;
         state.burIndex = static_cast<std::uint8_t>(core::bur::findBur("330").value());
         const auto hitsAt = [&](double beyondMm) {
             state.anchorMm = {edge.x + outwards * beyondMm, edge.y, -3.0};
             const auto found = referee.look(state, {}, tooth, std::chrono::milliseconds(1));
-            return found.size() == 1 && found.front().breach == core::grading::Breach::NeighbourHit;
+            return found.size() == 1 && found.front().breach == core::grading::RuleViolation::NeighbourHit;
         };
         QVERIFY(!hitsAt(-0.6));
         QVERIFY(hitsAt(0.9));
@@ -421,7 +421,7 @@ private slots:
             const core::terrain::Tooth whole = cutAsFarAsCanBe(assignment, *assignment.ideal->top);
             QVERIFY2(mark(assignment, whole, Conduct{})->sheet.passed(), id);
             Conduct touching;
-            touching.infractions.emplace_back().breach = core::grading::Breach::NeighbourHit;
+            touching.infractions.emplace_back().breach = core::grading::RuleViolation::NeighbourHit;
             const Mark marked = mark(assignment, whole, touching).value();
             QVERIFY2(!marked.sheet.passed() && marked.sheet.totalTenths > 0, id);
         }
@@ -645,7 +645,8 @@ private slots:
         // The reader knows each key of the schema: it may complain about the value 1, but it warns of no key.
         const auto warns = [](const QJsonObject& lesson) {
             const ReadLesson read = readLessonText(QJsonDocument(lesson).toJson(), QStringLiteral("probe"));
-            return std::any_of(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return !fault.grave; });
+            return std::any_of(read.faults.begin(), read.faults.end(),
+                               [](const ValidationIssue& fault) { return !fault.grave; });
         };
         for (const QString& path : std::as_const(inSchema)) {
             const QStringList keys = path.split('.');

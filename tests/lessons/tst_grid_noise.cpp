@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lessons/GridNoise.h"
+#include "lessons/GridSensitivity.h"
 #include "lessons/LessonCatalog.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
@@ -44,7 +44,7 @@ private slots:
         assignment.rubric.criteria[1].tolerance = 0.0;
         assignment.rubric.criteria[1].allowance.reset();
         assignment.rubric.criteria[1].span = 4.0;
-        const GridNoise noise = gridNoise(assignment, support::hollowed(anatomy, 1.2)).value();
+        const GridSensitivity noise = gridNoise(assignment, support::hollowed(anatomy, 1.2)).value();
         QVERIFY(noise.own.totalTenths > 100 && noise.own.totalTenths < 900);
         QVERIFY(noise.twice.has_value());
         QVERIFY(std::abs(noise.half.totalTenths - noise.own.totalTenths) <= 8);
@@ -60,7 +60,7 @@ private slots:
             std::vector<float> top = anatomy->top;
             for (int i = 60; i < 90; ++i)
                 top[anatomy->grid.index(i, row)] -= 1.0F;
-            const GridNoise noise = gridNoise(assignment, core::terrain::restored(anatomy, top)).value();
+            const GridSensitivity noise = gridNoise(assignment, core::terrain::restored(anatomy, top)).value();
             const int lost = 1000 - noise.own.totalTenths;
             QVERIFY(lost > 100);
             QCOMPARE(1000 - noise.half.totalTenths > 3 * lost / 2, row == 74);
@@ -78,10 +78,10 @@ private slots:
         for (int i = 40; i < 110; ++i)
             top[anatomy->grid.index(i, 20)] -= 1.0F;  // which the coarse grid counts twice
         const core::terrain::Tooth tooth = core::terrain::restored(anatomy, top);
-        const GridNoise first = gridNoise(assignment, tooth).value();
+        const GridSensitivity first = gridNoise(assignment, tooth).value();
         QVERIFY(first.half.totalTenths < first.own.totalTenths - 10);
         assignment.rubric.passMarkTenths = first.own.totalTenths - 5;
-        const GridNoise near = gridNoise(assignment, tooth).value();
+        const GridSensitivity near = gridNoise(assignment, tooth).value();
         QVERIFY(near.own.passed && !near.half.passed && near.isUncertain());
         assignment.rubric.passMarkTenths = first.half.totalTenths - 50;
         QVERIFY(!gridNoise(assignment, tooth)->isUncertain());
@@ -97,7 +97,7 @@ private slots:
                 isExercise(entry.read.lesson->task) || !support::isTried(lesson++))
                 continue;
             const Assignment assignment = assign(*entry.read.lesson).value().assignment;
-            const GridNoise noise =
+            const GridSensitivity noise =
                 gridNoise(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top), blameless)
                     .value();
             QCOMPARE(noise.own.totalTenths, 1000);

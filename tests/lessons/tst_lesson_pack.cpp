@@ -9,7 +9,7 @@
 #include "core/recording/Format.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Assignment.h"
-#include "lessons/Capture.h"
+#include "lessons/IdealFromRecordings.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
 #include "tests/fuzz/Exercises.h"

@@ -5,9 +5,9 @@
 
 #include "core/recording/Player.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "lessons/LessonCatalog.h"
-#include "lessons/Moments.h"
+#include "lessons/PointLossTimeline.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
@@ -82,15 +82,15 @@ int lostNow(const Assignment& assignment, const Rig& rig, std::size_t criterion)
     return mark(assignment, rig.live()).value().sheet.criteria.at(criterion).lostTenths;
 }
 
-Moments momentsIn(const Assignment& assignment, const Recording& recording)
+PointLossTimeline momentsIn(const Assignment& assignment, const Recording& recording)
 {
     return momentsOf(assignment, recording).value().value();
 }
 
 /// Each criterion's moments make up its loss; they come in order; the sheet is the one that marking alone gives.
-bool isSound(const Assignment& assignment, const Recording& recording, const Moments& found)
+bool isSound(const Assignment& assignment, const Recording& recording, const PointLossTimeline& found)
 {
-    core::session::Examiner examiner(examinationOf(assignment), recording.anatomy());
+    core::session::LiveAssessor examiner(examinationOf(assignment), recording.anatomy());
     const auto outcome =
         core::recording::replay(recording, [&](const ServoEvent& event, const core::recording::Replayer& servo) {
             examiner.take(event, servo);
@@ -122,9 +122,9 @@ bool isSound(const Assignment& assignment, const Recording& recording, const Mom
     return true;
 }
 
-Moments soundMoments(const Assignment& assignment, const Recording& recording)
+PointLossTimeline soundMoments(const Assignment& assignment, const Recording& recording)
 {
-    const Moments found = momentsIn(assignment, recording);
+    const PointLossTimeline found = momentsIn(assignment, recording);
     QTest::qVerify(isSound(assignment, recording, found), "isSound", "", __FILE__, __LINE__);
     return found;
 }
@@ -160,7 +160,7 @@ private slots:
             before += expected.back();
             QVERIFY(expected.back() > 5);
         }
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         const auto player = core::recording::Player::make(rig.recording()).value();
         while (player->advance(1000)) {
         }
@@ -182,7 +182,7 @@ private slots:
         ReadyRig rig(assignment);
         stroke(rig, 0.0, 0.0);
         stroke(rig, 1.0, 0.0);
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         const int lost = lostNow(assignment, rig, 0);
         QVERIFY(lost > 100 && lost < 1000);
         QCOMPARE(found.ofCriteria.front().size(), std::size_t(1));
@@ -207,9 +207,9 @@ private slots:
             assignment.rubric.criteria[0].once = Once{"removed_mm3", "mm3", reaches};
             return soundMoments(assignment, recording);
         };
-        const Moments free = momentsOnce(0.0);
-        const Moments due = momentsOnce(0.99 * cut);
-        const Moments early = momentsOnce(1.01 * cut);
+        const PointLossTimeline free = momentsOnce(0.0);
+        const PointLossTimeline due = momentsOnce(0.99 * cut);
+        const PointLossTimeline early = momentsOnce(1.01 * cut);
         QCOMPARE(free.ofCriteria[0].size(), std::size_t{2});
         QVERIFY(due.ofCriteria == free.ofCriteria);
         QCOMPARE(early.ofCriteria[0].size(), std::size_t{1});
@@ -241,7 +241,7 @@ private slots:
         }
         QCOMPARE(lost[0], 0);
         QVERIFY(lost[1] > 20 && lost[2] > lost[1] + 20);
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QCOMPARE(moments.size(), std::size_t(2));
         QVERIFY(isOfStroke(moments[0], 2, lost[1]) && isOfStroke(moments[1], 3, lost[2] - lost[1]));
@@ -258,7 +258,7 @@ private slots:
         QCOMPARE(lostNow(assignment, rig, 0), first);
         stroke(rig, 2.0, 0.0);
         const int both = lostNow(assignment, rig, 0);
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QCOMPARE(moments.size(), std::size_t(2));
         QVERIFY(isOfStroke(moments[0], 1, first) && isOfStroke(moments[1], 3, both - first));
@@ -270,11 +270,11 @@ private slots:
         ReadyRig rig(assignment);
         stroke(rig, -2.0, 0.0);
         stroke(rig, 0.0, 0.0);
-        const Moments before = momentsIn(assignment, rig.recording());
+        const PointLossTimeline before = momentsIn(assignment, rig.recording());
         rig.takeBack();
         rig.send(core::session::Redo{});
         rig.run(50);
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         QCOMPARE(found.ofCriteria.front().size(), std::size_t(2));
         QCOMPARE(found.ofCriteria, before.ofCriteria);
     }
@@ -286,7 +286,7 @@ private slots:
         ReadyRig rig(assignment);
         stroke(rig, 0.0, 0.0);
         rig.run(400);
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QVERIFY(moments.size() > 20);
         int lost = 0;
@@ -319,7 +319,7 @@ private slots:
         }
         QVERIFY(fault > 1);
         stroke(rig, 1.0, 1.0);
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         QCOMPARE(found.sheet.totalTenths, 0);
         for (const std::size_t critical : {std::size_t{1}, std::size_t{2}}) {
             QCOMPARE(found.ofCriteria[critical].size(), std::size_t(1));
@@ -339,7 +339,7 @@ private slots:
         ReadyRig rig(assignment);
         stroke(rig, -2.0, 0.0);
         stroke(rig, 1.0, 0.0);
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         QCOMPARE(found.ofCriteria[0].size(), std::size_t(2));
         QVERIFY(found.ofCriteria[1].empty());
     }
@@ -351,7 +351,7 @@ private slots:
         for (int n = 0; n < 3500; ++n)
             rig.lean(-2.5 + 0.0014 * n, 0.0, kNewtons, 1);
         rig.lift();
-        const Moments found = soundMoments(assignment, rig.recording());
+        const PointLossTimeline found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QVERIFY(moments.size() >= 4);
         for (std::size_t k = 0; k < moments.size(); ++k) {

@@ -40,7 +40,7 @@ QByteArray written(const QJsonObject& object)
 QString allFaults(const lessons::ReadPreset& read)
 {
     QString text;
-    for (const lessons::Fault& fault : read.faults)
+    for (const lessons::ValidationIssue& fault : read.faults)
         text += (fault.grave ? "grave " : "note ") + fault.key + ": " + fault.english() + u'\n';
     return text;
 }

@@ -3,18 +3,18 @@
 
 #include <vector>
 
-#include "lessons/Stuck.h"
+#include "lessons/NeedsHelp.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
-using lessons::isStuck;
-using lessons::Try;
+using lessons::AttemptOutcome;
+using lessons::needsHelp;
 
 namespace {
 
-std::vector<Try> failed(const QList<int>& newestFirst)
+std::vector<AttemptOutcome> failed(const QList<int>& newestFirst)
 {
-    std::vector<Try> made;
+    std::vector<AttemptOutcome> made;
     for (const int tenths : newestFirst)
         made.push_back({tenths, false});
     return made;
@@ -44,23 +44,23 @@ private slots:
     {
         QFETCH(QList<int>, newestFirst);
         QFETCH(bool, stuck);
-        QCOMPARE(isStuck(failed(newestFirst)), stuck);
+        QCOMPARE(needsHelp(failed(newestFirst)), stuck);
     }
 
     void onePassedAttemptFrees()
     {
         for (std::size_t k = 0; k < 3; ++k) {
-            std::vector<Try> tries = failed({400, 400, 400});
+            std::vector<AttemptOutcome> tries = failed({400, 400, 400});
             tries[k].passed = true;
-            QVERIFY(!isStuck(tries));
+            QVERIFY(!needsHelp(tries));
         }
     }
 
     void onlyTheLastThreeCount()
     {
-        std::vector<Try> tries = failed({400, 400, 400, 900, 100});
+        std::vector<AttemptOutcome> tries = failed({400, 400, 400, 900, 100});
         tries[3].passed = true;
-        QVERIFY(isStuck(tries));
+        QVERIFY(needsHelp(tries));
     }
 };
 

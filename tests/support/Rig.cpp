@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/Rig.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 
 #include <cassert>
 #include <cstdlib>
@@ -43,7 +43,8 @@ const ServoState& Bench::step(const glm::dvec3& device, int dtUs) const
 }
 
 Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat, const SessionMemory& memory)
-    : settings(wanted), period(beat), servoLinks(std::make_unique<ServoLinks>()), uiLinks(std::make_unique<UiLinks>()),
+    : settings(wanted), period(beat), servoLinks(std::make_unique<ServoChannels>()),
+      uiLinks(std::make_unique<UiChannels>()),
       session(std::make_unique<SessionLoop>(*servoLinks, *uiLinks, settings, memory)),
       servo(std::make_unique<haptics::ServoLoop>(device, makeServoTick(settings).value(), *servoLinks, uiLinks->servo,
                                                  period))

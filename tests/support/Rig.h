@@ -5,7 +5,7 @@
 
 #include "core/base/Rng.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/session/SessionLoop.h"
 #include "haptics/ServoLoop.h"
 
@@ -75,8 +75,8 @@ struct Rig
 
     core::servo::ServoSettings settings;
     std::chrono::microseconds period;
-    std::unique_ptr<core::servo::ServoLinks> servoLinks;
-    std::unique_ptr<core::session::UiLinks> uiLinks;
+    std::unique_ptr<core::servo::ServoChannels> servoLinks;
+    std::unique_ptr<core::session::UiChannels> uiLinks;
     HeldDevice device;
     std::unique_ptr<core::session::SessionLoop> session;
     std::unique_ptr<haptics::ServoLoop> servo;  ///< gone before the session, as in the program

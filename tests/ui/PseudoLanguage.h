@@ -22,7 +22,7 @@
 
 #include "lessons/Lesson.h"
 #include "ui/charts/ChartPanel.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/toothchooser/ArchView.h"
 
 namespace pseudo {
@@ -36,7 +36,7 @@ inline QString said(const QString& english)
     static const QRegularExpression kKept(QStringLiteral("%L?\\d+|%L?n|&\\w+;|<[^>]*>"));
     QString strange;
     qsizetype from = 0;
-    const auto speak = [&](qsizetype to) {
+    const auto retranslateUi = [&](qsizetype to) {
         for (; from < to; ++from) {
             const qsizetype at = kPlain.indexOf(english[from]);
             strange += at < 0 ? english[from] : kStrange[at];
@@ -44,11 +44,11 @@ inline QString said(const QString& english)
     };
     for (auto kept = kKept.globalMatch(english); kept.hasNext();) {
         const auto match = kept.next();
-        speak(match.capturedStart());
+        retranslateUi(match.capturedStart());
         strange += match.captured();
         from = match.capturedEnd();
     }
-    speak(english.size());
+    retranslateUi(english.size());
     // In words of their own, so that lines can be broken as in a language.
     QString longer;
     for (qsizetype k = 0; k < (2 * english.size() + 4) / 5; ++k)
@@ -155,7 +155,7 @@ inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
                                              {"window title", widget.windowTitle()}};
     if (const auto* label = qobject_cast<const QLabel*>(&widget))
         words << std::pair("text", label->text());
-    if (const auto* label = qobject_cast<const ui::kit::TabularLabel*>(&widget))
+    if (const auto* label = qobject_cast<const ui::kit::TabularDigitsLabel*>(&widget))
         words << std::pair("text", label->text()) << std::pair("unit", label->unit());
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
         words << std::pair("text", button->text());
@@ -287,7 +287,7 @@ inline QStringList clipped(QWidget& root)
     for (QWidget* widget : root.findChildren<QWidget*>()) {
         const auto* label = qobject_cast<QLabel*>(widget);
         const auto* button = qobject_cast<QAbstractButton*>(widget);
-        const bool speaks = label != nullptr || qobject_cast<ui::kit::TabularLabel*>(widget) != nullptr ||
+        const bool speaks = label != nullptr || qobject_cast<ui::kit::TabularDigitsLabel*>(widget) != nullptr ||
                             button != nullptr || qobject_cast<QComboBox*>(widget) != nullptr;
         if (!widget->isVisible() || !speaks || qobject_cast<ui::toothchooser::ArchTooth*>(widget) != nullptr ||
             widget->visibleRegion().isEmpty())

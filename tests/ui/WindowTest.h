@@ -18,17 +18,17 @@
 #include <QTest>
 
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/Rubric.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/kit/Actions.h"
+#include "ui/kit/ConfirmOverlay.h"
 #include "ui/kit/MessageBar.h"
-#include "ui/kit/QuestionCard.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
-#include "ui/replay/Course.h"
+#include "ui/replay/AttemptTimeline.h"
 #include "ui/tooth/ToothView.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PracticeRoom.h"
@@ -101,9 +101,9 @@ inline lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double p
 }
 
 /// Two strokes with different burs, an undo, and a breach.
-inline ui::replay::Course course()
+inline ui::replay::AttemptTimeline course()
 {
-    ui::replay::Course course;
+    ui::replay::AttemptTimeline course;
     course.lengthS = course.readyS = 60.0;
     course.strokes = {{5.0, 9.0, 9.01, 0}, {20.0, 21.0, 21.01, 3}};
     using ui::replay::Mark;
@@ -112,7 +112,7 @@ inline ui::replay::Course course()
                     {Mark::Kind::Undo, 40.0, 9000},
                     {Mark::Kind::Note, 50.0, core::grading::answerNote(1, core::terrain::Material::Dentin)}};
     core::grading::Infraction breach;
-    breach.breach = core::grading::Breach::PulpExposed;
+    breach.breach = core::grading::RuleViolation::PulpExposed;
     breach.seconds = 20.5;
     course.infractions = {breach};
     return course;
@@ -164,7 +164,7 @@ protected:
     {
         m_isSpoilt = false;
         m_window.reset();
-        m_links = std::make_unique<core::session::UiLinks>();
+        m_links = std::make_unique<core::session::UiChannels>();
         m_window = std::make_unique<ui::window::MainWindow>(*m_links);
         m_window->show();
         m_window->activateWindow();
@@ -179,13 +179,13 @@ protected:
     {
         return m_window->findChild<T*>(name == nullptr ? QString() : QString::fromLatin1(name));
     }
-    [[nodiscard]] QString figure(const char* name) const { return child<ui::kit::TabularLabel>(name)->text(); }
+    [[nodiscard]] QString figure(const char* name) const { return child<ui::kit::TabularDigitsLabel>(name)->text(); }
     [[nodiscard]] QString message() const { return child<ui::kit::MessageBar>()->sentence(); }
     [[nodiscard]] ui::kit::Actions& actions() const { return *child<ui::kit::Actions>(); }
     [[nodiscard]] bool isInRoom() const { return child<ui::window::PracticeRoom>()->isVisible(); }
-    [[nodiscard]] ui::kit::QuestionCard* question(const char* name = "workQuestion") const
+    [[nodiscard]] ui::kit::ConfirmOverlay* question(const char* name = "workQuestion") const
     {
-        return child<ui::kit::QuestionCard>(name);
+        return child<ui::kit::ConfirmOverlay>(name);
     }
     /// Presses a button of a question or a card.
     void click(const char* name) const
@@ -312,7 +312,7 @@ protected:
         return *rig;
     }
 
-    std::unique_ptr<core::session::UiLinks> m_links;
+    std::unique_ptr<core::session::UiChannels> m_links;
     std::unique_ptr<ui::window::MainWindow> m_window;
     std::uint64_t m_generation = 0;  ///< of the tooth on the table
 
@@ -327,7 +327,7 @@ private:
     {
         for (QFileDialog* dialog : m_window->findChildren<QFileDialog*>())
             delete dialog;
-        for (ui::kit::QuestionCard* card : m_window->findChildren<ui::kit::QuestionCard*>())
+        for (ui::kit::ConfirmOverlay* card : m_window->findChildren<ui::kit::ConfirmOverlay*>())
             delete card;
         m_window->setWho({});
         m_window->setMayEdit(true);

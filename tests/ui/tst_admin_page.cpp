@@ -62,7 +62,7 @@ private slots:
         QVERIFY(showsCode());
         QCOMPARE(textOf("oneTimeCode"), QString("1234-5678"));
         // The admin may have told the code to the user, so neither one key nor a double click replaces it.
-        QSignalSpy reset(&people(), &PeoplePart::resetWanted);
+        QSignalSpy reset(&people(), &PeoplePart::resetRequested);
         click("resetPassword");
         click("resetPassword");
         QCOMPARE(reset.size(), 0);
@@ -91,9 +91,9 @@ private slots:
 
     void aDoubleClickOnEnterTakesNoPasswordAway()
     {
-        QSignalSpy entered(&people(), &PeoplePart::addWanted);
-        QSignalSpy changed(&people(), &PeoplePart::changeWanted);
-        QSignalSpy reset(&people(), &PeoplePart::resetWanted);
+        QSignalSpy entered(&people(), &PeoplePart::addRequested);
+        QSignalSpy changed(&people(), &PeoplePart::changeRequested);
+        QSignalSpy reset(&people(), &PeoplePart::resetRequested);
         click("newPerson");
         child<QLineEdit>("personUsername")->setText("eve");
         click("savePerson");
@@ -132,7 +132,7 @@ private slots:
         setPeople({own});
         choose(0);
         std::vector<database::Person> sent;
-        connect(&people(), &PeoplePart::changeWanted, this,
+        connect(&people(), &PeoplePart::changeRequested, this,
                 [&](const database::Person& person, const auto&) { sent.push_back(person); });
         auto* role = child<QComboBox>("personRole");
         const auto chooseStudent = [role] {
@@ -181,7 +181,7 @@ private slots:
         for (const auto& [name, state] :
              {std::pair("Year 1", Qt::Unchecked), {"Year 2", Qt::Checked}, {"Year 3", Qt::Unchecked}})
             QCOMPARE(tick(name)->checkState(), state);
-        QSignalSpy changed(&people(), &PeoplePart::changeWanted);
+        QSignalSpy changed(&people(), &PeoplePart::changeRequested);
         click("savePerson");
         QCOMPARE(changed.size(), 1);
         const auto sent = changed[0][0].value<database::Person>();
@@ -250,7 +250,7 @@ private slots:
         const database::Person ada = someone(1, "Ada", true);
         setPeople({ada}, {{{4}, "Year 1", 0}});
         choose(0);
-        QSignalSpy wanted(&people(), &PeoplePart::classWanted);
+        QSignalSpy wanted(&people(), &PeoplePart::classRequested);
         auto* name = child<QLineEdit>("className");
         const auto* fault = child<QLabel>("personFault");
         name->setText("Year|2");
@@ -274,7 +274,7 @@ private slots:
     {
         setPeople({someone(1, "Ada", true, {{4}})}, {{{1}, "Year 1", 0}, {{4}, "Year 4", 0}});
         choose(0);
-        QSignalSpy wanted(&people(), &PeoplePart::classWanted);
+        QSignalSpy wanted(&people(), &PeoplePart::classRequested);
         const auto* list = child<QListWidget>("personClasses");
         QCOMPARE(list->item(0)->text(), QString("Year 4"));  // the person's own come first
         QCOMPARE(list->item(1)->checkState(), Qt::Unchecked);
@@ -311,7 +311,7 @@ private slots:
         database::AuditRow row;
         row.seq = 7;
         audit.setRows({row}, "1234", true);
-        QSignalSpy wanted(&audit, &ui::admin::AuditPart::newestWanted);
+        QSignalSpy wanted(&audit, &ui::admin::AuditPart::newestRequested);
         without->click();
         QCOMPARE(wanted.size(), 1);
         QVERIFY(!child<QPushButton>("olderAudit")->isEnabled());

@@ -12,7 +12,7 @@
 #include "tests/support/Tables.h"
 #include "tests/ui/PageTest.h"
 #include "ui/people/AssignPage.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 
 using database::ClassAssignment;
 using ui::people::AssignmentChange;
@@ -73,7 +73,7 @@ private slots:
 
     void severalLessonsAreGivenAtOnce()
     {
-        QSignalSpy spy(m_page, &AssignPage::changeWanted);
+        QSignalSpy spy(m_page, &AssignPage::changeRequested);
         const auto* assign = child<QPushButton>("assignTicked");
         QVERIFY(!assign->isEnabled());
         tick("Class I");
@@ -165,7 +165,7 @@ private slots:
         const QDate day(2100, 12, 4);
         const std::string due = ui::text::endOfDay(day);
         const auto change = [&](const std::function<void()>& turn) {
-            QSignalSpy spy(m_page, &AssignPage::changeWanted);
+            QSignalSpy spy(m_page, &AssignPage::changeRequested);
             child<QTableView>("given")->clearSelection();
             child<QTableView>("given")->selectAll();
             turn();
@@ -189,7 +189,7 @@ private slots:
 
     void takenBackIsUndone()
     {
-        QSignalSpy spy(m_page, &AssignPage::changeWanted);
+        QSignalSpy spy(m_page, &AssignPage::changeRequested);
         child<QTableView>("given")->selectRow(1);
         click("takeBack");
         const ClassAssignment given{3, kClass, "b", "", 0};

@@ -265,7 +265,7 @@ private slots:
         begun.begunUtc = "2026-11-20T08:20:00Z";
         QVERIFY(hasNoneLeft(3));
         // The student's attempts say when it was begun.
-        QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
+        QSignalSpy wanted(m_page, &ClassPage::attemptsRequested);
         matrix()->setCurrentIndex(matrix()->model()->index(3, 1));
         QTest::keyClick(matrix(), Qt::Key_Return);
         QCOMPARE(wanted.count(), 1);
@@ -323,8 +323,8 @@ private slots:
 
     void aCellOpensTheAttempts()
     {
-        QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
-        QSignalSpy student(m_page, &ClassPage::studentWanted);
+        QSignalSpy wanted(m_page, &ClassPage::attemptsRequested);
+        QSignalSpy student(m_page, &ClassPage::studentRequested);
         const auto click = [&](int row, int column) {
             const QModelIndex index = matrix()->model()->index(row, column);
             QTest::mouseClick(matrix()->viewport(), Qt::LeftButton, {}, matrix()->visualRect(index).center());

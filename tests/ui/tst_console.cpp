@@ -216,7 +216,7 @@ private slots:
     void keysRecallAndClose()
     {
         Room room;
-        QSignalSpy close(&room.console, &console::Console::closeWanted);
+        QSignalSpy close(&room.console, &console::Console::closeRequested);
         for (const char* command : {"get force.limit", "help"}) {
             QTest::keyClicks(&room.line(), command);
             QTest::keyClick(&room.line(), Qt::Key_Return);

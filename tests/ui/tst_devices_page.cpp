@@ -268,7 +268,7 @@ private slots:
 
     void theNextStepUsesTheHandThatIsShown()
     {
-        QSignalSpy wanted(m_page, &DevicesPage::handWanted);
+        QSignalSpy wanted(m_page, &DevicesPage::handRequested);
         QSignalSpy back(m_actions->back, &QAction::triggered);
         m_page->setReport(kArm, ready());
         click("deviceNext");

@@ -19,7 +19,7 @@
 #include "ui/devices/HandList.h"
 #include "ui/devices/HeadTrackingCard.h"
 #include "ui/devices/TagPicture.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 
 using core::tracking::CameraInfo;
 using core::tracking::PictureTrouble;
@@ -120,7 +120,7 @@ private slots:
         QVERIFY(!child<QPushButton>("deviceNext")->isVisible());
         for (const char* part : {"firmware", "setup", "liveTest", "rule"})
             QVERIFY2(!child<QWidget>(part)->isVisible(), part);
-        QSignalSpy wanted(m_page, &DevicesPage::handWanted);
+        QSignalSpy wanted(m_page, &DevicesPage::handRequested);
         child<HandList>()->setFocus();
         QTest::keyClick(child<HandList>(), Qt::Key_Return);
         QCOMPARE(wanted.count(), 0);
@@ -493,7 +493,7 @@ private:
     [[nodiscard]] QCheckBox& follow() const { return *child<QCheckBox>("followHead"); }
     [[nodiscard]] TagPicture& picture() const { return *child<TagPicture>(); }
     [[nodiscard]] QComboBox& camera() const { return *child<QComboBox>("camera"); }
-    [[nodiscard]] QString figure(const char* name) const { return child<ui::kit::TabularLabel>(name)->text(); }
+    [[nodiscard]] QString figure(const char* name) const { return child<ui::kit::TabularDigitsLabel>(name)->text(); }
     [[nodiscard]] HandList::Row row() const
     {
         for (const HandList::Row& one : child<HandList>()->rows())

@@ -177,8 +177,8 @@ private slots:
     void anAttemptOpens()
     {
         m_page->setHistory(attemptRecords(30));
-        QSignalSpy opened(m_page, &HistoryPage::attemptOpenWanted);
-        QSignalSpy replayed(m_page, &HistoryPage::replayWanted);
+        QSignalSpy opened(m_page, &HistoryPage::attemptOpenRequested);
+        QSignalSpy replayed(m_page, &HistoryPage::replayRequested);
         auto* replay = child<QPushButton>("replayAttempt");
         table()->setFocus();
         QTest::keyClick(table(), Qt::Key_Down);

@@ -25,7 +25,7 @@
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/kit/Actions.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/Texts.h"
 
@@ -303,7 +303,7 @@ private slots:
         servo.tick = 1;
         servo.anchorMm = {0.5, 0.5, -1.0};
         const auto figure = [&](const char* name) {
-            return view.findChild<ui::kit::TabularLabel*>(QLatin1String(name))->text();
+            return view.findChild<ui::kit::TabularDigitsLabel*>(QLatin1String(name))->text();
         };
         const auto follow = [&](std::uint64_t revision) {
             view.follow(&tooth, revision, servo, core::imaging::readDepth(tooth, pulp, servo.anchorMm));
@@ -325,7 +325,7 @@ private slots:
         QTRY_VERIFY(follows(QString::fromUtf8("–")));
         QVERIFY(figure("sectionNearest") != QString::fromUtf8("–"));
         view.setFiguresShown(false);
-        QVERIFY(!view.findChild<ui::kit::TabularLabel*>("sectionDepth")->isVisible());
+        QVERIFY(!view.findChild<ui::kit::TabularDigitsLabel*>("sectionDepth")->isVisible());
     }
 
     void thePlaneIsChosenAndTurned()

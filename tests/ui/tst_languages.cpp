@@ -12,7 +12,7 @@
 #include <QSet>
 #include <QStackedWidget>
 
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "lessons/PresetShelf.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/ui/Pictures.h"
@@ -31,7 +31,7 @@
 #include "ui/devices/PedalCard.h"
 #include "ui/devices/SoundCard.h"
 #include "ui/inside/XrayPage.h"
-#include "ui/kit/BusyCard.h"
+#include "ui/kit/BusyOverlay.h"
 #include "ui/kit/LanguageMenu.h"
 #include "ui/lessoneditor/LessonEditor.h"
 #include "ui/people/AssignPage.h"
@@ -40,8 +40,8 @@
 #include "ui/people/LoginPage.h"
 #include "ui/practice/HandControls.h"
 #include "ui/practice/SidePanel.h"
+#include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/scoring/TalkPanel.h"
 #include "ui/text/Language.h"
 #include "ui/toothchooser/Mouth.h"
 
@@ -105,7 +105,7 @@ const lessons::ReadLesson& cutIdeal()
 core::grading::Infraction breach()
 {
     core::grading::Infraction infraction;
-    infraction.breach = core::grading::Breach::TooDeep;
+    infraction.breach = core::grading::RuleViolation::TooDeep;
     infraction.limit = 2.5;
     infraction.seconds = 20.5;
     return infraction;
@@ -177,7 +177,7 @@ private slots:
     void init()
     {
         ui::text::Language::choose("en_GB");
-        m_window->askWho(ui::people::Door::Login);
+        m_window->askWho(ui::people::LoginMode::Login);
         m_window->leaveAll();
         m_window->setWho({});
         m_window->setReplaying(false);
@@ -324,16 +324,17 @@ private slots:
         });
         page("busy", [this] {
             m_window->showBusy("[···]");
-            QTRY_VERIFY(child<BusyCard>()->isVisible());
+            QTRY_VERIFY(child<BusyOverlay>()->isVisible());
         });
         page("message", [this] { m_window->showMessage("[···]"); });
         page("error", [this] {
-            m_window->showError({core::ErrorCode::WrongKind, {}}, ui::text::Failed::KeepingGrades, QString(80, u'·'));
+            m_window->showError({core::ErrorCode::WrongKind, {}}, ui::text::FailedOperation::KeepingGrades,
+                                QString(80, u'·'));
         });
         page("replay", [this] {
             m_window->setReplaying(true, 60.0);
             m_window->setReplayCourse(support::course());
-            m_beside = std::make_unique<UiLinks>();
+            m_beside = std::make_unique<UiChannels>();
             m_window->showBeside(*m_beside, support::syntheticMolar(), 1, {}, "[···]");
         });
         page("tour", [this] { m_window->beginTour(); });
@@ -448,7 +449,7 @@ private slots:
         page("talk", [this] {
             showScore();
             m_window->scorePage().setTalkVisible(true);
-            ui::scoring::TalkPanel& talk = m_window->scorePage().talk();
+            ui::scoring::CommentsPanel& talk = m_window->scorePage().talk();
             talk.setScore(512, 600, false);
             talk.setMay(true, true);
             database::AttemptTalk said;
@@ -458,15 +459,15 @@ private slots:
             talk.setMoment(4000);
             talk.setPlace(std::array{1.0, 2.0, 3.0});
         });
-        for (const auto& [name, door] : {std::pair("login", ui::people::Door::Login),
-                                         {"new password", ui::people::Door::NewPassword},
-                                         {"welcome", ui::people::Door::Welcome},
-                                         {"new school", ui::people::Door::NewSchool},
-                                         {"own password", ui::people::Door::OwnPassword},
-                                         {"locked", ui::people::Door::Locked}})
+        for (const auto& [name, door] : {std::pair("login", ui::people::LoginMode::Login),
+                                         {"new password", ui::people::LoginMode::NewPassword},
+                                         {"welcome", ui::people::LoginMode::Welcome},
+                                         {"new school", ui::people::LoginMode::NewSchool},
+                                         {"own password", ui::people::LoginMode::OwnPassword},
+                                         {"locked", ui::people::LoginMode::Locked}})
             page(name, [this, door = door] { m_window->askWho(door); });
         page("login, damaged", [this] {
-            m_window->askWho(ui::people::Door::Login);
+            m_window->askWho(ui::people::LoginMode::Login);
             m_window->setUnreachable(core::Error{core::ErrorCode::BadStructure, {}}, "[···]", thenOnTheClock());
         });
     }
@@ -532,7 +533,7 @@ private slots:
         m_links->session.publish(session);
         QTRY_VERIFY(actions().undo->isEnabled());
         m_window->close();
-        auto* question = child<QuestionCard>();
+        auto* question = child<ConfirmOverlay>();
         QVERIFY(question != nullptr && question->isVisible());
         QCOMPARE(pseudo::notTranslated(*question), QStringList());
         QTRY_COMPARE(pseudo::clipped(*question), QStringList());
@@ -544,8 +545,8 @@ private slots:
         m_window->showTooth(support::syntheticMolar(), ++m_generation, [] {
             return QStringList{QCoreApplication::translate("Tooth", "enamel"), "two"};
         });
-        m_window->showError(core::Error{core::ErrorCode::FileUnreadable, "exact"}, ui::text::Failed::OpeningScan,
-                            "a.stl");
+        m_window->showError(core::Error{core::ErrorCode::FileUnreadable, "exact"},
+                            ui::text::FailedOperation::OpeningScan, "a.stl");
         m_window->offerUnfinished([] { return QCoreApplication::translate("Tooth", "enamel"); }, thenOnTheClock(),
                                   false);
         auto* bar = child<ui::kit::MessageBar>();
@@ -566,7 +567,7 @@ private slots:
 
     void whatIsSaidAtTheDoorFollowsTheLanguage()
     {
-        m_window->askWho(ui::people::Door::Login);
+        m_window->askWho(ui::people::LoginMode::Login);
         const auto back = qScopeGuard([this] {
             ui::text::Language::choose("en_GB");
             m_window->setWho({});
@@ -631,11 +632,11 @@ private:
         scored.infractions = {breach(), breach(), breach()};
         const lessons::ScoreSheet marked = sheet();
         m_window->showScore(marked, {attempt(512, marked.rubricHash), attempt(700, "another")},
-                            ui::scoring::Expectation{900, "caries_left"}, scored);
+                            ui::scoring::ScorePrediction{900, "caries_left"}, scored);
         const lessons::Moment moment{lessons::Moment::Kind::Stroke, 100, 754000, 754.0, 128};
         const lessons::Moment never{lessons::Moment::Kind::Never, 340, 754000, 754.0, 0};
         m_window->scorePage().setMoments({{never, moment}, {moment}, {moment}});
-        lessons::GridNoise noise;
+        lessons::GridSensitivity noise;
         noise.half.totalTenths = 500;
         m_window->scorePage().setNoise(noise);
         m_window->scorePage().setClass({7, 40.0});
@@ -688,7 +689,7 @@ private:
         school.audit().setRows({{1, kThen, "", "login", "[···]", "{}", ""}}, "[···]", true);
     }
 
-    std::unique_ptr<UiLinks> m_beside;
+    std::unique_ptr<UiChannels> m_beside;
     QSet<QString> m_parts;  ///< classes of ui that the window has a widget of
     QSet<QString> m_seen;   ///< those that were visible
     int m_pages = 0;

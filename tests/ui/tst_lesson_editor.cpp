@@ -96,7 +96,7 @@ private slots:
         auto weighed = weigh(draft.object(), draft.file(), first);
         QVERIFY2(weighed->assignment, qPrintable(faultOf(weighed->read)));
         QVERIFY(weighed->assignment->anatomy == first->assignment->anatomy);  // the tooth was not made again
-        const auto lowest = [](const Weighed& of) {
+        const auto lowest = [](const EvaluatedDraft& of) {
             float low = 0.0F;
             for (std::size_t k = 0; k < of.assignment->ideal->parts.size(); ++k)
                 if (of.assignment->ideal->parts[k] != core::grading::Part::Keep)

@@ -7,7 +7,7 @@
 #include <QToolButton>
 
 #include "tests/support/Suite.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/practice/LessonStrip.h"
 
 using ui::practice::LessonStrip;
@@ -155,7 +155,7 @@ private slots:
         exam.exam = true;
         exam.minutes = 1.0;
         m_strip->setLesson(exam);
-        const auto* time = m_strip->findChild<ui::kit::TabularLabel*>("lessonTime");
+        const auto* time = m_strip->findChild<ui::kit::TabularDigitsLabel*>("lessonTime");
         m_strip->setTime(60.5);
         QCOMPARE(time->text(), QString("0:00"));
         m_strip->conclude(LessonStrip::Ending::WithScore);

@@ -21,7 +21,7 @@
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/SimpleFeel.h"
 #include "ui/presets/TrialCard.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/PresetTexts.h"
 
 using namespace ui;
 using core::settings::FeelPreset;
@@ -179,15 +179,15 @@ private slots:
         list().setCurrentRow(1);
         QVERIFY(m_page->draft() == presetNamed("hard", 1, 0.5));
         QVERIFY(save->isEnabled() && save->text().startsWith("Restore"));  // an older version
-        QSignalSpy use(m_page, &presets::PresetsPage::useWanted);
+        QSignalSpy use(m_page, &presets::PresetsPage::useRequested);
         click("presetUse");
         QCOMPARE(use.size(), 1);
     }
 
     void aChangedNumberCanBeTriedAndKept()
     {
-        QSignalSpy tried(m_page, &presets::PresetsPage::tryWanted);
-        QSignalSpy saved(m_page, &presets::PresetsPage::saveWanted);
+        QSignalSpy tried(m_page, &presets::PresetsPage::tryRequested);
+        QSignalSpy saved(m_page, &presets::PresetsPage::saveRequested);
         QVERIFY(!isEnabled("presetSave"));
         click("presetExpert");
         spin("enamel.rate_mm3_per_ns")->setValue(0.6);
@@ -290,7 +290,7 @@ private slots:
 
     void aCopyHasAnotherName()
     {
-        QSignalSpy saved(m_page, &presets::PresetsPage::saveWanted);
+        QSignalSpy saved(m_page, &presets::PresetsPage::saveRequested);
         click("presetCopy");
         QCOMPARE(m_page->draft().name, std::string("natural copy"));
         QTest::keyClicks(child<QLineEdit>("presetName"), "mine");
@@ -303,7 +303,7 @@ private slots:
 
     void comparesWithTheChosenOne()
     {
-        QSignalSpy compared(m_page, &presets::PresetsPage::compareWanted);
+        QSignalSpy compared(m_page, &presets::PresetsPage::compareRequested);
         auto* other = child<QComboBox>("presetOther");
         QCOMPARE(other->count(), 3);  // what cannot be read is no choice
         // Nothing is compared with itself: another is offered, or what was changed.
@@ -327,8 +327,8 @@ private slots:
     void trialCardTunesAndTellsApart()
     {
         presets::TrialCard& card = makeCard();
-        QSignalSpy fresh(&card, &presets::TrialCard::freshBlockWanted);
-        QSignalSpy csv(&card, &presets::TrialCard::csvWanted);
+        QSignalSpy fresh(&card, &presets::TrialCard::freshBlockRequested);
+        QSignalSpy csv(&card, &presets::TrialCard::csvRequested);
         card.tune(FeelPreset{}, FeelPreset{});
         cardDial().setValue(10);
         QCOMPARE(m_felt->size(), 1);
@@ -542,7 +542,7 @@ private slots:
         QVERIFY(retire->isVisible() && !retire->isEnabled());  // what is shipped stays
         list().setCurrentRow(0);
         QVERIFY(!isEnabled("presetUse"));
-        QSignalSpy wanted(m_page, &presets::PresetsPage::retireWanted);
+        QSignalSpy wanted(m_page, &presets::PresetsPage::retireRequested);
         retire->click();
         m_page->setPresets(shelf(), shipped());
         retire->click();

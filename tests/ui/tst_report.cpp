@@ -294,7 +294,7 @@ private slots:
         card = m_card;
         card.work->measured.process.emplace().totalS = 133.0;
         card.work->aids = core::servo::kSectionAid | core::servo::kIdealAid;
-        card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
+        card.work->infractions = {{core::grading::RuleViolation::BurInAir, 37000, 37.4, {}, 0, 20}};
         card.sheet.criteria.front().critical = true;
         card.sheet.criteria.front().share = 1.0;
         ScoreCard limited = m_card;

@@ -8,7 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/Pictures.h"
@@ -195,7 +195,7 @@ private slots:
 
     void aToothLooksTheSameOnBothWays()
     {
-        core::session::UiLinks links;
+        core::session::UiChannels links;
         std::array<QImage, 2> images;
         for (std::size_t k = 0; k < 2; ++k) {
             ToothView view(links, nullptr, k == 0 ? SceneWidget::Way::Window : SceneWidget::Way::Image);

@@ -19,11 +19,11 @@
 #include "tests/ui/WindowTest.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/kit/ScrollPane.h"
+#include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/CriterionRow.h"
 #include "ui/scoring/HeatMap.h"
-#include "ui/scoring/HistoryChart.h"
+#include "ui/scoring/RecentScoresChart.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/scoring/TalkPanel.h"
 #include "ui/text/Texts.h"
 
 using lessons::Moment;
@@ -240,7 +240,7 @@ private slots:
     {
         const Faulty& made = faulty("decay-36-moderate");
         show(made);
-        QSignalSpy wanted(m_page, &ScorePage::momentWanted);
+        QSignalSpy wanted(m_page, &ScorePage::momentRequested);
         const auto* row = child<CriterionRow>("criterion_caries_left");
         const auto chips = row->findChildren<QPushButton*>();
         QCOMPARE(chips.size(), 3);
@@ -292,7 +292,7 @@ private slots:
         QVERIFY(button->isVisible());
         // The row that cost most is chosen, and its place says the same.
         QCOMPARE(textOf("placeAdvice"), advice->text());
-        QSignalSpy wanted(m_page, &ScorePage::momentWanted);
+        QSignalSpy wanted(m_page, &ScorePage::momentRequested);
         button->click();
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted.front().front().toDouble(), 64.0);
@@ -337,7 +337,7 @@ private slots:
 
     void breachesLeadToTheirMoments()
     {
-        using core::grading::Breach;
+        using core::grading::RuleViolation;
         Faulty made = faulty("decay-36-moderate");
         show(made);
         const auto* facts = child<QLabel>("conduct");
@@ -350,7 +350,7 @@ private slots:
                  qPrintable(facts->text()));
         made.work.aids = core::servo::kSectionAid;
         for (int n = 0; n < 7; ++n)
-            made.work.infractions.push_back({n == 5 ? Breach::PulpExposed : Breach::BurInAir,
+            made.work.infractions.push_back({n == 5 ? RuleViolation::PulpExposed : RuleViolation::BurInAir,
                                              static_cast<std::uint64_t>(1000 * n),
                                              20.0 * n,
                                              {},
@@ -366,7 +366,7 @@ private slots:
             if (chip->text().contains("pulp"))
                 pulp = chip;
         QVERIFY(pulp != nullptr);
-        QSignalSpy wanted(m_page, &ScorePage::momentWanted);
+        QSignalSpy wanted(m_page, &ScorePage::momentRequested);
         QTest::mouseClick(pulp, Qt::LeftButton);
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted.front().front().toDouble(), 100.0);
@@ -432,7 +432,7 @@ private slots:
     {
         const lessons::ScoreSheet& sheet = faulty("decay-36-moderate").sheet;
         m_page->setScore([] { return QString(); }, sheet, attempts(sheet), {}, {});
-        auto* chart = child<ui::scoring::HistoryChart>();
+        auto* chart = child<ui::scoring::RecentScoresChart>();
         const QString spoken = chart->accessibleName();
         QVERIFY2(spoken.contains("61.2 with another rubric, " + ui::text::points(sheet.totalTenths)),
                  qPrintable(spoken));
@@ -473,7 +473,7 @@ private slots:
         made.work.aids = core::servo::kSectionAid | core::servo::kIdealAid | core::servo::kRadiographAid;
         for (int n = 0; n < 9; ++n)
             made.work.infractions.push_back(
-                {core::grading::Breach::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});
+                {core::grading::RuleViolation::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});
         show(made);
         const auto* pane = child<ui::kit::ScrollPane>();
         QTRY_VERIFY2(!pane->hasMoreBelow(),
@@ -625,7 +625,7 @@ private:
     {
         const QList<database::AttemptRecord> past = attempts(made.sheet);
         m_page->setScore([] { return QStringLiteral("Class I, tooth 36"); }, made.sheet,
-                         {past[0], past[0], past[0], past[1]}, ui::scoring::Expectation{900, "depth"}, made.work);
+                         {past[0], past[0], past[0], past[1]}, ui::scoring::ScorePrediction{900, "depth"}, made.work);
         m_page->setMoments(parts(made.sheet));
         m_page->setClass({1, {}});
         m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());

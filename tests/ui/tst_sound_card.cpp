@@ -39,7 +39,7 @@ private slots:
         QVERIFY(card().isVisible());
         QVERIFY(card().soundSwitch().isVisible());
         QVERIFY(!child<QPushButton>("deviceNext")->isVisible());
-        QSignalSpy wanted(m_page, &DevicesPage::handWanted);
+        QSignalSpy wanted(m_page, &DevicesPage::handRequested);
         child<HandList>()->setFocus();
         QTest::keyClick(child<HandList>(), Qt::Key_Return);
         QCOMPARE(wanted.count(), 0);

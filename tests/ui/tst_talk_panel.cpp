@@ -15,10 +15,10 @@
 
 #include "tests/support/Suite.h"
 #include "ui/kit/Theme.h"
-#include "ui/scoring/TalkPanel.h"
+#include "ui/scoring/CommentsPanel.h"
 
 using database::AttemptTalk;
-using ui::scoring::TalkPanel;
+using ui::scoring::CommentsPanel;
 
 namespace {
 
@@ -48,7 +48,7 @@ private slots:
 
     void init()
     {
-        m_panel = std::make_unique<TalkPanel>(nullptr);
+        m_panel = std::make_unique<CommentsPanel>(nullptr);
         m_panel->setMay(true, true);
         m_panel->setScore(684, 750, false);
         m_panel->resize(460, 640);
@@ -101,7 +101,7 @@ private slots:
 
     void aCommentIsPinned()
     {
-        QSignalSpy wanted(m_panel.get(), &TalkPanel::commentWanted);
+        QSignalSpy wanted(m_panel.get(), &CommentsPanel::commentRequested);
         const auto sent = [&] {
             click("addComment");
             return std::tuple(wanted.back()[0].toString(), wanted.back()[1].value<std::optional<std::int64_t>>(),
@@ -131,8 +131,8 @@ private slots:
         QVERIFY(!atPlace()->isChecked());
         // What others have pinned leads there.
         m_panel->setTalk(talk());
-        QSignalSpy moment(m_panel.get(), &TalkPanel::momentWanted);
-        QSignalSpy place(m_panel.get(), &TalkPanel::placeWanted);
+        QSignalSpy moment(m_panel.get(), &CommentsPanel::momentRequested);
+        QSignalSpy place(m_panel.get(), &CommentsPanel::placeRequested);
         pressChips();
         QCOMPARE(moment[0][0].toDouble(), 102.0);
         QCOMPARE(place[0][0].value<Place>(), (Place{1.0, 2.0, 3.0}));
@@ -140,7 +140,7 @@ private slots:
 
     void aScoreNeedsAReason()
     {
-        QSignalSpy wanted(m_panel.get(), &TalkPanel::overrideWanted);
+        QSignalSpy wanted(m_panel.get(), &CommentsPanel::overrideRequested);
         QCOMPARE(points()->value(), 68.4);
         points()->setValue(77.7);
         for (const char* typed : {"", "   "}) {
@@ -201,7 +201,7 @@ private slots:
         QCOMPARE(reason()->text(), QString("Half a reason"));
         QCOMPARE(points()->value(), 45.5);
         QVERIFY(fault()->isVisible());
-        QSignalSpy wanted(m_panel.get(), &TalkPanel::commentWanted);
+        QSignalSpy wanted(m_panel.get(), &CommentsPanel::commentRequested);
         click("addComment");
         QCOMPARE(wanted.size(), 1);
         QCOMPARE(wanted[0][1].value<std::optional<std::int64_t>>(), std::optional<std::int64_t>(4500));
@@ -220,7 +220,7 @@ private slots:
         comment()->setPlainText("Lift the bur here.");
         get<QPushButton>("addComment")->setFocus();
         QTest::keyClick(get<QPushButton>("addComment"), Qt::Key_Space);
-        QSignalSpy used(m_panel.get(), &TalkPanel::formUsed);
+        QSignalSpy used(m_panel.get(), &CommentsPanel::formUsed);
         AttemptTalk kept;
         kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
         m_panel->answer(0);
@@ -256,7 +256,7 @@ private slots:
         m_panel->setTalk(mine);
         QCOMPARE(m_panel->findChildren<QPushButton*>("takeBack").size(), 1);
         comment()->setPlainText(typed);
-        QSignalSpy wanted(m_panel.get(), &TalkPanel::withdrawWanted);
+        QSignalSpy wanted(m_panel.get(), &CommentsPanel::withdrawRequested);
         get<QPushButton>("takeBack")->setFocus();
         for (int press = 0; press < 2; ++press)  // nothing is sent twice
             QTest::keyClick(get<QPushButton>("takeBack"), Qt::Key_Space);
@@ -292,8 +292,8 @@ private slots:
         m_panel->setTalk(mine);
         comment()->setPlainText("Lift the bur here.");
         reason()->setText("The wall is fine by hand.");
-        QSignalSpy comments(m_panel.get(), &TalkPanel::commentWanted);
-        QSignalSpy scores(m_panel.get(), &TalkPanel::overrideWanted);
+        QSignalSpy comments(m_panel.get(), &CommentsPanel::commentRequested);
+        QSignalSpy scores(m_panel.get(), &CommentsPanel::overrideRequested);
         for (int press = 0; press < 3; ++press)
             add->click();
         QVERIFY(comments.size() == 1 && !add->isEnabled());
@@ -392,7 +392,7 @@ private slots:
         for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
             for (const char* typed : {"9.5", "9,5"}) {
                 QLocale::setDefault(QLocale(QString(language)));
-                TalkPanel panel(nullptr);
+                CommentsPanel panel(nullptr);
                 panel.setMay(true, true);
                 auto* given = panel.findChild<QDoubleSpinBox*>("givenPoints");
                 given->selectAll();
@@ -404,7 +404,7 @@ private slots:
     /// It stays as it was typed, and is not given.
     void whatIsNoScoreIsNotMadeOne()
     {
-        QSignalSpy wanted(m_panel.get(), &TalkPanel::overrideWanted);
+        QSignalSpy wanted(m_panel.get(), &CommentsPanel::overrideRequested);
         reason()->setText("by hand");
         const auto type = [this](const char* keys) {
             points()->selectAll();
@@ -461,7 +461,7 @@ private:
                 button->click();
     }
 
-    std::unique_ptr<TalkPanel> m_panel;
+    std::unique_ptr<CommentsPanel> m_panel;
 };
 
 CUSP_TEST(TestTalkPanel)

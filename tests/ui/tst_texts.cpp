@@ -22,11 +22,11 @@
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "ui/admin/AdminWords.h"
-#include "ui/text/FaultWords.h"
-#include "ui/text/LessonWords.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/LessonTexts.h"
+#include "ui/text/PeopleTexts.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
+#include "ui/text/ValidationTexts.h"
 
 using core::ErrorCode;
 using core::terrain::Material;
@@ -123,10 +123,11 @@ private slots:
 
     void everyErrorCodeHasASentenceOfItsOwn()
     {
-        using ui::text::Failed;
-        for (const Failed failed : {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording,
-                                    Failed::SavingRecording, Failed::KeepingGrades, Failed::KeepingGrade,
-                                    Failed::KeepingAttempt, Failed::KeepingExam, Failed::ResumingAttempt}) {
+        using ui::text::FailedOperation;
+        for (const FailedOperation failed :
+             {FailedOperation::OpeningScan, FailedOperation::MakingTooth, FailedOperation::OpeningRecording,
+              FailedOperation::SavingRecording, FailedOperation::KeepingGrades, FailedOperation::KeepingGrade,
+              FailedOperation::KeepingAttempt, FailedOperation::KeepingExam, FailedOperation::ResumingAttempt}) {
             QSet<QString> seen;
             for (int code = 0; code < kCodes; ++code) {
                 const QString text =
@@ -245,8 +246,8 @@ private slots:
     void whatACheckFoundIsToldInWords()
     {
         const ui::admin::NamesByUid names{{"1f", "Sam %2 (s1001)"}, {"class:5", "DEN101-A"}};
-        const database::Finding differs{"%1 differs from the audit: the row of %2 was changed, added or removed",
-                                        {"table enrolments", "person:1f"}};
+        const database::IntegrityIssue differs{"%1 differs from the audit: the row of %2 was changed, added or removed",
+                                               {"table enrolments", "person:1f"}};
         QCOMPARE(
             differs.english(),
             QString("table enrolments differs from the audit: the row of person:1f was changed, added or removed"));
@@ -254,13 +255,13 @@ private slots:
             ui::admin::findingWords(differs, names, {}),
             QString(
                 "table enrolments differs from the audit: the row of Sam %2 (s1001) was changed, added or removed"));
-        const database::Finding row{"audit row %1 (%2, %3, %4) is not the one that was signed",
-                                    {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
+        const database::IntegrityIssue row{"audit row %1 (%2, %3, %4) is not the one that was signed",
+                                           {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
         QCOMPARE(ui::admin::findingWords(row, names, {}),
                  QString("audit row 9 (%1, logged in, Sam %2 (s1001)) is not the one that was signed")
                      .replace("%1", ui::text::when("2026-11-20T10:15:00Z")));
         // A lesson by its title, as long as somebody knows it.
-        const database::Finding standing{"%1 has attempts in %2 and no standing", {"person:1f", "class1-36"}};
+        const database::IntegrityIssue standing{"%1 has attempts in %2 and no standing", {"person:1f", "class1-36"}};
         QCOMPARE(ui::admin::findingWords(standing, names, {{"class1-36", "Class I, 36"}}),
                  QString("Sam %2 (s1001) has attempts in Class I, 36 and no standing"));
         QCOMPARE(ui::admin::findingWords(standing, names, {}),
@@ -280,7 +281,7 @@ private slots:
             "handpieces": ["x"], "aids": ["x"], "hardness": "x", "ideal": {"kind": "x", "captured": "a"}, "version": 1.5,
             "lesion": 1, "touch": {"points": [[99, 0]]}, "rules": {"neighbour_hit": true, "air_limit_s": 0}, "minuts": 1,
             "steps": [1], "rubric": {"id": "r", "criteria": [{"id": "c", "measure": "x", "weight": 1.23}, 2]}})";
-        std::vector<lessons::Fault> faults = lessons::readLessonText(lesson, "a.json").faults;
+        std::vector<lessons::ValidationIssue> faults = lessons::readLessonText(lesson, "a.json").faults;
         QVERIFY(faults.size() > 20);
         for (const QByteArray json :
              {"", "{", "[]", "{\"a\" 1}", "{\"a\": 1, \"a\": 2}", "{\"a\": \"\xFF\"}", "{\"a\": [1}"})
@@ -302,7 +303,7 @@ private slots:
             faults.push_back(lessons::readLessonText(json.replace("%1", rubric), "a.json").faults.front());
         }
         const auto words = spoken(QLocale(language));
-        for (const lessons::Fault& fault : faults) {
+        for (const lessons::ValidationIssue& fault : faults) {
             const QString said = ui::text::faultWords(fault);
             QVERIFY2(said.contains("a.") && said.contains(fault.key), qPrintable(said));
             QVERIFY2(!ui::text::faultWords(fault.what).contains(kEnglish), qPrintable(said));
@@ -463,8 +464,8 @@ private slots:
 
     void numbersFollowTheLanguage()
     {
-        const core::Words fault{"%1 of %2 in %3",
-                                {core::noted("95.5"), core::noted("1.0 MB"), core::noted("a-1.5.json")}};
+        const core::LocalizableText fault{"%1 of %2 in %3",
+                                          {core::noted("95.5"), core::noted("1.0 MB"), core::noted("a-1.5.json")}};
         lessons::ScoreSheet sheet;
         sheet.criteria = {criterion("a", 3.2, "percent", lessons::Side::Over, 0, 1, 30, 600),
                           criterion("b", 0, "mm2", lessons::Side::Over, 0, 0, 1, 400)};

@@ -14,7 +14,7 @@
 #include <QWheelEvent>
 
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Checks.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/Pictures.h"
@@ -22,7 +22,7 @@
 
 using core::servo::PointerInput;
 using core::servo::ServoState;
-using core::session::UiLinks;
+using core::session::UiChannels;
 using core::terrain::ToothAnatomy;
 using support::near;
 using ui::tooth::Camera;
@@ -38,7 +38,7 @@ private slots:
     void initTestCase()
     {
         m_tooth = support::syntheticMolar();
-        m_links = std::make_unique<UiLinks>();
+        m_links = std::make_unique<UiChannels>();
         m_view = std::make_unique<ToothView>(*m_links);
         QVERIFY(m_view->isUsable());
         m_view->resize(640, 480);
@@ -563,7 +563,7 @@ private slots:
     void aBurThatRunsIsSeenToTurn()
     {
         for (const ToothView::Way way : {ToothView::Way::Window, ToothView::Way::Image}) {
-            UiLinks links;
+            UiChannels links;
             ToothView view(links, nullptr, way);
             view.resize(320, 240);
             view.setTooth(m_tooth, 1);
@@ -585,7 +585,7 @@ private slots:
     /// No event crashes the view.
     void isAnEmptyRoomWithoutATooth()
     {
-        UiLinks links;
+        UiChannels links;
         ToothView view(links);
         view.resize(320, 240);
         view.show();
@@ -728,7 +728,7 @@ private:
 
     std::uint64_t m_generation = 0;
     std::shared_ptr<const ToothAnatomy> m_tooth;
-    std::unique_ptr<UiLinks> m_links;
+    std::unique_ptr<UiChannels> m_links;
     std::unique_ptr<ToothView> m_view;
 };
 

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/kit/Actions.h"
@@ -34,7 +34,7 @@ private slots:
 
     void aWindowSaysWhatIsMissingAndWhatToDo()
     {
-        core::session::UiLinks links;
+        core::session::UiChannels links;
         QWidget window;
         auto* layout = new QVBoxLayout(&window);
         auto* view = new ToothView(links);
@@ -59,7 +59,7 @@ private slots:
 
     void everythingElseStillAnswers()
     {
-        core::session::UiLinks links;
+        core::session::UiChannels links;
         ToothView view(links);
         QSignalSpy frames(&view, &ToothView::frameAdvanced);
         view.setTooth(support::syntheticMolar(64), 1);
@@ -79,7 +79,7 @@ private slots:
     void theWholeMouthIsNotOffered()
     {
         QVERIFY(!ui::toothchooser::Mouth::isPossible());
-        core::session::UiLinks links;
+        core::session::UiChannels links;
         ui::window::MainWindow window(links);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));

@@ -4,7 +4,7 @@
 
 #include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
-#include "ui/people/Door.h"
+#include "ui/people/LoginMode.h"
 #include "ui/window/HelpOverlay.h"
 #include "ui/window/Tour.h"
 
@@ -129,7 +129,7 @@ private slots:
     {
         m_window->beginTour();
         QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
-        m_window->askWho(ui::people::Door::Login);
+        m_window->askWho(ui::people::LoginMode::Login);
         QVERIFY(!tour().isVisible());
         QCOMPARE(ended.count(), 0);
         actions().tour->trigger();

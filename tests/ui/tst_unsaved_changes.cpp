@@ -12,8 +12,8 @@
 #include "ui/admin/RosterPart.h"
 #include "ui/lessoneditor/LessonEditor.h"
 #include "ui/presets/PresetsPage.h"
+#include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/scoring/TalkPanel.h"
 
 using ui::window::MainWindow;
 
@@ -71,7 +71,7 @@ private slots:
         for (const char* page : {"people", "preset", "comment", "lesson"})
             change(page);
         const QString before = unsaved();
-        m_window->askWho(ui::people::Door::Locked);
+        m_window->askWho(ui::people::LoginMode::Locked);
         QVERIFY(m_window->isAtDoor() && question() == nullptr);
         m_window->setWho(school().admin);
         QVERIFY(!m_window->isAtDoor());
@@ -89,8 +89,8 @@ private slots:
         m_window->setRecoveryFolder(recovery.path());
         m_window->setMayEdit(true);
         change("lesson");
-        QSignalSpy leaves(m_window.get(), &MainWindow::logoutWanted);
-        m_window->askWho(ui::people::Door::Locked);
+        QSignalSpy leaves(m_window.get(), &MainWindow::logoutRequested);
+        m_window->askWho(ui::people::LoginMode::Locked);
         const auto leave = [&] {
             if (quits)
                 m_window->close();
@@ -138,7 +138,7 @@ private slots:
         QCOMPARE(child<QLineEdit>("personGiven")->text(), QString("Adalina"));
         QCOMPARE(table->selectionModel()->selectedRows().front().row(), 0);
         table->selectRow(1);
-        m_window->askWho(ui::people::Door::Locked);  // the question does not stand over the lock
+        m_window->askWho(ui::people::LoginMode::Locked);  // the question does not stand over the lock
         QVERIFY(question() == nullptr);
         m_window->setWho(school().admin);
         child<QPushButton>("newPerson")->click();
@@ -150,8 +150,8 @@ private slots:
 
     void withoutChangesNothingIsAsked()
     {
-        QSignalSpy leaves(m_window.get(), &MainWindow::logoutWanted);
-        m_window->askWho(ui::people::Door::Locked);
+        QSignalSpy leaves(m_window.get(), &MainWindow::logoutRequested);
+        m_window->askWho(ui::people::LoginMode::Locked);
         click("otherLogin");
         QCOMPARE(leaves.size(), 1);
         m_window->setWho(school().admin);
@@ -160,7 +160,7 @@ private slots:
     }
 
 private:
-    ui::kit::QuestionCard* question() const { return WindowTest::question("unsavedQuestion"); }
+    ui::kit::ConfirmOverlay* question() const { return WindowTest::question("unsavedQuestion"); }
     QString textOf(const char* label) const { return question()->findChild<QLabel*>(QLatin1String(label))->text(); }
     void answer(const char* button) const
     {

@@ -17,8 +17,8 @@
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/people/LoginPage.h"
-#include "ui/scoring/Expectation.h"
 #include "ui/scoring/ScorePage.h"
+#include "ui/scoring/ScorePrediction.h"
 #include "ui/toothchooser/ArchView.h"
 #include "ui/toothchooser/ToothChooser.h"
 
@@ -28,7 +28,7 @@ using namespace ui::toothchooser;
 using namespace ui::window;
 using support::sheet;
 using ui::catalog::LessonsPage;
-using ui::people::Door;
+using ui::people::LoginMode;
 using ui::people::LoginPage;
 using ui::scoring::ScorePage;
 
@@ -97,7 +97,7 @@ private slots:
 
     void aRefusedPasswordIsTypedAnew()
     {
-        m_window->askWho(Door::NewSchool);
+        m_window->askWho(LoginMode::NewSchool);
         for (const char* name : {"password", "passwordAgain"})
             child<QLineEdit>(name)->setText("password1");
         m_window->refuseLogin({core::ErrorCode::OutOfRange, "everybody tries it first"});
@@ -109,16 +109,17 @@ private slots:
     void aOneTimeCodeLeadsToTheFirstPasswordField()
     {
         spoil();
-        QSignalSpy code(m_window.get(), &MainWindow::codeWanted);
+        QSignalSpy code(m_window.get(), &MainWindow::codeRequested);
         auto* username = child<QLineEdit>("username");
         auto* password = child<QLineEdit>("password");
         auto* again = child<QLineEdit>("passwordAgain");
-        for (const Door door : {Door::Login, Door::Locked}) {
-            if (door == Door::Locked)
+        for (const LoginMode door : {LoginMode::Login, LoginMode::Locked}) {
+            if (door == LoginMode::Locked)
                 m_window->setWho(school().student);
             m_window->askWho(door);
-            const QString name = door == Door::Locked ? QString::fromStdString(school().student.username()) : "s1001";
-            username->setText(door == Door::Login ? name : QString());
+            const QString name =
+                door == LoginMode::Locked ? QString::fromStdString(school().student.username()) : "s1001";
+            username->setText(door == LoginMode::Login ? name : QString());
             password->setText("K7PM-2QXR");
             click("logIn");
             m_window->refuseLogin({core::ErrorCode::NewPassword, "the code is right"});
@@ -137,7 +138,7 @@ private slots:
     /// Of a large file, or one whose disk has much to do; what takes a moment is not.
     void whatIsWaitedForAtTheDoorIsTold()
     {
-        m_window->askWho(Door::Login);
+        m_window->askWho(LoginMode::Login);
         auto* waiting = child<QLabel>("waiting");
         m_window->setOpening(true);
         QVERIFY(!waiting->isVisible());
@@ -186,7 +187,7 @@ private slots:
         QVERIFY(!door->isVisible());
         m_window->setWho(school().student);
         QTRY_VERIFY(door->isVisible());
-        QCOMPARE(door->door(), Door::Locked);
+        QCOMPARE(door->door(), LoginMode::Locked);
         // No key leads past it, and what others want to show waits behind it.
         for (QAction* action : {actions().lessons, actions().attempts, actions().grade, actions().back, actions().help})
             QVERIFY(!action->isEnabled());
@@ -205,7 +206,7 @@ private slots:
         m_window->setWho(school().student);
         cutSomething(1.0);
         const auto lockAndComeBack = [&] {
-            m_window->askWho(Door::Locked);
+            m_window->askWho(LoginMode::Locked);
             QVERIFY(child<LoginPage>()->isVisible());
             for (const QWidget* window : m_window->findChildren<QWidget*>())
                 QVERIFY2(!window->isWindow() || !window->isVisible(), window->metaObject()->className());
@@ -226,7 +227,7 @@ private slots:
         press(Qt::Key_T);
         press(Qt::Key_Return);
         QVERIFY(question() != nullptr && question()->isVisible());
-        m_window->askWho(Door::Locked);
+        m_window->askWho(LoginMode::Locked);
         QTRY_VERIFY(question() == nullptr);
         QCOMPARE(chosen.size(), 0);
     }
@@ -259,8 +260,8 @@ private slots:
     void aReturnAtTheLockIsNoWrongPassword()
     {
         m_window->setWho(school().student);
-        m_window->askWho(Door::Locked);
-        QSignalSpy wanted(m_window.get(), &MainWindow::loginWanted);
+        m_window->askWho(LoginMode::Locked);
+        QSignalSpy wanted(m_window.get(), &MainWindow::loginRequested);
         auto* password = child<QLineEdit>("password");
         QTest::keyClick(password, Qt::Key_Return);
         QCOMPARE(wanted.size(), 0);
@@ -464,7 +465,7 @@ private slots:
         m_window->setAssignment(support::assigned("class1-36"));
         QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
         const auto* show = child<QPushButton>("showScore");
-        const auto worst = [&] { return given.takeLast().front().value<ui::scoring::Expectation>().worst; };
+        const auto worst = [&] { return given.takeLast().front().value<ui::scoring::ScorePrediction>().worst; };
         m_window->askForecast();
         QVERIFY(!show->isEnabled());
         press(Qt::Key_Right);
@@ -539,14 +540,14 @@ private slots:
         QCOMPARE(figure("lost_caries_left"), QString("−4.4"));
         QCOMPARE(figure("lost_sound_tissue"), QString("−11.6"));
         QCOMPARE(figure("lost_pulp_exposure"), QString("0"));
-        const auto listed = child<ScorePage>()->findChildren<TabularLabel*>();
+        const auto listed = child<ScorePage>()->findChildren<TabularDigitsLabel*>();
         QVERIFY(std::any_of(listed.begin(), listed.end(), [](const auto* label) { return label->text() == "61.0"; }));
         QVERIFY(!child<QLabel>("historyRemark")->isVisible());
         // A second grade replaces the first.
         m_window->showScore(sheet(40, 30, 0), {});
         QCOMPARE(child<QLabel>("verdict")->text(), QString("Not passed yet"));
         QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 60.0 − 40.0 − 0.0 = 0.0"));
-        QCOMPARE(child<ScorePage>()->findChildren<TabularLabel*>("lost_caries_left").size(), 1);
+        QCOMPARE(child<ScorePage>()->findChildren<TabularDigitsLabel*>("lost_caries_left").size(), 1);
         QVERIFY(child<QLabel>("historyRemark")->isVisible());
         // A critical fault fails good work.
         m_window->showScore(sheet(0, 0, 0.1), {});
@@ -592,7 +593,7 @@ private slots:
     /// Nothing is left to do at the tooth of an exam that is graded.
     void afterAnExamTheLessonsFollow()
     {
-        QSignalSpy wanted(m_window.get(), &MainWindow::lessonsWanted);
+        QSignalSpy wanted(m_window.get(), &MainWindow::lessonsRequested);
         m_window->setLessons(support::catalog(), {});
         beginLesson(support::exam());
         m_window->showScore(sheet(40, 30, 0), {});

@@ -7,7 +7,7 @@
 #include <QSlider>
 
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/teeth/Block.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/ui/WindowTest.h"
@@ -80,7 +80,7 @@ private slots:
         QTest::mousePress(&view, Qt::LeftButton);
         QVERIFY(view.isPressed());
         core::grading::Infraction breach;
-        breach.breach = core::grading::Breach::RidgeCut;
+        breach.breach = core::grading::RuleViolation::RidgeCut;
         m_window->tellInfraction(breach, true);
         SessionState session;
         session.toothGeneration = m_generation;
@@ -209,7 +209,8 @@ private slots:
         // Deep in what is to be kept beside the decay.
         servo.anchorMm = {support::kLesionX + 3.0, support::kLesionY, -3.0};
         const auto isShown = [this] {
-            return child<TabularLabel>("marginFigure")->isVisible() && figure("marginFigure").startsWith(QChar(0x2212));
+            return child<TabularDigitsLabel>("marginFigure")->isVisible() &&
+                   figure("marginFigure").startsWith(QChar(0x2212));
         };
         take(servo, {});
         QVERIFY(!isShown());
@@ -229,7 +230,7 @@ private slots:
 
     void aHandIsHeldOnRequest()
     {
-        QSignalSpy wanted(m_window.get(), &MainWindow::fixtureWanted);
+        QSignalSpy wanted(m_window.get(), &MainWindow::fixtureRequested);
         press(Qt::Key_Q);
         press(Qt::Key_Q);
         QCOMPARE(wanted.count(), 2);
@@ -292,7 +293,7 @@ private slots:
         QTRY_VERIFY(shown(other, 0.0F) == one);
         QTRY_VERIFY(shown(first, 0.7F) == one);
         for (const char* name : {"materialFigure", "depthFigure", "pulpFigure", "decayFigure", "enamelRemoved"})
-            QVERIFY2(!child<TabularLabel>(name)->isVisible(), name);
+            QVERIFY2(!child<TabularDigitsLabel>(name)->isVisible(), name);
         for (QAction* aid :
              {actions().section, actions().radiograph, actions().depthColours, actions().mirror, actions().history})
             QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
@@ -305,7 +306,7 @@ private slots:
         QTRY_VERIFY(std::exchange(played, m_window->view().picture()) == played);
         m_window->view().setHeights(std::vector<float>(replayed->top.size(), -1.5F));
         QVERIFY(m_window->view().picture() == played);
-        QVERIFY(!child<TabularLabel>("materialFigure")->isVisible());
+        QVERIFY(!child<TabularDigitsLabel>("materialFigure")->isVisible());
         m_window->setReplaying(false);
         m_window->showTooth(first.anatomy, own, {});
         // By keys: Tab leads to the choices, the space bar takes one, and the last answer is the one that is sent.
@@ -326,7 +327,7 @@ private slots:
         QVERIFY(child<QPushButton>("exerciseGrade")->isVisible());
         m_window->showScore(support::sheet(3.2, 40, 0.5), {});
         actions().back->trigger();
-        QVERIFY(child<TabularLabel>("materialFigure")->isVisible());
+        QVERIFY(child<TabularDigitsLabel>("materialFigure")->isVisible());
         QVERIFY(!dentin->isEnabled() && child<QLabel>("padTruth0")->isVisible());
         QVERIFY(m_window->grab().toImage() != one);
     }
@@ -343,7 +344,7 @@ private slots:
             take({}, session);
             return m_window->view().picture();
         };
-        ui::replay::Course course;
+        ui::replay::AttemptTimeline course;
         course.lengthS = course.readyS = 60.0;
         m_window->setReplayCourse(course);
         const QImage bare = pictureAt(10.0);

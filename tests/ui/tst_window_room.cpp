@@ -11,13 +11,13 @@
 
 #include "core/bur/Bur.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
-#include "ui/kit/BusyCard.h"
+#include "ui/kit/BusyOverlay.h"
 #include "ui/practice/BurChooser.h"
 #include "ui/practice/BurPicker.h"
 #include "ui/practice/SidePanel.h"
@@ -32,7 +32,7 @@ using namespace ui::toothchooser;
 using namespace ui::window;
 using core::terrain::Material;
 using ui::inside::SectionView;
-using ui::text::Failed;
+using ui::text::FailedOperation;
 
 class TestWindowRoom : public support::WindowTest
 {
@@ -251,19 +251,20 @@ private slots:
             QVERIFY(!aid->isEnabled());
             QVERIFY(aid->toolTip().contains("does not allow"));
         }
-        QVERIFY(!child<TabularLabel>("depthFigure")->isVisible());
-        QVERIFY(!child<TabularLabel>("pulpFigure")->isVisible());
+        QVERIFY(!child<TabularDigitsLabel>("depthFigure")->isVisible());
+        QVERIFY(!child<TabularDigitsLabel>("pulpFigure")->isVisible());
         press(Qt::Key_X);
         press(Qt::Key_F);
         QVERIFY(!section->isVisible() && !films->isVisible());
-        QVERIFY2(child<TabularLabel>("decayFigure")->isVisible(), "what is no aid stays");
+        QVERIFY2(child<TabularDigitsLabel>("decayFigure")->isVisible(), "what is no aid stays");
         // A section without the gauge tells no figures.
         forbid(&lessons::Aids::depthGauge);
         QCOMPARE(actions().section->toolTip(), tip);
         press(Qt::Key_X);
-        QVERIFY(section->isVisible() && !child<TabularLabel>("sectionNearest")->isVisible());
+        QVERIFY(section->isVisible() && !child<TabularDigitsLabel>("sectionNearest")->isVisible());
         m_window->setAids({});
-        QVERIFY(child<TabularLabel>("sectionNearest")->isVisible() && child<TabularLabel>("depthFigure")->isVisible());
+        QVERIFY(child<TabularDigitsLabel>("sectionNearest")->isVisible() &&
+                child<TabularDigitsLabel>("depthFigure")->isVisible());
         // Locked while it is looked at, the page of films closes.
         press(Qt::Key_F);
         QVERIFY(films->isVisible());
@@ -311,7 +312,7 @@ private slots:
         for (const auto& [sidewaysN, unit] : {std::pair(0.6, "N, 0.6 sideways"), {0.0, "N"}}) {
             servo.forceN = {sidewaysN, 0.0, 0.8};
             take(servo, session);
-            QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString(unit));
+            QTRY_COMPARE(child<TabularDigitsLabel>("forceFigure")->unit(), QString(unit));
         }
     }
 
@@ -319,18 +320,18 @@ private slots:
     {
         ServoState servo;
         servo.tick = 5;
-        const auto isShown = [&](const char* name) { return child<TabularLabel>(name)->isVisible(); };
+        const auto isShown = [&](const char* name) { return child<TabularDigitsLabel>(name)->isVisible(); };
         servo.anchorMm = {0.0, 0.0, -1.0};
         servo.touching = servo.hasDepth = true;
         take(servo, {});
         QTRY_VERIFY(isShown("pulpFigure"));
         QVERIFY(!isShown("marginFigure"));
-        const int depthPx = child<TabularLabel>("depthFigure")->width();
+        const int depthPx = child<TabularDigitsLabel>("depthFigure")->width();
         servo.anchorMm = {100.0, 100.0, 5.0};
         servo.touching = servo.hasDepth = false;
         take(servo, {});
         QTRY_VERIFY(!isShown("pulpFigure"));
-        QCOMPARE(child<TabularLabel>("depthFigure")->width(), depthPx);
+        QCOMPARE(child<TabularDigitsLabel>("depthFigure")->width(), depthPx);
     }
 
     void aPracticeBlockHasNoEnamel()
@@ -345,12 +346,12 @@ private slots:
         take(servo, session);
         QTRY_COMPARE(figure("materialFigure"), QString("Block"));
         QTRY_COMPARE(figure("enamelRemoved"), QString("3.00"));
-        QVERIFY(!child<TabularLabel>("dentinRemoved")->isVisible());
-        QVERIFY(!child<TabularLabel>("pulpFigure")->isVisible());
+        QVERIFY(!child<TabularDigitsLabel>("dentinRemoved")->isVisible());
+        QVERIFY(!child<TabularDigitsLabel>("pulpFigure")->isVisible());
         beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
         take(servo, session);
         QTRY_COMPARE(figure("materialFigure"), QString("Enamel"));
-        QVERIFY(child<TabularLabel>("dentinRemoved")->isVisible());
+        QVERIFY(child<TabularDigitsLabel>("dentinRemoved")->isVisible());
     }
 
     void bursThatTheLessonForbidsAreGrey()
@@ -589,8 +590,8 @@ private slots:
             return std::any_of(labels.begin(), labels.end(),
                                [&](const QLabel* label) { return label->isVisible() && label->text() == words; });
         };
-        m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."}, Failed::OpeningScan,
-                            "/scans/molar.stl");
+        m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."},
+                            FailedOperation::OpeningScan, "/scans/molar.stl");
         const QString error = message();
         QVERIFY(error.contains("ends too early") && says("molar.stl"));
         m_window->showMessage("Saved.");
@@ -600,23 +601,23 @@ private slots:
         press(Qt::Key_Escape);
         QVERIFY(message().isEmpty());
         // A lesson is mended by its teacher, who reads which and where.
-        m_window->showError({core::ErrorCode::FileTruncated, "tooth.scan: a.stl is cut short"}, Failed::OpeningLesson,
-                            "my-scan");
+        m_window->showError({core::ErrorCode::FileTruncated, "tooth.scan: a.stl is cut short"},
+                            FailedOperation::OpeningLesson, "my-scan");
         QVERIFY(says("my-scan: tooth.scan: a.stl is cut short"));
     }
 
     void aWarningGoesWithItsReason()
     {
         const core::Error full{core::ErrorCode::FileUnwritable, "no room"};
-        m_window->showError(full, Failed::KeepingAttempt);
+        m_window->showError(full, FailedOperation::KeepingAttempt);
         QVERIFY2(message().contains("is not kept on the disk"), qPrintable(message()));
-        m_window->showError(full, Failed::SavingRecording);
+        m_window->showError(full, FailedOperation::SavingRecording);
         m_window->forgetAttemptNotKept();
         QVERIFY2(message().contains("was not saved"), qPrintable(message()));
         child<MessageBar>()->dismiss();
         QVERIFY2(message().isEmpty(), qPrintable(message()));
         // Once the school has answered, what was said of its silence is over.
-        m_window->showError({core::ErrorCode::ConnectionLost, "away"}, Failed::ReadingSchool);
+        m_window->showError({core::ErrorCode::ConnectionLost, "away"}, FailedOperation::ReadingSchool);
         m_window->showUnanswered();
         QVERIFY2(message().contains("does not answer yet"), qPrintable(message()));
         m_window->forgetUnanswered();
@@ -664,11 +665,11 @@ private slots:
 
     void workIsShownAndHoldsBackTheRest()
     {
-        auto* card = child<BusyCard>();
+        auto* card = child<BusyOverlay>();
         m_window->showBusy("Loading the scan");
         QVERIFY(!actions().grade->isEnabled() && !actions().openScan->isEnabled());
         QTRY_VERIFY(card->isVisible());
-        m_window->showError({core::ErrorCode::NoTriangles, "x"}, Failed::OpeningScan);
+        m_window->showError({core::ErrorCode::NoTriangles, "x"}, FailedOperation::OpeningScan);
         QVERIFY(!card->isVisible() && actions().openScan->isEnabled());
         m_window->showBusy("Again");
         show();
@@ -731,7 +732,7 @@ private slots:
 
     void escapeGoesBackStepByStep()
     {
-        m_window->showError({core::ErrorCode::FileEmpty, "x"}, Failed::OpeningScan);
+        m_window->showError({core::ErrorCode::FileEmpty, "x"}, FailedOperation::OpeningScan);
         press(Qt::Key_T);
         press(Qt::Key_F1);
         QVERIFY(child<HelpOverlay>()->isVisible());

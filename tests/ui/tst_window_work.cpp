@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/ui/WindowTest.h"
@@ -25,7 +25,7 @@ using namespace core::servo;
 using namespace ui::kit;
 using namespace ui::practice;
 using namespace ui::window;
-using core::grading::Breach;
+using core::grading::RuleViolation;
 using core::terrain::Material;
 using lessons::Task;
 using support::assigned;
@@ -47,8 +47,8 @@ private slots:
     void aBreachStopsTheBurAndIsExplained()
     {
         const auto* card = child<InfractionCard>();
-        QSignalSpy back(m_window.get(), &MainWindow::takeBackWanted);
-        m_window->tellInfraction(breach(Breach::TooDeep), true);
+        QSignalSpy back(m_window.get(), &MainWindow::takeBackRequested);
+        m_window->tellInfraction(breach(RuleViolation::TooDeep), true);
         QVERIFY(card->isVisible());
         QCOMPARE(child<QLabel>("infraction")->text(), QString("Deeper than 2.50 mm"));
         QCOMPARE(drillSent().value(0, true), false);
@@ -57,19 +57,20 @@ private slots:
         QCOMPARE(back.count(), 1);
         QCOMPARE(back.front().front().toULongLong(), qulonglong{4321});
         // Undo is the same, or the card would go on telling what is no longer there.
-        m_window->tellInfraction(breach(Breach::TooDeep), true);
+        m_window->tellInfraction(breach(RuleViolation::TooDeep), true);
         press(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(!card->isVisible());
         QCOMPARE(back.count(), 2);
         // Also if the tooth has been pressed meanwhile.
-        m_window->tellInfraction(breach(Breach::TooDeep), true);
+        m_window->tellInfraction(breach(RuleViolation::TooDeep), true);
         m_window->view().setFocus(Qt::MouseFocusReason);
         press(Qt::Key_Return);
         QVERIFY(!card->isVisible());
         QCOMPARE(back.count(), 3);
         QVERIFY(m_window->view().hasFocus());
         // Where there is nothing to go back to, only going on is offered; and in the air nothing was cut.
-        for (const auto& [kind, canTakeBack] : {std::pair(Breach::TooDeep, false), {Breach::BurInAir, true}}) {
+        for (const auto& [kind, canTakeBack] :
+             {std::pair(RuleViolation::TooDeep, false), {RuleViolation::BurInAir, true}}) {
             m_window->tellInfraction(breach(kind), canTakeBack);
             QVERIFY(!child<QPushButton>("takeBack")->isVisible());
             press(Qt::Key_Escape);
@@ -82,15 +83,15 @@ private slots:
     {
         spoil();
         auto* section = child<SectionView>();
-        m_window->tellInfraction(breach(Breach::BurInAir), true);
+        m_window->tellInfraction(breach(RuleViolation::BurInAir), true);
         QVERIFY2(!section->isVisible(), "there is nothing to be seen");
         // How wide a marginal ridge is, is seen along the tooth only.
-        m_window->tellInfraction(breach(Breach::RidgeCut), true);
+        m_window->tellInfraction(breach(RuleViolation::RidgeCut), true);
         QVERIFY(section->isVisible());
         QCOMPARE(section->angleDeg(), 0);
         // What was to be cut lies in the plane that shows where it was cut instead.
         for (const glm::dvec2 place : {glm::dvec2(-4.0, 0.0), {0.0, -4.0}, {-4.0, -4.0}}) {
-            core::grading::Infraction infraction = breach(Breach::WrongPlace);
+            core::grading::Infraction infraction = breach(RuleViolation::WrongPlace);
             infraction.placeMm = glm::dvec3(place, 0.0);
             m_window->tellInfraction(infraction, true);
             const double angle = section->angleDeg() * std::numbers::pi / 180.0;
@@ -103,13 +104,13 @@ private slots:
     {
         const auto practice = lessons::practiceOn(support::syntheticMolar()).value();
         actions().drill->setChecked(true);
-        m_window->tellInfraction(breach(Breach::BurInAir), false);
+        m_window->tellInfraction(breach(RuleViolation::BurInAir), false);
         QCOMPARE(drillSent(), QList<bool>{false});
         beginLesson(practice);
         QCOMPARE(drillSent(), QList<bool>{true});
         // If the user has stopped the drill, it stays off.
         actions().drill->setChecked(true);
-        m_window->tellInfraction(breach(Breach::BurInAir), false);
+        m_window->tellInfraction(breach(RuleViolation::BurInAir), false);
         press(Qt::Key_Escape);
         QCOMPARE(drillSent(), (QList<bool>{false, true}));
         actions().drill->setChecked(false);
@@ -134,14 +135,14 @@ private slots:
     void anExerciseHasNoFiguresOfACut()
     {
         const std::array ofACut{"decayFigure", "overcut", "depthFigure"};
-        const auto told = [this](const char* name) { return child<TabularLabel>(name)->isVisible(); };
+        const auto told = [this](const char* name) { return child<TabularDigitsLabel>(name)->isVisible(); };
         QVERIFY(std::all_of(ofACut.begin(), ofACut.end(), told));
         for (const Task task : {Task::TouchPoints, Task::HoldForce}) {
             beginLesson(assigned(task));
             QVERIFY(std::none_of(ofACut.begin(), ofACut.end(), told) && !told("pulpFigure"));
             QVERIFY2(told("enamelRemoved") && told("forceFigure"), "a scratch is told all the same");
             // R begins it anew, and no stroke is to be brought back.
-            QSignalSpy again(m_window.get(), &MainWindow::attemptAgainWanted);
+            QSignalSpy again(m_window.get(), &MainWindow::attemptAgainRequested);
             static_cast<void>(sent());
             press(Qt::Key_R);
             QCOMPARE(again.size(), 1);
@@ -213,7 +214,7 @@ private slots:
         const auto pass = [&](double seconds) {
             recordedS += seconds;
             record(recordedS);
-            return child<TabularLabel>("lessonTime")->text();
+            return child<TabularDigitsLabel>("lessonTime")->text();
         };
         const auto passOnAnotherPage = [&](double seconds) {
             actions().lessons->trigger();
@@ -263,12 +264,12 @@ private slots:
         };
         static_cast<void>(noted());
         QCOMPARE(noted(), QList<quint64>());
-        m_window->askWho(ui::people::Door::Locked);
+        m_window->askWho(ui::people::LoginMode::Locked);
         QCOMPARE(noted(), QList<quint64>{kRestNote});
         m_window->setWho({});
         QCOMPARE(noted(), QList<quint64>{kWorkNote});
         beginLesson(support::exam());
-        m_window->askWho(ui::people::Door::Locked);
+        m_window->askWho(ui::people::LoginMode::Locked);
         QCOMPARE(noted(), QList<quint64>());
     }
 
@@ -278,7 +279,7 @@ private slots:
         spoil();
         lessons::Assignment exam = support::exam();
         const double overS = 60.0 * exam.lesson->minutes + 1.0;
-        QSignalSpy again(m_window.get(), &MainWindow::attemptAgainWanted);
+        QSignalSpy again(m_window.get(), &MainWindow::attemptAgainRequested);
         QSignalSpy grade(m_window.get(), &MainWindow::gradeRequested);
         const auto mayCut = [&] {
             return actions().drill->isEnabled() && std::any_of(actions().burs.begin(), actions().burs.end(),
@@ -399,7 +400,7 @@ private slots:
     {
         lessons::Assignment exam = support::exam();
         const auto* line = child<TimeLine>("timeLine");
-        const auto links = std::make_unique<UiLinks>();
+        const auto links = std::make_unique<UiChannels>();
         beginLesson(exam);
         const std::uint64_t own = m_generation;
         const auto breachesTold = [&] {
@@ -459,7 +460,7 @@ private slots:
         lessons::Assignment exam = withExpert;
         exam.lesson->exam = true;
         const auto isOffered = [this] {
-            QSignalSpy wanted(m_window.get(), &MainWindow::expertWanted);
+            QSignalSpy wanted(m_window.get(), &MainWindow::expertRequested);
             press(Qt::Key_Y);
             const bool isVisible = actions().expert->isVisible();
             return isVisible == (wanted.size() == 1) ? std::optional(isVisible) : std::nullopt;
@@ -635,7 +636,7 @@ private slots:
 
     void aLessonOfAPackIsUnpackedToBeEdited()
     {
-        QSignalSpy unpack(m_window.get(), &MainWindow::unpackWanted);
+        QSignalSpy unpack(m_window.get(), &MainWindow::unpackRequested);
         lessons::CatalogEntry entry;
         entry.read = support::shipped("class1-36");
         entry.pack = "/folder/course.cusplessons";
@@ -708,7 +709,7 @@ private slots:
 
     void keysGoThroughAReplayByStrokes()
     {
-        QSignalSpy seek(m_window.get(), &MainWindow::seekWanted);
+        QSignalSpy seek(m_window.get(), &MainWindow::seekRequested);
         for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Home, Qt::Key_End, Qt::Key_Period})
             press(key);
         QVERIFY2(seek.isEmpty(), "while one drills these keys are the tooth's");
@@ -733,9 +734,9 @@ private slots:
 
     void theTimeLineIsScrubbedAndTellsWhatWas()
     {
-        QSignalSpy seek(m_window.get(), &MainWindow::seekWanted);
+        QSignalSpy seek(m_window.get(), &MainWindow::seekRequested);
         m_window->setReplaying(true, 60.0);
-        ui::replay::Course rested = course();
+        ui::replay::AttemptTimeline rested = course();
         rested.rests = {{28.0, 34.0}};
         m_window->setReplayCourse(rested);
         auto* line = child<TimeLine>("timeLine");
@@ -768,7 +769,7 @@ private slots:
     }
 
 private:
-    [[nodiscard]] static core::grading::Infraction breach(Breach kind)
+    [[nodiscard]] static core::grading::Infraction breach(RuleViolation kind)
     {
         core::grading::Infraction infraction;
         infraction.breach = kind;

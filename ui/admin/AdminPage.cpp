@@ -33,7 +33,7 @@ AdminPage::AdminPage(const Actions& actions, QWidget* parent)
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setAutoDefault(false);
-        text::inEveryLanguage(button, [button, say] {
+        text::bindTranslation(button, [button, say] {
             button->setText(say());
             button->setAccessibleName(say());
         });
@@ -54,7 +54,7 @@ AdminPage::AdminPage(const Actions& actions, QWidget* parent)
     body()->addLayout(choice);
     body()->addWidget(m_stack, 1);
     connect(m_choice, &QButtonGroup::idClicked, this, [this](int part) { show(static_cast<Part>(part)); });
-    text::inEveryLanguage(this, [this] { setTitle(tr("School")); });
+    text::bindTranslation(this, [this] { setTitle(tr("School")); });
 }
 
 AdminPage::Part AdminPage::part() const

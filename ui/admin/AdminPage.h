@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/kit/Page.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 
 class QButtonGroup;
 class QStackedWidget;

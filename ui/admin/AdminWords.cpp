@@ -10,7 +10,7 @@
 #include <QJsonObject>
 #include <QLocale>
 
-#include "core/base/Words.h"
+#include "core/base/LocalizableText.h"
 #include "ui/text/Texts.h"
 
 namespace ui::admin {
@@ -214,7 +214,7 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names, cons
     return words.join(QStringLiteral(", "));
 }
 
-QString findingWords(const database::Finding& finding, const NamesByUid& names, const text::LessonTitles& titles)
+QString findingWords(const database::IntegrityIssue& finding, const NamesByUid& names, const text::LessonTitles& titles)
 {
     std::vector<std::string> values;
     for (const std::string& value : finding.values)

@@ -6,11 +6,11 @@
 
 #include <QString>
 
-#include "database/Finding.h"
-#include "database/Session.h"
-#include "database/people.h"
-#include "database/records.h"
-#include "ui/text/PeopleWords.h"
+#include "database/AttemptRecord.h"
+#include "database/IntegrityIssue.h"
+#include "database/Login.h"
+#include "database/Person.h"
+#include "ui/text/PeopleTexts.h"
 
 /// What an admin's page calls things.
 namespace ui::admin {
@@ -30,7 +30,7 @@ using NamesByUid = std::map<std::string, QString>;
                                   const text::LessonTitles& titles);
 [[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
 /// What a check found, people, classes and lessons by name.
-[[nodiscard]] QString findingWords(const database::Finding& finding, const NamesByUid& names,
+[[nodiscard]] QString findingWords(const database::IntegrityIssue& finding, const NamesByUid& names,
                                    const text::LessonTitles& titles);
 
 }  // namespace ui::admin

@@ -21,7 +21,7 @@
 #include "ui/kit/Theme.h"
 #include "ui/kit/WordFilter.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 
 namespace ui::admin {
 
@@ -48,7 +48,7 @@ AuditPart::AuditPart(QWidget* parent)
     m_search->setObjectName(QStringLiteral("auditSearch"));
     m_search->setClearButtonEnabled(true);
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
-        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+        text::bindTranslation(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_search->setFont(typeface(kBody));
     m_noAttempts->setObjectName(QStringLiteral("auditNoAttempts"));
     m_count->setObjectName(QStringLiteral("auditCount"));
@@ -87,16 +87,16 @@ AuditPart::AuditPart(QWidget* parent)
     connect(m_noAttempts, &QCheckBox::toggled, this, [this] {
         m_isAsked = true;
         tell();
-        emit newestWanted();
+        emit newestRequested();
     });
     connect(m_older, &QPushButton::clicked, this, [this] {
         if (!m_audit.isEmpty())
-            emit olderWanted(m_audit.back().seq);
+            emit olderRequested(m_audit.back().seq);
     });
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-void AuditPart::speak()
+void AuditPart::retranslateUi()
 {
     m_search->setPlaceholderText(tr("Search: a person, an action"));
     m_search->setAccessibleName(m_search->placeholderText());

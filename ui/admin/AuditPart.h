@@ -5,7 +5,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "database/records.h"
+#include "database/AttemptRecord.h"
 #include "ui/admin/AdminWords.h"
 
 class QCheckBox;
@@ -42,15 +42,15 @@ public:
 
 signals:
     /// The newest are wanted: with attempts, or without.
-    void newestWanted();
+    void newestRequested();
     /// Rows before this one are wanted.
-    void olderWanted(qint64 beforeSeq);
+    void olderRequested(qint64 beforeSeq);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void speak();
+    void retranslateUi();
     void fill();
     void fit();
     void tell();

@@ -16,8 +16,8 @@
 #include <QVBoxLayout>
 
 #include "ui/kit/FormInputs.h"
+#include "ui/kit/InlineConfirmation.h"
 #include "ui/kit/ListTable.h"
-#include "ui/kit/SecondThought.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -33,7 +33,7 @@ constexpr int kFile = Qt::UserRole + 1;  ///< of a row
 }  // namespace
 
 BackupPart::BackupPart(QWidget* parent)
-    : QWidget(parent), m_thought(new kit::SecondThought(*this)),
+    : QWidget(parent), m_thought(new kit::InlineConfirmation(*this)),
       m_words(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)), m_backUp(new QPushButton(this)),
       m_check(new QPushButton(this)), m_codeCaption(new QLabel(this)), m_code(new QLineEdit(this)),
       m_codeFault(kit::faultLabel(this)), m_restore(new QPushButton(this)), m_keep(new QPushButton(this)),
@@ -105,17 +105,17 @@ BackupPart::BackupPart(QWidget* parent)
         m_restore->setFocus();
     };
     connect(m_keep, &QPushButton::clicked, this, keep);
-    connect(m_thought, &kit::SecondThought::withdrawn, this, keep);
+    connect(m_thought, &kit::InlineConfirmation::withdrawn, this, keep);
     column->addStretch(1);  // of a server there is no table
     m_restore->setAutoDefault(false);
     m_stop->setAutoDefault(false);
-    connect(m_backUp, &QPushButton::clicked, this, &BackupPart::backUpWanted);
-    const auto check = [this] { emit checkWanted(m_code->text().trimmed()); };
+    connect(m_backUp, &QPushButton::clicked, this, &BackupPart::backUpRequested);
+    const auto check = [this] { emit checkRequested(m_code->text().trimmed()); };
     connect(m_check, &QPushButton::clicked, this, check);
     connect(m_code, &QLineEdit::returnPressed, this, check);
     connect(m_code, &QLineEdit::textChanged, this, [this] { kit::showFault(m_codeFault, {}); });
     connect(m_restore, &QPushButton::clicked, this, &BackupPart::restore);
-    connect(m_stop, &QPushButton::clicked, this, &BackupPart::stopWanted);
+    connect(m_stop, &QPushButton::clicked, this, &BackupPart::stopRequested);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         m_thought->end();
         tell();
@@ -123,10 +123,10 @@ BackupPart::BackupPart(QWidget* parent)
     connect(m_table, &QAbstractItemView::activated, this,
             [this](const QModelIndex& index) { m_table->selectRow(index.row()); });
     m_findings->hide();
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-void BackupPart::speak()
+void BackupPart::retranslateUi()
 {
     m_backUp->setText(tr("Back up now"));
     m_check->setText(tr("Check everything"));
@@ -153,7 +153,7 @@ void BackupPart::tellEnd()
     const QString said = m_sentence ? m_sentence() : QString();
     m_said->setText(m_isFault && !said.isEmpty() ? QStringLiteral("⚠ ") + said : said);
     QStringList lines;
-    for (const database::Finding& one : m_found)
+    for (const database::IntegrityIssue& one : m_found)
         lines << findingWords(one, m_names, m_titles);
     if (const QString words = lines.join(u'\n'); m_findings->toPlainText() != words)
         m_findings->setPlainText(words);
@@ -262,7 +262,7 @@ void BackupPart::setLessonTitles(const text::LessonTitles& titles)
     tell();
 }
 
-void BackupPart::finish(std::function<QString()> sentence, std::vector<database::Finding> findings, bool isFault)
+void BackupPart::finish(std::function<QString()> sentence, std::vector<database::IntegrityIssue> findings, bool isFault)
 {
     m_isBusy = false;
     m_thought->end();
@@ -296,7 +296,7 @@ void BackupPart::restore()
     } else if (m_thought->mayBeAnswered()) {
         m_thought->end();
         m_sentence = {};
-        emit restoreWanted(chosen());
+        emit restoreRequested(chosen());
     }
 }
 

@@ -10,7 +10,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "database/Finding.h"
+#include "database/IntegrityIssue.h"
 #include "ui/admin/AdminWords.h"
 
 class QLabel;
@@ -22,7 +22,7 @@ class QStandardItemModel;
 
 namespace ui::kit {
 class ListTable;
-class SecondThought;
+class InlineConfirmation;
 }  // namespace ui::kit
 
 namespace ui::admin {
@@ -53,7 +53,8 @@ public:
     /// @param sentence  what is said of it, in the language there is
     /// @param findings  what a check found
     /// @param isFault  it is not as it should be
-    void finish(std::function<QString()> sentence, std::vector<database::Finding> findings = {}, bool isFault = false);
+    void finish(std::function<QString()> sentence, std::vector<database::IntegrityIssue> findings = {},
+                bool isFault = false);
     /// What findings call people and classes by.
     void setNames(const NamesByUid& names);
     void setLessonTitles(const text::LessonTitles& titles);
@@ -61,15 +62,15 @@ public:
     void refuseCode();
 
 signals:
-    void backUpWanted();
+    void backUpRequested();
     /// @param code  the audit code of a report, as it was typed; empty: there is none to compare with
-    void checkWanted(const QString& code);
+    void checkRequested(const QString& code);
     /// The backup is to be put in the place of the database, and everybody here is logged out.
-    void restoreWanted(const QString& file);
-    void stopWanted();
+    void restoreRequested(const QString& file);
+    void stopRequested();
 
 private:
-    void speak();
+    void retranslateUi();
     void tell();
     void tellEnd();
     void fill();
@@ -83,7 +84,7 @@ private:
     bool m_isBusy = false;
     QWidget* m_begunBy = nullptr;           ///< had the focus when the work began, which disables it
     QWidget* m_focusedMeanwhile = nullptr;  ///< by Qt, unless the person has gone elsewhere
-    kit::SecondThought* m_thought;          ///< whether to restore
+    kit::InlineConfirmation* m_thought;     ///< whether to restore
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
@@ -98,7 +99,7 @@ private:
     QLabel* m_said;
     std::function<QString()> m_sentence;  ///< how the last work ended
     bool m_isFault = false;
-    std::vector<database::Finding> m_found;
+    std::vector<database::IntegrityIssue> m_found;
     NamesByUid m_names;
     text::LessonTitles m_titles;
     QPlainTextEdit* m_findings;

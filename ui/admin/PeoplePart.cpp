@@ -26,14 +26,14 @@
 #include "ui/admin/AdminWords.h"
 #include "ui/admin/PeopleModel.h"
 #include "ui/kit/FormInputs.h"
+#include "ui/kit/InlineConfirmation.h"
 #include "ui/kit/ListTable.h"
 #include "ui/kit/ScrollPane.h"
-#include "ui/kit/SecondThought.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/UnsavedChanges.h"
 #include "ui/kit/WordFilter.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 
 namespace ui::admin {
 namespace {
@@ -94,7 +94,7 @@ PeoplePart::PeoplePart(QWidget* parent) : QWidget(parent)
     row->setSpacing(kSpace4);
     row->addWidget(makeList(), 1);
     row->addWidget(makeForm());
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
     choose(0);
 }
 
@@ -109,7 +109,7 @@ QWidget* PeoplePart::makeList()
     m_search->setObjectName(QStringLiteral("peopleSearch"));
     m_search->setClearButtonEnabled(true);
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
-        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+        text::bindTranslation(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_count = new QLabel(side);
     m_count->setObjectName(QStringLiteral("peopleCount"));
     m_count->setForegroundRole(QPalette::PlaceholderText);
@@ -251,7 +251,7 @@ QWidget* PeoplePart::makeForm()
     connect(m_role, &QComboBox::activated, this, touch);
     connect(m_classList, &QListWidget::itemChanged, this, touch);
     connect(m_reset, &QPushButton::clicked, this, &PeoplePart::askToReset);
-    m_thought = new kit::SecondThought(*this);
+    m_thought = new kit::InlineConfirmation(*this);
     const auto keep = [this] {
         m_thought->end();
         say({});
@@ -261,7 +261,7 @@ QWidget* PeoplePart::makeForm()
         (m_question == Question::Password ? m_reset : m_question == Question::OwnRole ? m_save : m_disable)->setFocus();
     };
     connect(m_keep, &QPushButton::clicked, this, keep);
-    connect(m_thought, &kit::SecondThought::withdrawn, this, keep);
+    connect(m_thought, &kit::InlineConfirmation::withdrawn, this, keep);
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
     connect(m_copy, &QPushButton::clicked, this, [this] {
         QGuiApplication::clipboard()->setText(m_code->text());
@@ -282,7 +282,7 @@ QWidget* PeoplePart::makeForm()
         if (wanted.isEmpty() || wanted.toStdString() == m_classAdded)  // it is on its way
             return;
         m_classAdded = wanted.toStdString();
-        emit classWanted(wanted);
+        emit classRequested(wanted);
     };
     connect(m_addClass, &QPushButton::clicked, this, addClass);
     connect(m_className, &QLineEdit::returnPressed, this, addClass);
@@ -290,7 +290,7 @@ QWidget* PeoplePart::makeForm()
         endThought();
         const QListWidgetItem* item = m_classList->currentItem();
         if (const QString name = m_className->text().trimmed(); item != nullptr && !name.isEmpty())
-            emit classNameWanted(item->data(kId).toLongLong(), name);
+            emit classNameRequested(item->data(kId).toLongLong(), name);
     });
     const auto tellRename = [this] {
         m_renameClass->setEnabled(m_classList->currentItem() != nullptr && !m_className->text().trimmed().isEmpty());
@@ -302,7 +302,7 @@ QWidget* PeoplePart::makeForm()
     return whole;
 }
 
-void PeoplePart::speak()
+void PeoplePart::retranslateUi()
 {
     const auto name = [](QLineEdit* one, const QString& words) {
         one->setPlaceholderText(words);
@@ -765,14 +765,14 @@ void PeoplePart::submit()
         changed.role = role;
         m_submitted = typed();
         m_sinceSubmitted.start();
-        emit changeWanted(changed, tickedClasses());
+        emit changeRequested(changed, tickedClasses());
     } else if (const QString name = m_username->text().trimmed(); name.isEmpty()) {
         say({}, [] { return tr("The username is missing."); });
         m_username->setFocus();
     } else {
         m_submitted = typed();
         m_sinceSubmitted.start();
-        emit addWanted({name.toStdString(), given, family, role}, tickedClasses());
+        emit addRequested({name.toStdString(), given, family, role}, tickedClasses());
     }
     QTimer::singleShot(kSoonMs, this, [this] {
         if (m_submitted)
@@ -791,7 +791,7 @@ void PeoplePart::askToReset()
         return;
     endThought();
     say({});
-    emit resetWanted(m_chosen);
+    emit resetRequested(m_chosen);
 }
 
 void PeoplePart::toggleDisabled()
@@ -809,7 +809,7 @@ void PeoplePart::toggleDisabled()
     QSet<qint64> classes;
     for (const database::ClassId one : person->classes)
         classes.insert(one.value);
-    emit changeWanted(changed, classes);
+    emit changeRequested(changed, classes);
 }
 
 void PeoplePart::showCode(const Person& person, const QString& code)

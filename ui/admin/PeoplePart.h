@@ -12,7 +12,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "database/people.h"
+#include "database/Person.h"
 
 class QComboBox;
 class QFrame;
@@ -24,7 +24,7 @@ class QPushButton;
 namespace ui::kit {
 class ListTable;
 class ScrollPane;
-class SecondThought;
+class InlineConfirmation;
 class WordFilter;
 }  // namespace ui::kit
 
@@ -64,11 +64,11 @@ public:
 
 signals:
     /// @param classes  to belong to
-    void addWanted(const database::NewPerson& person, const QSet<qint64>& classes);
-    void changeWanted(const database::Person& person, const QSet<qint64>& classes);
-    void resetWanted(qint64 person);
-    void classWanted(const QString& name);
-    void classNameWanted(qint64 id, const QString& name);
+    void addRequested(const database::NewPerson& person, const QSet<qint64>& classes);
+    void changeRequested(const database::Person& person, const QSet<qint64>& classes);
+    void resetRequested(qint64 person);
+    void classRequested(const QString& name);
+    void classNameRequested(qint64 id, const QString& name);
 
 private:
     /// What stands in a form and is not entered.
@@ -95,7 +95,7 @@ private:
 
     QWidget* makeList();
     QWidget* makeForm();
-    void speak();
+    void retranslateUi();
     void fill();
     void filter();
     void showFound();
@@ -159,7 +159,7 @@ private:
     QPushButton* m_reset = nullptr;
     QPushButton* m_keep = nullptr;  ///< what is asked about
     QPushButton* m_disable = nullptr;
-    kit::SecondThought* m_thought = nullptr;
+    kit::InlineConfirmation* m_thought = nullptr;
     Question m_question = Question::Password;
     QLabel* m_said = nullptr;
     QLabel* m_fault = nullptr;

@@ -18,11 +18,11 @@
 
 #include "database/Codes.h"
 #include "ui/admin/AdminWords.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/kit/FileDialog.h"
-#include "ui/kit/Folders.h"
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/ListTable.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/StandardFolders.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/UnsavedChanges.h"
 #include "ui/text/EveryLanguage.h"
@@ -102,13 +102,13 @@ RosterPart::RosterPart(QWidget* parent)
     connect(m_choose, &QPushButton::clicked, this, [this] { leaveCodes([this] { chooseFile(); }); });
     connect(m_enter, &QPushButton::clicked, this, [this] {
         m_isEntering = true;
-        emit enterWanted();
+        emit enterRequested();
     });
     connect(m_save, &QPushButton::clicked, this, &RosterPart::saveCodes);
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-void RosterPart::speak()
+void RosterPart::retranslateUi()
 {
     m_words->setText(
         tr("A class list is a CSV file with the columns username, given_name, family_name, role and class. "

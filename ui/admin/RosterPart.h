@@ -6,7 +6,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "database/people.h"
+#include "database/Person.h"
 
 class QLabel;
 class QPushButton;
@@ -41,14 +41,14 @@ public:
 signals:
     void fileChosen(const QString& path);
     /// What was looked at is to be entered.
-    void enterWanted();
+    void enterRequested();
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
-    void speak();
+    void retranslateUi();
     void tell();
     [[nodiscard]] QString outcomeWords() const;
     void fill();

@@ -78,12 +78,12 @@ StationPart::StationPart(QWidget* parent)
     m_idleWords->setBuddy(m_idle);
     connect(m_idle, &QSpinBox::editingFinished, this, [this] {
         if (std::exchange(m_idleMinutes, m_idle->value()) != m_idle->value())
-            emit idleMinutesWanted(m_idle->value());
+            emit idleMinutesRequested(m_idle->value());
     });
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-void StationPart::speak()
+void StationPart::retranslateUi()
 {
     m_idleWords->setText(tr("Everywhere in the school, a place that was left is locked after"));
     m_idle->setSuffix(u' ' + tr("min"));
@@ -113,7 +113,7 @@ void StationPart::speak()
 void StationPart::setFacts(const Facts& facts)
 {
     m_facts = facts;
-    speak();
+    retranslateUi();
 }
 
 void StationPart::setIdleMinutes(int minutes)

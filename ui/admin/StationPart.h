@@ -33,10 +33,10 @@ public:
     void setIdleMinutes(int minutes);
 
 signals:
-    void idleMinutesWanted(int minutes);
+    void idleMinutesRequested(int minutes);
 
 private:
-    void speak();
+    void retranslateUi();
 
     Facts m_facts;
     QGridLayout* m_grid;

@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 #include "ui/text/Texts.h"
 
 namespace ui::catalog {
@@ -14,13 +14,13 @@ namespace {
 
 struct ExamWords
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::study::ExamQuestion)
+    Q_DECLARE_TR_FUNCTIONS(ui::catalog::ExamQuestion)
 };
 
 }  // namespace
 
-kit::QuestionCard::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,
-                                         std::function<void()> begin)
+kit::ConfirmOverlay::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,
+                                           std::function<void()> begin)
 {
     // Every exam locks these.
     QStringList locked{ExamWords::tr("undo"), ExamWords::tr("expert's attempt"), ExamWords::tr("earlier attempts")};
@@ -38,7 +38,7 @@ kit::QuestionCard::Question examQuestion(const ::lessons::Lesson& exam, const QS
         ExamWords::tr("The clock starts when you begin, and also runs while you are on another page. Faults are shown "
                       "after the grade."),
     };
-    kit::QuestionCard::Question question;
+    kit::ConfirmOverlay::Question question;
     question.text = text::said(exam.title);
     question.detail = detail.join(u'\n');
     question.drawing = QStringLiteral("grade");

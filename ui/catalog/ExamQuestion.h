@@ -6,14 +6,14 @@
 #include <QString>
 
 #include "lessons/Lesson.h"
-#include "ui/kit/QuestionCard.h"
+#include "ui/kit/ConfirmOverlay.h"
 
 namespace ui::catalog {
 
 /// Returns the card that is shown before an exam: its time, the attempts, and what is locked.
 /// @param attempts  attempts so far and attempts left, in words
 /// @param begin     called when the user accepts
-[[nodiscard]] kit::QuestionCard::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,
-                                                       std::function<void()> begin);
+[[nodiscard]] kit::ConfirmOverlay::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,
+                                                         std::function<void()> begin);
 
 }  // namespace ui::catalog

@@ -13,7 +13,7 @@
 #include "ui/catalog/LessonThumbs.h"
 #include "ui/kit/LineIcon.h"
 #include "ui/kit/Theme.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 
 namespace ui::catalog {
 namespace {

@@ -29,7 +29,7 @@ LessonPicture::LessonPicture(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMaximumHeight(kMostHeightPx);
     setObjectName(QStringLiteral("lessonPicture"));
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("What the lesson asks for, as a picture")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("What the lesson asks for, as a picture")); });
 }
 
 LessonPicture::~LessonPicture()

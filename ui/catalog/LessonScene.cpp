@@ -12,7 +12,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/grading/Columns.h"
-#include "lessons/Capture.h"
+#include "lessons/IdealFromRecordings.h"
 
 namespace ui::catalog {
 

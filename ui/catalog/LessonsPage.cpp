@@ -34,10 +34,10 @@
 #include "ui/kit/Theme.h"
 #include "ui/scoring/FeedbackCard.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/FaultWords.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
+#include "ui/text/ValidationTexts.h"
 #include "ui/toothchooser/ArchView.h"
 
 namespace ui::catalog {
@@ -87,7 +87,7 @@ LessonsPage::LessonsPage(const Actions& actions, QWidget* parent)
     row->addWidget(makeList(), 4);
     row->addWidget(makeDetails(actions), 3);
     body()->addLayout(row, 1);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setTitle(tr("Lessons"));
         fillList();
         tellContinue();
@@ -105,21 +105,21 @@ QWidget* LessonsPage::makeList()
     auto* find = new QHBoxLayout;
     find->setSpacing(kSpace2);
     m_search = new QLineEdit(side);
-    text::inEveryLanguage(m_search, [this] {
+    text::bindTranslation(m_search, [this] {
         m_search->setPlaceholderText(tr("Search: a word, or the number of a tooth"));
         m_search->setToolTip(m_search->placeholderText());
         m_search->setAccessibleName(tr("Search the lessons"));
     });
     m_search->setClearButtonEnabled(true);
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
-        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+        text::bindTranslation(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_search->setFont(typeface(kBody));
     m_search->installEventFilter(this);
     m_tooth = new QPushButton(side);
     m_tooth->setObjectName(QStringLiteral("pickTooth"));
     m_tooth->setAutoDefault(true);
     m_tooth->setIcon(lineIcon(QStringLiteral("tooth"), palette()));
-    text::inEveryLanguage(m_tooth, [this] {
+    text::bindTranslation(m_tooth, [this] {
         m_tooth->setText(tr("Tooth …"));
         m_tooth->setAccessibleName(tr("Lessons on one tooth"));
         m_tooth->setToolTip(tr("Choose a tooth in the arch to see its lessons"));
@@ -131,8 +131,8 @@ QWidget* LessonsPage::makeList()
     column->addWidget(makeFilters(side));
     column->addWidget(makeContinue(side));
     m_feedbackCard = new scoring::FeedbackCard(side);
-    connect(m_feedbackCard, &scoring::FeedbackCard::readWanted, this,
-            [this] { emit feedbackWanted(m_feedback.size() == 1 ? m_feedback.front().attempt.value : 0); });
+    connect(m_feedbackCard, &scoring::FeedbackCard::readRequested, this,
+            [this] { emit feedbackRequested(m_feedback.size() == 1 ? m_feedback.front().attempt.value : 0); });
     column->addWidget(m_feedbackCard);
     m_model = new QStandardItemModel(side);
     m_list = new QListView(side);
@@ -149,7 +149,7 @@ QWidget* LessonsPage::makeList()
         },
         m_list));
     connect(m_thumbs, &LessonThumbs::changed, m_list->viewport(), qOverload<>(&QWidget::update));
-    text::inEveryLanguage(m_list, [this] { m_list->setAccessibleName(tr("Lessons")); });
+    text::bindTranslation(m_list, [this] { m_list->setAccessibleName(tr("Lessons")); });
     m_list->setMouseTracking(true);
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -165,14 +165,14 @@ QWidget* LessonsPage::makeList()
     m_missing = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
     m_missing->hide();
     auto* folder = new QPushButton(side);
-    text::inEveryLanguage(folder, [folder] {
+    text::bindTranslation(folder, [folder] {
         folder->setText(tr("Your own lessons …"));
         folder->setToolTip(tr("Open the folder for lessons that teachers add"));
         folder->setAccessibleName(tr("Open the folder of your own lessons"));
     });
     folder->setAutoDefault(true);
     folder->setProperty("kind", "quiet");
-    connect(folder, &QPushButton::clicked, this, &LessonsPage::folderWanted);
+    connect(folder, &QPushButton::clicked, this, &LessonsPage::folderRequested);
     auto* below = new QHBoxLayout;
     below->addWidget(m_missing, 1);
     below->addWidget(folder, 0, Qt::AlignRight);
@@ -201,7 +201,7 @@ QWidget* LessonsPage::makeFilters(QWidget* parent)
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setAutoDefault(true);
-        text::inEveryLanguage(button, [button, say] {
+        text::bindTranslation(button, [button, say] {
             button->setText(say());
             button->setAccessibleName(say());
         });
@@ -238,13 +238,13 @@ QWidget* LessonsPage::makeContinue(QWidget* parent)
     m_discard->setObjectName(QStringLiteral("discardUnfinished"));
     m_discard->setProperty("kind", "quiet");
     m_discard->setAutoDefault(true);
-    text::inEveryLanguage(m_discard, [this] {
+    text::bindTranslation(m_discard, [this] {
         m_discard->setText(tr("Discard"));
         m_discard->setAccessibleName(tr("Discard the unfinished attempt"));
     });
     row->addWidget(m_discard);
     row->addWidget(m_goOn);
-    connect(m_discard, &QPushButton::clicked, this, &LessonsPage::discardWanted);
+    connect(m_discard, &QPushButton::clicked, this, &LessonsPage::discardRequested);
     connect(m_goOn, &QPushButton::clicked, this, &LessonsPage::goOn);
     m_continue->hide();
     return m_continue;
@@ -314,9 +314,9 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     stack->addWidget(m_whyNot);
     auto* buttons = new QHBoxLayout;
     m_start = new QPushButton(whole);
-    text::inEveryLanguage(m_start, [this] { m_start->setText(tr("Start")); });
+    text::bindTranslation(m_start, [this] { m_start->setText(tr("Start")); });
     m_start->setProperty("kind", "filled");
-    text::inEveryLanguage(m_start, [this] {
+    text::bindTranslation(m_start, [this] {
         m_start->setAccessibleName(tr("Start this lesson"));
         m_start->setToolTip(tr("Load the tooth of this lesson (Enter)"));
     });
@@ -423,7 +423,7 @@ void LessonsPage::tellContinue()
 void LessonsPage::goOn()
 {
     if (m_unfinished)
-        emit resumeWanted();
+        emit resumeRequested();
     else if (const CatalogEntry* const last = lastTried(); last != nullptr)
         choose(*last->read.lesson);
 }
@@ -780,7 +780,7 @@ void LessonsPage::describe()
                                         .arg(text::points(standing->second.bestTenths)));
     }
     if (entry != nullptr)
-        for (const ::lessons::Fault& fault : entry->read.faults)
+        for (const ::lessons::ValidationIssue& fault : entry->read.faults)
             fact(fault.grave ? tr("Error") : tr("Note"), text::faultWords(fault));
 }
 

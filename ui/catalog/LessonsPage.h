@@ -10,10 +10,10 @@
 #include <QSet>
 #include <QStringList>
 
-#include "database/records.h"
+#include "database/AttemptRecord.h"
 #include "lessons/LessonCatalog.h"
+#include "ui/kit/ConfirmOverlay.h"
 #include "ui/kit/Page.h"
-#include "ui/kit/QuestionCard.h"
 
 class QButtonGroup;
 class QFrame;
@@ -93,14 +93,14 @@ public:
 
 signals:
     /// Emitted when an exam is to begin, with the card that begins it.
-    void examAsked(const kit::QuestionCard::Question& card);
+    void examAsked(const kit::ConfirmOverlay::Question& card);
     void lessonChosen(const ::lessons::Lesson& lesson);
-    void folderWanted();
+    void folderRequested();
     /// The attempt that was not finished is to be gone on with.
-    void resumeWanted();
-    void discardWanted();
+    void resumeRequested();
+    void discardRequested();
     /// What was said of this attempt is to be read; 0: there are several.
-    void feedbackWanted(qint64 attempt);
+    void feedbackRequested(qint64 attempt);
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/SaveButton.h"
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/Theme.h"
 
 namespace ui::charts {

@@ -12,9 +12,9 @@
 #include "ui/charts/Drawing.h"
 #include "ui/charts/Table.h"
 #include "ui/kit/FileDialog.h"
-#include "ui/kit/Folders.h"
 #include "ui/kit/LineIcon.h"
-#include "ui/kit/SavedFile.h"
+#include "ui/kit/PrivateFile.h"
+#include "ui/kit/StandardFolders.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::charts {
@@ -52,7 +52,7 @@ SaveButton::SaveButton(std::function<Chart()> chart, QWidget* parent) : QToolBut
     const auto offer = [&](const char* ending, const auto& say) {
         QAction* action = menu->addAction(QString());
         action->setObjectName(QStringLiteral("save") + QLatin1String(ending).toString().toUpper());
-        text::inEveryLanguage(this, [action, say] { action->setText(say()); });
+        text::bindTranslation(this, [action, say] { action->setText(say()); });
         connect(action, &QAction::triggered, this, [this, kind = QString::fromLatin1(ending)] { askForFile(kind); });
     };
     offer("png", [] { return SaveWords::tr("Save as picture (PNG) …"); });
@@ -64,7 +64,7 @@ SaveButton::SaveButton(std::function<Chart()> chart, QWidget* parent) : QToolBut
     setFocusPolicy(Qt::StrongFocus);
     setIconSize({18, 18});
     setIcon(lineIcon(QStringLiteral("save"), palette()));
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setToolTip(SaveWords::tr("Save this chart"));
         nameIt();
     });

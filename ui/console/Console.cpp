@@ -20,7 +20,7 @@
 #include "ui/charts/SaveButton.h"
 #include "ui/console/ParameterWords.h"
 #include "ui/console/WatchPanel.h"
-#include "ui/kit/Folders.h"
+#include "ui/kit/StandardFolders.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Search.h"
@@ -121,7 +121,7 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
         m_recalled = m_history.size();
         execute(typed);
     });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Console"));
         m_output->setAccessibleName(tr("Answers of the console"));
         m_line->setAccessibleName(tr("Command"));
@@ -431,7 +431,7 @@ bool Console::eventFilter(QObject* watched, QEvent* event)
             return true;
         case Qt::Key_QuoteLeft:
         case Qt::Key_Escape:
-            emit closeWanted();
+            emit closeRequested();
             return true;
         default:
             break;

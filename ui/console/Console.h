@@ -44,7 +44,7 @@ public:
     void open();
 
 signals:
-    void closeWanted();
+    void closeRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

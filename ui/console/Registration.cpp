@@ -15,7 +15,7 @@
 #include "ui/console/ParameterWords.h"
 #include "ui/kit/Actions.h"
 #include "ui/presets/BlindTrial.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/PresetTexts.h"
 #include "ui/tooth/PointerControl.h"
 
 namespace ui::console {

@@ -30,7 +30,7 @@ AxisBars::AxisBars(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("axisBars"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         describe();
         update();
     });

@@ -26,7 +26,7 @@ ButtonLights::ButtonLights(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("gripButtons"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         describe();
         update();
     });

@@ -68,7 +68,7 @@ ControllerButtonsCard::ControllerButtonsCard(QWidget* parent)
         m_layout->addWidget(kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_layoutBox), row, 1);
     }
     column->addWidget(m_layoutBox);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         //: What sticks, triggers and arrows of a gamepad do
         m_layoutTitle->setText(tr("Sticks, triggers and arrows"));
         int row = 0;

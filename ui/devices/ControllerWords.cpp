@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-#include "ui/text/FaultWords.h"
+#include "ui/text/ValidationTexts.h"
 
 namespace ui::devices {
 namespace {

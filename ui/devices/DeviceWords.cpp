@@ -8,7 +8,7 @@
 
 #include "ui/kit/LineIcon.h"
 #include "ui/kit/Theme.h"
-#include "ui/text/FaultWords.h"
+#include "ui/text/ValidationTexts.h"
 
 namespace ui::devices {
 namespace {

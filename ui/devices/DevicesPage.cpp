@@ -121,7 +121,7 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     });
     connect(m_firmware, &FirmwareCard::fileChosen, this,
             [this](const QString& path) { emit firmwareChosen(shownHand(), path); });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setTitle(tr("Devices"));
         m_progress->setAccessibleName(tr("Loading the firmware"));
         showHands();
@@ -141,7 +141,7 @@ QWidget* DevicesPage::makeHands()
     column->addWidget(m_hands, 1);
     column->addWidget(m_openGuide, 0, Qt::AlignLeft);
     connect(m_openGuide, &QPushButton::clicked, this, &DevicesPage::openGuide);
-    text::inEveryLanguage(m_openGuide, [this] {
+    text::bindTranslation(m_openGuide, [this] {
         //: A button that opens a guide: which hand works, and where it rests
         m_openGuide->setText(tr("Hand and rest"));
         m_openGuide->setAccessibleName(m_openGuide->text());
@@ -234,7 +234,7 @@ QWidget* DevicesPage::makeHoming(QWidget* parent)
     column->addWidget(what);
     column->addWidget(m_marks);
     column->addWidget(hint);
-    text::inEveryLanguage(card, [what, hint] {
+    text::bindTranslation(card, [what, hint] {
         //: Of the grip of a force device
         what->setText(tr("Pull the grip out of the device as far as it goes, then push it straight in."));
         hint->setText(
@@ -499,7 +499,7 @@ void DevicesPage::takeNextStep()
     else if (shownHand() == m_chosen)
         m_back->trigger();
     else
-        emit handWanted(shownHand());
+        emit handRequested(shownHand());
 }
 
 void DevicesPage::showEvent(QShowEvent* event)

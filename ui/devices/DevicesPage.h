@@ -75,7 +75,7 @@ public:
 
 signals:
     /// Emitted when the user wants to use this hand.
-    void handWanted(const QString& id);
+    void handRequested(const QString& id);
     void setupChanged(const QString& id, const core::session::DeviceSetup& setup);
     void firmwareChosen(const QString& id, const QString& path);
     /// Emitted when the page opens and when it closes.

@@ -11,7 +11,7 @@
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/FaultWords.h"
+#include "ui/text/ValidationTexts.h"
 
 namespace ui::devices {
 
@@ -40,7 +40,7 @@ FirmwareCard::FirmwareCard(QWidget* parent)
     row->addLayout(words, 1);
     row->addWidget(m_choose, 0, Qt::AlignVCenter);
     connect(m_choose, &QPushButton::clicked, this, &FirmwareCard::choose);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         m_heading->setText(tr("Firmware file"));
         m_choose->setText(tr("Choose a file …"));
         m_choose->setAccessibleName(tr("Choose the firmware file"));

@@ -49,7 +49,7 @@ ForceTest::ForceTest(QWidget* parent) : QWidget(parent)
         grid->addWidget(button, direction.row, direction.column);
         m_buttons.at(k) = button;
     }
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         for (std::size_t k = 0; k < kDirections.size(); ++k) {
             const QString words = tr(kDirections.at(k).words);
             m_buttons.at(k)->setText(words);

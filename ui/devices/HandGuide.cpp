@@ -70,7 +70,7 @@ HandGuide::HandGuide(const Actions& actions, QWidget* parent)
     column->addWidget(m_count);
     column->addWidget(m_title);
     column->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
-    text::inEveryLanguage(this, [this] { showWords(); });
+    text::bindTranslation(this, [this] { showWords(); });
 }
 
 QWidget* HandGuide::makeCard(QWidget* parent)
@@ -195,7 +195,7 @@ QWidget* HandGuide::makeSummary(QWidget* parent)
         setup.restMm = core::session::reachableRestMm(setup.restMm, scale);
         change(setup);
     });
-    text::inEveryLanguage(m_summary, [this, caption, help] {
+    text::bindTranslation(m_summary, [this, caption, help] {
         //: How far the hand moves for one millimetre of the bur
         caption->setText(tr("Scale"));
         m_scale->setAccessibleName(caption->text());

@@ -63,7 +63,7 @@ HandGuidePicture::HandGuidePicture(QWidget* parent) : QWidget(parent)
     setObjectName(QStringLiteral("handGuidePicture"));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     // The words beside it say the same.
-    text::inEveryLanguage(this, [this] { update(); });
+    text::bindTranslation(this, [this] { update(); });
 }
 
 void HandGuidePicture::setScene(Scene scene, bool isLeft, bool hasForce)

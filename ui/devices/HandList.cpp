@@ -87,7 +87,7 @@ HandList::HandList(QWidget* parent) : QListWidget(parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(ScrollPerPixel);
     setSpacing(kSpace1 / 2);
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Devices")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Devices")); });
 }
 
 void HandList::setRows(const QList<Row>& rows)

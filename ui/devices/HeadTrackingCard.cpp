@@ -52,7 +52,7 @@ HeadTrackingCard::HeadTrackingCard(QWidget* parent) : QWidget(parent), m_follow(
         setSettings(settings);
         emit settingsChanged(settings);
     });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         m_follow->setText(tr("Follow my head"));
         m_follow->setAccessibleName(m_follow->text());
         //: Of a picture: it looks like a mirror
@@ -95,7 +95,7 @@ QWidget* HeadTrackingCard::makeLive()
     quality->addStretch(1);
     quality->addWidget(m_recentre, 0, Qt::AlignLeft);
     m_liveColumns->addLayout(quality, 3);
-    text::inEveryLanguage(m_live, [privacy] { privacy->setText(tr("No picture is saved or sent.")); });
+    text::bindTranslation(m_live, [privacy] { privacy->setText(tr("No picture is saved or sent.")); });
     return m_live;
 }
 

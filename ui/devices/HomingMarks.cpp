@@ -24,7 +24,7 @@ HomingMarks::HomingMarks(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("homingMarks"));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         describe();
         update();
     });

@@ -24,7 +24,7 @@ constexpr double kWholeMs = static_cast<double>(ExchangeFigures::kBins) * Exchan
 IntervalChart::IntervalChart(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("intervals"));
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Intervals between answers"));
         setToolTip(brokenIntoLines(tr(
             "Number of answers in the last second for each interval. The last bar contains all longer intervals. The "

@@ -12,7 +12,7 @@
 #include "ui/devices/IntervalChart.h"
 #include "ui/devices/PositionView.h"
 #include "ui/kit/FormInputs.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -76,7 +76,7 @@ LiveTest::LiveTest(QWidget* parent)
     link->addLayout(figures);
     link->addStretch(1);
     m_columns->addLayout(link, 1);
-    text::inEveryLanguage(this, [=] {
+    text::bindTranslation(this, [=] {
         where->setText(tr("Position"));
         pressed->setText(tr("Grip buttons"));
         push->setText(tr("Force: hold a button, and the device pushes your hand gently"));
@@ -97,10 +97,10 @@ void LiveTest::setNarrow(bool isNarrow)
     m_columns->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
-kit::TabularLabel* LiveTest::addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption)
+kit::TabularDigitsLabel* LiveTest::addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption)
 {
     caption = captionLabel(this);
-    auto* value = new TabularLabel(this);
+    auto* value = new TabularDigitsLabel(this);
     value->setFont(typeface(kTitle, QFont::Medium));
     value->setObjectName(QLatin1String(name));
     grid.addWidget(caption, 2 * row, column);

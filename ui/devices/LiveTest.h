@@ -10,7 +10,7 @@ class QGridLayout;
 class QLabel;
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::devices {
@@ -35,18 +35,18 @@ public:
     [[nodiscard]] const ForceTest& force() const { return *m_force; }
 
 private:
-    kit::TabularLabel* addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption);
+    kit::TabularDigitsLabel* addFigure(QGridLayout& grid, int row, int column, const char* name, QLabel*& caption);
 
     QBoxLayout* m_columns;
     PositionView* m_position;
     ForceTest* m_force;
     ButtonLights* m_buttons;
     IntervalChart* m_intervals;
-    kit::TabularLabel* m_rate = nullptr;
-    kit::TabularLabel* m_trip = nullptr;
-    kit::TabularLabel* m_slowTrip = nullptr;
-    kit::TabularLabel* m_lost = nullptr;
-    kit::TabularLabel* m_rejected = nullptr;
+    kit::TabularDigitsLabel* m_rate = nullptr;
+    kit::TabularDigitsLabel* m_trip = nullptr;
+    kit::TabularDigitsLabel* m_slowTrip = nullptr;
+    kit::TabularDigitsLabel* m_lost = nullptr;
+    kit::TabularDigitsLabel* m_rejected = nullptr;
 };
 
 }  // namespace ui::devices

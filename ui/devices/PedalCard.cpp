@@ -48,7 +48,7 @@ PedalCard::PedalCard(QWidget* parent)
     connect(m_setup, &PedalSetupCard::settingsChanged, this, &PedalCard::change);
     connect(m_setup, &PedalSetupCard::taught, this, [this] { m_runsBur->setChecked(true); });
     connect(m_buttons, &ControllerButtonsCard::settingsChanged, this, &PedalCard::change);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         kit::nameInput(m_choice, tr("Pedal or gamepad"));
         m_runsBur->setText(tr("The bur turns only while this pedal is pressed"));
         m_runsBur->setAccessibleName(m_runsBur->text());

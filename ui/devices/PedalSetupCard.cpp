@@ -87,7 +87,7 @@ PedalSetupCard::PedalSetupCard(QWidget* parent)
         showCurve();
         emit settingsChanged(m_settings);
     });
-    text::inEveryLanguage(this, [this, deadCaption, curveCaption] {
+    text::bindTranslation(this, [this, deadCaption, curveCaption] {
         //: Of a pedal: the bur runs while it is released
         m_inverted->setText(tr("Inverted"));
         m_inverted->setAccessibleName(m_inverted->text());

@@ -71,7 +71,7 @@ PenCard::PenCard(QWidget* parent)
         showWords();
         emit settingsChanged(m_settings);
     });
-    text::inEveryLanguage(this, [this, title, tilt, caption] {
+    text::bindTranslation(this, [this, title, tilt, caption] {
         title->setText(tr("Pen"));
         tilt->setText(tr("The tilt of the pen is ignored: the bur stays upright."));
         //: Of a pen: 1 is a straight line

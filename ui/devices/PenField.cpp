@@ -25,7 +25,7 @@ PenField::PenField(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("penField"));
     setTabletTracking(true);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         //: In a field in which the user tries the pen of a graphics tablet
         m_words = tr("Press the pen here");
         setAccessibleName(m_words);

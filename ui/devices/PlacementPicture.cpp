@@ -58,7 +58,7 @@ void paintCaption(QPainter& painter, const QPalette& palette, const QString& wor
 PlacementPicture::PlacementPicture(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("placement"));
-    text::inEveryLanguage(this, [this] { describe(); });
+    text::bindTranslation(this, [this] { describe(); });
 }
 
 void PlacementPicture::setSetup(const DeviceSetup& setup)

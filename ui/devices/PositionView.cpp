@@ -23,7 +23,7 @@ constexpr double kDotPx = 6.0;
 PositionView::PositionView(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("position"));
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         describe();
         update();
     });

@@ -45,7 +45,7 @@ RuleCard::RuleCard(QWidget* parent)
     column->addLayout(row);
     connect(m_copy, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_rule->toPlainText()); });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         m_copy->setText(tr("Copy the rule"));
         m_copy->setAccessibleName(m_copy->text());
         m_rule->setAccessibleName(tr("Rule for this device"));

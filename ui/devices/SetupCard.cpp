@@ -93,7 +93,7 @@ SetupCard::SetupCard(QWidget* parent)
         setup.restMm = core::session::reachableRestMm(setup.restMm, value);
         change(setup);
     });
-    text::inEveryLanguage(this, [=, this] {
+    text::bindTranslation(this, [=, this] {
         //: How the device is placed on the table
         stand->setText(tr("It stands"));
         //: Of a device: on its base, as it was sold

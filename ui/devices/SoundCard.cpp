@@ -16,7 +16,7 @@
 
 #include "ui/devices/NextStep.h"
 #include "ui/kit/FormInputs.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -62,7 +62,7 @@ SoundCard::SoundCard(QWidget* parent) : QWidget(parent), m_switch(new QCheckBox(
         settings.isOn = isOn;
         change(settings);
     });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         m_switch->setText(tr("Play sound"));
         m_switch->setAccessibleName(m_switch->text());
         const std::array<QString, core::audio::kPartCount + 1> captions{
@@ -110,7 +110,7 @@ void SoundCard::makeVolumes(QWidget* card)
         volume.slider->setRange(0, kPercent);
         volume.slider->setPageStep(kPageStep);
         volume.caption->setBuddy(volume.slider);
-        volume.percent = new TabularLabel(card);
+        volume.percent = new TabularDigitsLabel(card);
         volume.percent->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         volume.percent->setFixedWidth(kPercentPx);
         const int row = static_cast<int>(k);

@@ -14,7 +14,7 @@ class QPushButton;
 class QSlider;
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::devices {
@@ -49,7 +49,7 @@ private:
     {
         QLabel* caption = nullptr;
         QSlider* slider = nullptr;
-        kit::TabularLabel* percent = nullptr;
+        kit::TabularDigitsLabel* percent = nullptr;
     };
     void makeVolumes(QWidget* card);
     void makeOutput(QWidget* card);

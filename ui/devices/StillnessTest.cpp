@@ -65,7 +65,7 @@ StillnessTest::StillnessTest(QWidget* parent)
             start();
     });
     connect(&m_look, &QTimer::timeout, this, &StillnessTest::look);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         m_progress->setAccessibleName(tr("Time that is over"));
         showWords();
     });

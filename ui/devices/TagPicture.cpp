@@ -30,7 +30,7 @@ TagPicture::TagPicture(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("tagPicture"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    text::inEveryLanguage(this, [this] { describe(); });
+    text::bindTranslation(this, [this] { describe(); });
 }
 
 void TagPicture::setPicture(const core::tracking::Picture& picture, const std::optional<Corners>& tag)

@@ -7,7 +7,7 @@
 #include <QLabel>
 
 #include "ui/kit/FormInputs.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -37,7 +37,7 @@ TrackingFigures::TrackingFigures(QWidget* parent) : QWidget(parent)
         const int row = 3 * (static_cast<int>(k) / kFigureColumns);
         const int column = static_cast<int>(k) % kFigureColumns;
         captions.at(k) = kit::formWords({}, kSmall, QFont::Medium, QPalette::PlaceholderText, this);
-        m_values.at(k) = new TabularLabel(this);
+        m_values.at(k) = new TabularDigitsLabel(this);
         m_values.at(k)->setFont(typeface(kFigure, QFont::Medium));
         m_values.at(k)->setObjectName(QLatin1String(kFigureNames.at(k)));
         grid->addWidget(captions.at(k), row, column, Qt::AlignBottom);
@@ -46,7 +46,7 @@ TrackingFigures::TrackingFigures(QWidget* parent) : QWidget(parent)
         grid->setRowMinimumHeight(row + 2, kSpace2);
     }
     clear();
-    text::inEveryLanguage(this, [this, captions] {
+    text::bindTranslation(this, [this, captions] {
         captions.at(Rate)->setText(tr("Pictures per second"));
         //: Share of the pictures in which the tag was found
         captions.at(Seen)->setText(tr("Pictures with the tag"));
@@ -78,7 +78,7 @@ void TrackingFigures::setReport(const core::tracking::TrackerReport& report)
 
 void TrackingFigures::clear()
 {
-    for (TabularLabel* value : m_values)
+    for (TabularDigitsLabel* value : m_values)
         value->setText(kNoFigure);
 }
 

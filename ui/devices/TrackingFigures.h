@@ -8,7 +8,7 @@
 #include "core/tracking/TrackerReport.h"
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::devices {
@@ -25,7 +25,7 @@ public:
     void clear();
 
 private:
-    std::array<kit::TabularLabel*, 5> m_values{};
+    std::array<kit::TabularDigitsLabel*, 5> m_values{};
 };
 
 }  // namespace ui::devices

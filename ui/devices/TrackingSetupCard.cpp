@@ -122,7 +122,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
             applies([](Settings& settings, int entry) { settings.isWindow = entry == 1; }));
     connect(m_print, &QPushButton::clicked, this, &TrackingSetupCard::printRequested);
     connect(m_measure, &QPushButton::clicked, this, &TrackingSetupCard::fieldOfViewRequested);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         const auto name = [this](QWidget* input, const QString& words) {
             const auto cell =
                 std::find_if(m_cells.begin(), m_cells.end(), [input](const Cell& one) { return one.input == input; });

@@ -17,7 +17,7 @@
 
 #include "core/bur/Bur.h"
 #include "ui/inside/SectionPainter.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -71,8 +71,8 @@ protected:
 SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new SectionCanvas(this))
 {
     setProperty("kind", "bar");
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Section through the bur")); });
-    text::inEveryLanguage(m_canvas, [this] { m_canvas->setAccessibleName(tr("Picture of the section")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Section through the bur")); });
+    text::bindTranslation(m_canvas, [this] { m_canvas->setAccessibleName(tr("Picture of the section")); });
 
     // Named anew once there is a tooth.
     const auto choice = [this](int degrees) {
@@ -80,7 +80,7 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
-        text::inEveryLanguage(button,
+        text::bindTranslation(button,
                               [button] { button->setToolTip(tr("Cut the tooth in this direction, through the bur")); });
         connect(button, &QPushButton::clicked, this, [this, degrees] { setAngle(degrees); });
         return button;
@@ -99,12 +99,12 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     m_angle->setPageStep(kTurnDeg);
     m_angle->setFocusPolicy(Qt::TabFocus);
     m_angle->setObjectName(QStringLiteral("sectionAngle"));
-    text::inEveryLanguage(m_angle, [this] {
+    text::bindTranslation(m_angle, [this] {
         m_angle->setAccessibleName(tr("Angle of the section, degrees"));
         m_angle->setToolTip(tr("Turn the section about the bur (Shift+X: by 15 degrees)"));
         m_angle->setStatusTip(m_angle->toolTip());
     });
-    m_angleText = new TabularLabel(this);
+    m_angleText = new TabularDigitsLabel(this);
     m_angleText->setFont(typeface(kBody, QFont::Medium));
     m_angleText->setAlignment(Qt::AlignRight);
     m_angleText->setText(QStringLiteral("180°"));
@@ -113,7 +113,7 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     auto* turned = new QHBoxLayout;
     turned->setSpacing(kSpace2);
     auto* turnedWords = new QLabel(this);
-    text::inEveryLanguage(turnedWords, [turnedWords] { turnedWords->setText(tr("Turned by")); });
+    text::bindTranslation(turnedWords, [turnedWords] { turnedWords->setText(tr("Turned by")); });
     turnedWords->setFont(typeface(kSmall));
     turnedWords->setForegroundRole(QPalette::PlaceholderText);
     turnedWords->setBuddy(m_angle);
@@ -132,11 +132,11 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
         auto* words = new QLabel(this);
         words->setForegroundRole(QPalette::PlaceholderText);
         words->setWordWrap(true);
-        auto* value = new TabularLabel(this);
+        auto* value = new TabularDigitsLabel(this);
         value->setFont(typeface(kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
         value->setObjectName(QString::fromLatin1(objectName));
-        text::inEveryLanguage(words, [words, value, caption, tip] {
+        text::bindTranslation(words, [words, value, caption, tip] {
             words->setText(tr(caption));
             words->setToolTip(brokenIntoLines(tr(tip)));
             value->setToolTip(words->toolTip());
@@ -163,7 +163,7 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     column->addWidget(m_canvas, 1);
     column->addWidget(m_figures);
     setAngle(kAlongYDeg);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         nameSides();
         showFigures({}, {});
         m_sinceFigures.invalidate();
@@ -274,7 +274,7 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
 void SectionView::showFigures(const core::servo::ServoState& servo, const core::imaging::DepthReading& reading)
 {
     const QColor quiet = palette().color(QPalette::PlaceholderText);
-    const auto show = [&](TabularLabel* label, const std::optional<double>& mm) {
+    const auto show = [&](TabularDigitsLabel* label, const std::optional<double>& mm) {
         label->setText(mm ? text::number(*mm, 2) : QStringLiteral("–"), QStringLiteral("mm"));
         label->setColour(mm ? QColor() : quiet);
     };

@@ -16,7 +16,7 @@ class QPushButton;
 class QSlider;
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::inside {
@@ -62,11 +62,11 @@ private:
     QPushButton* m_alongX;
     QPushButton* m_alongY;
     QSlider* m_angle;
-    kit::TabularLabel* m_angleText;
-    kit::TabularLabel* m_depth;
-    kit::TabularLabel* m_dentin;
-    kit::TabularLabel* m_down;
-    kit::TabularLabel* m_nearest;
+    kit::TabularDigitsLabel* m_angleText;
+    kit::TabularDigitsLabel* m_depth;
+    kit::TabularDigitsLabel* m_dentin;
+    kit::TabularDigitsLabel* m_down;
+    kit::TabularDigitsLabel* m_nearest;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< whose sides are named
     std::uint64_t m_revision = 0;
     std::optional<glm::dvec3> m_held;

@@ -22,7 +22,7 @@
 #include "core/teeth/ToothBuilder.h"
 #include "ui/inside/RadiographPicture.h"
 #include "ui/kit/Actions.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -133,10 +133,10 @@ XrayPage::XrayPage(const Actions& actions, QWidget* parent)
     films->addWidget(m_now, 1);
     body()->addLayout(films, 1);
     body()->addWidget(makeControls(actions));
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-void XrayPage::speak()
+void XrayPage::retranslateUi()
 {
     m_before->setCaption(tr("Before"));
     m_now->setCaption(tr("Now"));
@@ -181,7 +181,7 @@ QWidget* XrayPage::makeControls(const Actions& actions)
 
     const auto segment = [&](const char* words, const char* tip, const char* objectName) {
         auto* button = new QPushButton(card);
-        text::inEveryLanguage(button, [button, words, tip] {
+        text::bindTranslation(button, [button, words, tip] {
             button->setText(tr(words));
             if (tip != nullptr)
                 button->setToolTip(brokenIntoLines(tr(tip)));
@@ -207,13 +207,13 @@ QWidget* XrayPage::makeControls(const Actions& actions)
     row->addLayout(scenes);
 
     const auto slider = [&](const char* caption, const char* tip, int low, int high, const char* objectName,
-                            TabularLabel*& value, const QString& widest) {
+                            TabularDigitsLabel*& value, const QString& widest) {
         auto* block = new QGridLayout;
         block->setVerticalSpacing(0);
         auto* words = new QLabel(card);
         words->setFont(typeface(kSmall));
         words->setForegroundRole(QPalette::PlaceholderText);
-        value = new TabularLabel(card);
+        value = new TabularDigitsLabel(card);
         value->setFont(typeface(kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
         value->setText(widest);
@@ -221,7 +221,7 @@ QWidget* XrayPage::makeControls(const Actions& actions)
         auto* made = new QSlider(Qt::Horizontal, card);
         made->setRange(low, high);
         made->setFocusPolicy(Qt::TabFocus);
-        text::inEveryLanguage(made, [made, words, caption, tip] {
+        text::bindTranslation(made, [made, words, caption, tip] {
             words->setText(tr(caption));
             made->setAccessibleName(tr(caption));
             made->setToolTip(tr(tip));
@@ -252,14 +252,14 @@ QWidget* XrayPage::makeControls(const Actions& actions)
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
     auto* says = new QLabel(holder);
-    text::inEveryLanguage(
+    text::bindTranslation(
         says, [says] { says->setText(tr("Simulated: a parallel beam, no scatter, no bone and no gums.")); });
     says->setFont(typeface(kSmall));
     says->setWordWrap(true);
     says->setForegroundRole(QPalette::PlaceholderText);
     buttons->addWidget(says, 1);
     m_save = new QPushButton(holder);
-    text::inEveryLanguage(m_save, [this] {
+    text::bindTranslation(m_save, [this] {
         m_save->setText(tr("Save the picture …"));
         m_save->setToolTip(tr("Save both films side by side as a PNG file"));
     });
@@ -300,7 +300,7 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth)
     m_bitewing->setEnabled(ours);
     if (!ours)
         m_oneTooth->setChecked(true);
-    speak();
+    retranslateUi();
     develop();
 }
 

@@ -14,7 +14,7 @@ class QPushButton;
 class QSlider;
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::inside {
@@ -61,7 +61,7 @@ private:
     QWidget* makeControls(const kit::Actions& actions);
     [[nodiscard]] core::imaging::Beam ownBeam() const;
     [[nodiscard]] Wish wish() const;
-    void speak();
+    void retranslateUi();
     void nameSides();
     void develop();
     void take(const Films& films, const core::terrain::ToothAnatomy* of);
@@ -78,9 +78,9 @@ private:
     QSlider* m_angle = nullptr;
     QSlider* m_tilt = nullptr;
     QSlider* m_exposure = nullptr;
-    kit::TabularLabel* m_angleText = nullptr;
-    kit::TabularLabel* m_tiltText = nullptr;
-    kit::TabularLabel* m_exposureText = nullptr;
+    kit::TabularDigitsLabel* m_angleText = nullptr;
+    kit::TabularDigitsLabel* m_tiltText = nullptr;
+    kit::TabularDigitsLabel* m_exposureText = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_back = nullptr;
     bool m_working = false;

@@ -13,8 +13,8 @@
 
 #include "core/bur/Bur.h"
 #include "core/settings/Handpiece.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/kit/LineIcon.h"
-#include "ui/kit/Memory.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -238,7 +238,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                {Qt::SHIFT | Qt::Key_F1});
     back = add("back", [this] { return wayBack(); }, QT_TR_NOOP("Close this page; nothing is lost"), {Qt::Key_Escape});
     quit = add("close", QT_TR_NOOP("Quit"), QT_TR_NOOP("Close Cusp"), {Qt::CTRL | Qt::Key_Q});
-    text::inEveryLanguage(window, [this] { speak(); });
+    text::bindTranslation(window, [this] { retranslateUi(); });
 }
 
 void Actions::showReplayPaused(bool paused)
@@ -367,7 +367,7 @@ QString Actions::tipOf(const QAction* action, const QString& what)
     return key.isEmpty() ? what : tr("%1 (%2)").arg(what, key);
 }
 
-void Actions::speak()
+void Actions::retranslateUi()
 {
     for (const Words& words : std::as_const(m_words))
         say(words);

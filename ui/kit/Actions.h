@@ -151,7 +151,7 @@ private:
     QAction* add(const QString& drawing, const char* text, const char* tip, const QList<QKeySequence>& keys);
     QAction* add(const QString& drawing, std::function<QString()> text, const char* tip,
                  const QList<QKeySequence>& keys);
-    void speak();
+    void retranslateUi();
     void giveKeysToBurs();
 
     struct Words

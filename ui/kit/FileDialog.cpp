@@ -15,8 +15,8 @@
 #include <QRegularExpression>
 #include <QTreeView>
 
-#include "ui/kit/Announce.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/Accessibility.h"
+#include "ui/kit/AppSettings.h"
 
 namespace ui::kit {
 namespace {

@@ -14,7 +14,7 @@ namespace ui::kit {
 ForceBar::ForceBar(double fullN, QWidget* parent) : QWidget(parent), m_fullN(fullN)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Force against the force that is set"));
         setToolTip(tr("The mark is the force that is set. A wall that presses sideways adds to it."));
     });

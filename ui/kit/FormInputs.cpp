@@ -21,7 +21,7 @@
 #include <QStyledItemDelegate>
 #include <QTimer>
 
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/Theme.h"
 
 namespace ui::kit {
@@ -35,7 +35,7 @@ constexpr int kNoteMs = 8000;
 
 struct Words
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::study::Words)
+    Q_DECLARE_TR_FUNCTIONS(ui::kit::FormInputs)
 };
 
 /// That of the window's language, but a point or a comma never stands between thousands.

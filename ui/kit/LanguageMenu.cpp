@@ -3,7 +3,7 @@
 
 #include <QActionGroup>
 
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Language.h"
 
@@ -27,7 +27,7 @@ LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(parent)
         connect(
             action, &QAction::triggered, this, [code] { choose(code); }, Qt::QueuedConnection);
     }
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setTitle(tr("Language"));
         setAccessibleName(title());
         for (QAction* action : actions())

@@ -8,7 +8,7 @@
 #include <QKeyEvent>
 #include <QStyleOptionHeader>
 
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::kit {
@@ -58,7 +58,7 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     // Who sorts wants to see what comes first.
     connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &QTableView::scrollToTop);
     connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &ListTable::describeSorting);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         describeSorting();
         for (auto* corner : findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly))
             corner->setAccessibleName(tr("Corner of the table"));

@@ -44,7 +44,7 @@ MessageBar::MessageBar(QWidget* parent)
     dress(*this, roomPalette());
     setProperty("kind", "card");
     setAutoFillBackground(true);
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Message")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Message")); });
     m_sentence->setWordWrap(true);
     m_sentence->setFont(typeface(kBody, QFont::Medium));
     m_detail->setWordWrap(true);
@@ -56,7 +56,7 @@ MessageBar::MessageBar(QWidget* parent)
     m_decline->setObjectName(QStringLiteral("decline"));
     m_close->setFocusPolicy(Qt::TabFocus);
     m_close->setIcon(lineIcon(QStringLiteral("close"), palette()));
-    text::inEveryLanguage(m_close, [this] {
+    text::bindTranslation(m_close, [this] {
         m_close->setToolTip(tr("Close this message (Esc)"));
         m_close->setAccessibleName(tr("Close this message"));
     });
@@ -85,7 +85,7 @@ MessageBar::MessageBar(QWidget* parent)
     };
     connect(m_button, &QPushButton::clicked, this, [this, doThenClose] { doThenClose(m_now.action); });
     connect(m_decline, &QPushButton::clicked, this, [this, doThenClose] { doThenClose(m_now.declining.action); });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         for (Message& message : m_waiting)
             message = inPresentLanguage(message);
         if (m_now.again)

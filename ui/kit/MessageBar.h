@@ -35,7 +35,7 @@ public:
     enum class Topic {
         General,
         Tooth,
-        Unfinished,
+        ResumableAttempt,
         Lesson,
         Keeping,
         Journal,

@@ -106,7 +106,7 @@ ScrollPane::ScrollPane(QWidget* content, QPalette::ColorRole ground, QWidget* pa
         if (now != nullptr && widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton)
             reveal(*now);
     });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("More than there is room for"));
         setAccessibleDescription(tr("Page Up, Page Down and the arrow keys scroll"));
     });

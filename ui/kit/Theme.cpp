@@ -14,7 +14,7 @@
 #include <QToolTip>
 #include <QWidget>
 
-#include "ui/kit/Memory.h"
+#include "ui/kit/AppSettings.h"
 
 namespace ui::kit {
 namespace {

@@ -22,10 +22,10 @@ void UnsavedChanges::discard() const
         page.discard();
 }
 
-QuestionCard::Question UnsavedChanges::question(const QString& what, const QString& owner,
-                                                std::function<void()> discard)
+ConfirmOverlay::Question UnsavedChanges::question(const QString& what, const QString& owner,
+                                                  std::function<void()> discard)
 {
-    QuestionCard::Question asked;
+    ConfirmOverlay::Question asked;
     //: %1: a user
     asked.text =
         owner.isEmpty() ? tr("Discard your unsaved changes?") : tr("Discard the unsaved changes of %1?").arg(owner);
@@ -38,8 +38,8 @@ QuestionCard::Question UnsavedChanges::question(const QString& what, const QStri
 void UnsavedChanges::ask(QWidget* window, const QString& what, std::function<void()> discard)
 {
     const QString name = QStringLiteral("unsavedQuestion");
-    delete window->findChild<QuestionCard*>(name, Qt::FindDirectChildrenOnly);
-    (new QuestionCard(question(what, {}, std::move(discard)), window))->setObjectName(name);
+    delete window->findChild<ConfirmOverlay*>(name, Qt::FindDirectChildrenOnly);
+    (new ConfirmOverlay(question(what, {}, std::move(discard)), window))->setObjectName(name);
 }
 
 }  // namespace ui::kit

@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "ui/kit/QuestionCard.h"
+#include "ui/kit/ConfirmOverlay.h"
 
 namespace ui::kit {
 
@@ -32,8 +32,8 @@ public:
     /// Asks whether to discard changes.
     /// @param what  describes them; may be empty
     /// @param owner  the name of the user who made them, if somebody else may answer; empty: they are the user's own
-    [[nodiscard]] static QuestionCard::Question question(const QString& what, const QString& owner,
-                                                         std::function<void()> discard);
+    [[nodiscard]] static ConfirmOverlay::Question question(const QString& what, const QString& owner,
+                                                           std::function<void()> discard);
     /// The same in a window, about something that the user is about to leave on one page.
     static void ask(QWidget* window, const QString& what, std::function<void()> discard);
 

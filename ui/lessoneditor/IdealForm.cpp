@@ -15,8 +15,8 @@
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
+#include "ui/text/ValidationTexts.h"
 
 namespace ui::lessoneditor {
 
@@ -30,19 +30,19 @@ IdealForm::IdealForm(QWidget* parent) : QWidget(parent)
     m_head = kit::formWords({}, kBody, QFont::DemiBold, QPalette::WindowText, this);
     column->addWidget(m_head);
     m_reference = kit::choiceInput({}, this);
-    text::inEveryLanguage(m_reference, [this] { kit::nameInput(m_reference, tr("What the ideal is")); });
+    text::bindTranslation(m_reference, [this] { kit::nameInput(m_reference, tr("What the ideal is")); });
     m_reference->setObjectName(QStringLiteral("reference"));
     connect(m_reference, &QComboBox::activated, this,
             [this](int index) { emit referenceChosen(m_reference->itemData(index).toString()); });
     column->addWidget(m_reference);
     m_fromRecordings = new QPushButton(this);
     m_fromRecordings->setAutoDefault(true);
-    text::inEveryLanguage(m_fromRecordings, [this] {
+    text::bindTranslation(m_fromRecordings, [this] {
         m_fromRecordings->setText(tr("Take recordings as the reference …"));
         m_fromRecordings->setToolTip(tr("Choose one attempt, or several whose mean is to be cut"));
         m_fromRecordings->setAccessibleName(m_fromRecordings->text());
     });
-    connect(m_fromRecordings, &QPushButton::clicked, this, &IdealForm::recordingsWanted);
+    connect(m_fromRecordings, &QPushButton::clicked, this, &IdealForm::recordingsRequested);
     column->addWidget(m_fromRecordings, 0, Qt::AlignLeft);
     m_fault = kit::faultLabel(this);
     column->addWidget(m_fault);
@@ -159,13 +159,13 @@ void IdealForm::showValues(const std::vector<IdealField>& fields)
     }
 }
 
-std::vector<::lessons::Fault> IdealForm::takeFaults(const std::vector<::lessons::Fault>& faults)
+std::vector<::lessons::ValidationIssue> IdealForm::takeFaults(const std::vector<::lessons::ValidationIssue>& faults)
 {
-    std::vector<::lessons::Fault> others;
+    std::vector<::lessons::ValidationIssue> others;
     std::map<QLabel*, QString> said{{m_fault, {}}};
     for (const auto& [id, label] : m_faults)
         said[label] = {};
-    for (const ::lessons::Fault& fault : faults) {
+    for (const ::lessons::ValidationIssue& fault : faults) {
         QLabel* place = fault.key.startsWith(u"ideal") || fault.key.startsWith(u"tooth") ? m_fault : nullptr;
         for (const auto& [id, beside] : m_faults)
             if (fault.key.endsWith(u'.' + id) || fault.english().contains(u'(' + id + u')'))

@@ -34,7 +34,8 @@ public:
     void offerFields(const std::vector<IdealField>& fields);
     void showValues(const std::vector<IdealField>& fields);
     /// Shows what is wrong with the ideal beside what it is about, and answers the rest.
-    [[nodiscard]] std::vector<::lessons::Fault> takeFaults(const std::vector<::lessons::Fault>& faults);
+    [[nodiscard]] std::vector<::lessons::ValidationIssue>
+    takeFaults(const std::vector<::lessons::ValidationIssue>& faults);
     /// While recordings are replayed no others can be taken.
     void setCapturing(bool capturing);
 
@@ -42,7 +43,7 @@ signals:
     void sizeSet(const QString& id, double value);
     /// @param name  of a file beside the lesson; empty: by rule
     void referenceChosen(const QString& name);
-    void recordingsWanted();
+    void recordingsRequested();
 
 private:
     QWidget* makeInput(const IdealField& field);

@@ -15,9 +15,9 @@
 
 #include "core/preparation/BlockPreparation.h"
 #include "core/preparation/ToothPreparation.h"
-#include "lessons/Capture.h"
+#include "lessons/IdealFromRecordings.h"
 #include "lessons/NewLesson.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 
 namespace ui::lessoneditor {
 namespace {
@@ -78,7 +78,7 @@ struct Kept
     bool isSameIdeal = false;
 };
 
-Kept keptOf(const Weighed* before, const Lesson& lesson)
+Kept keptOf(const EvaluatedDraft* before, const Lesson& lesson)
 {
     if (before == nullptr || !before->assignment || !before->assignment->lesson)
         return {};
@@ -90,7 +90,7 @@ Kept keptOf(const Weighed* before, const Lesson& lesson)
 }
 
 /// A draft whose rubric is none, read with that of the draft before, else with that of the lesson it is based on.
-std::optional<Lesson> withAnotherRubric(QJsonObject draft, const QString& file, const Weighed* before)
+std::optional<Lesson> withAnotherRubric(QJsonObject draft, const QString& file, const EvaluatedDraft* before)
 {
     const QString key = QStringLiteral("rubric");
     if (before != nullptr && before->assignment) {
@@ -117,7 +117,7 @@ std::optional<core::preparation::ToothDesign> usualOf(const Lesson& lesson)
 }
 
 /// As lessons::assign(), with what is kept.
-core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, const Weighed* before)
+core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, const EvaluatedDraft* before)
 {
     if (!kept.anatomy) {
         auto assigned = ::lessons::assign(lesson);
@@ -144,7 +144,7 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
 }
 
 /// The fault that makes no lesson of it, beside the field that it is about where its sentence names one.
-::lessons::Fault faultOf(const core::Error& error, const QString& file, const Lesson& lesson)
+::lessons::ValidationIssue faultOf(const core::Error& error, const QString& file, const Lesson& lesson)
 {
     const QString what = QString::fromStdString(error.detail);
     QString key = QStringLiteral("ideal");
@@ -188,12 +188,12 @@ QJsonValue withLimit(const QJsonValue& names, double before, double now)
 
 }  // namespace
 
-std::shared_ptr<const Weighed> weigh(const QJsonObject& draft, const QString& file,
-                                     const std::shared_ptr<const Weighed>& before)
+std::shared_ptr<const EvaluatedDraft> weigh(const QJsonObject& draft, const QString& file,
+                                            const std::shared_ptr<const EvaluatedDraft>& before)
 {
     QElapsedTimer timer;
     timer.start();
-    auto weighed = std::make_shared<Weighed>();
+    auto weighed = std::make_shared<EvaluatedDraft>();
     weighed->read = ::lessons::readDraft(draft, file);
     const auto& lesson = weighed->read.lesson;
     if (lesson) {

@@ -33,7 +33,7 @@ struct IdealField
 };
 
 /// What a draft comes to: read, given and marked as any lesson is.
-struct Weighed
+struct EvaluatedDraft
 {
     ::lessons::ReadLesson read;  ///< with what is wrong
     std::optional<::lessons::Assignment> assignment;
@@ -53,8 +53,8 @@ struct Weighed
 /// Any thread that may wait. A change of tolerances takes some ten milliseconds, of the ideal some tens more; a new
 /// tooth is made only where the draft asks for another one.
 /// @param before  what it came to last, to be used again; may be null
-[[nodiscard]] std::shared_ptr<const Weighed> weigh(const QJsonObject& draft, const QString& file,
-                                                   const std::shared_ptr<const Weighed>& before);
+[[nodiscard]] std::shared_ptr<const EvaluatedDraft> weigh(const QJsonObject& draft, const QString& file,
+                                                          const std::shared_ptr<const EvaluatedDraft>& before);
 
 /// A lesson while it is edited: the object of its file, where it will stand, and all that can be taken back. Ui thread.
 class LessonDraft

@@ -22,23 +22,23 @@
 #include <QVBoxLayout>
 
 #include "core/base/WholeFile.h"
-#include "lessons/Capture.h"
+#include "lessons/IdealFromRecordings.h"
 #include "ui/kit/Actions.h"
 #include "ui/kit/FileDialog.h"
-#include "ui/kit/Folders.h"
 #include "ui/kit/FormInputs.h"
-#include "ui/kit/SavedFile.h"
+#include "ui/kit/PrivateFile.h"
 #include "ui/kit/ScrollPane.h"
+#include "ui/kit/StandardFolders.h"
 #include "ui/kit/Theme.h"
-#include "ui/lessoneditor/DraftWeigher.h"
+#include "ui/lessoneditor/DraftEvaluator.h"
 #include "ui/lessoneditor/IdealForm.h"
 #include "ui/lessoneditor/RubricForm.h"
 #include "ui/lessoneditor/SweepPage.h"
 #include "ui/lessoneditor/ToleranceView.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/FaultWords.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 #include "ui/text/Texts.h"
+#include "ui/text/ValidationTexts.h"
 
 namespace ui::lessoneditor {
 namespace {
@@ -58,7 +58,7 @@ std::filesystem::path toPath(const QString& file)
 }
 
 /// An empty field has no place in a file that one could go to.
-QString wordsOf(const ::lessons::Fault& fault, const LessonDraft& draft)
+QString wordsOf(const ::lessons::ValidationIssue& fault, const LessonDraft& draft)
 {
     return fault.key == QStringLiteral("title") && draft.title().isEmpty()
                ? LessonEditor::tr("The lesson needs a title.")
@@ -67,14 +67,14 @@ QString wordsOf(const ::lessons::Fault& fault, const LessonDraft& draft)
 
 /// Writes a draft where it stands. Empty when that is done, else a sentence that says why not.
 /// @param weighed  what it comes to
-QString write(LessonDraft& draft, const Weighed& weighed)
+QString write(LessonDraft& draft, const EvaluatedDraft& weighed)
 {
     if (draft.isOvertaken())
         return LessonEditor::tr("Not saved: %1 has been changed since you opened it, in another window or at another "
                                 "computer. Open it anew to see that; a step back then brings your own changes back, "
                                 "to be saved in its place.")
             .arg(QFileInfo(draft.file()).fileName());
-    for (const ::lessons::Fault& fault : weighed.read.faults)
+    for (const ::lessons::ValidationIssue& fault : weighed.read.faults)
         if (fault.grave)
             return LessonEditor::tr("Not saved: %1").arg(wordsOf(fault, draft));
     if (weighed.itself && !weighed.isFullMarks())
@@ -99,11 +99,11 @@ QString write(LessonDraft& draft, const Weighed& weighed)
 }  // namespace
 
 LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
-    : Page(actions, parent), m_weigher(new DraftWeigher(this))
+    : Page(actions, parent), m_weigher(new DraftEvaluator(this))
 {
     removeGuestSign();
     m_capturing.setMaxThreadCount(1);
-    connect(m_weigher, &DraftWeigher::weighed, this, &LessonEditor::take);
+    connect(m_weigher, &DraftEvaluator::weighed, this, &LessonEditor::take);
     connect(&m_keeping, &QTimer::timeout, this, &LessonEditor::keepDrafts);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace4);
@@ -114,11 +114,11 @@ LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
     row->addWidget(makePictures(), 3);
     body()->addLayout(row, 1);
     body()->addWidget(makeFoot(actions));
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
 /// The inputs are made anew, and what is weighed is weighed again: its words are of the language before.
-void LessonEditor::speak()
+void LessonEditor::retranslateUi()
 {
     if (m_present.isEmpty()) {
         setTitle(tr("Lesson editor"));
@@ -171,7 +171,7 @@ QWidget* LessonEditor::makeForm()
     column->setContentsMargins(kSpace4, 0, kSpace4, kSpace2);
     column->setSpacing(kSpace2);
     m_title = new QLineEdit(form);
-    text::inEveryLanguage(m_title, [this] { m_title->setAccessibleName(tr("Title of the lesson")); });
+    text::bindTranslation(m_title, [this] { m_title->setAccessibleName(tr("Title of the lesson")); });
     m_title->setObjectName(QStringLiteral("draftTitle"));
     kit::bindToForm(m_title);
     connect(m_title, &QLineEdit::textEdited, this, [this](const QString& title) {
@@ -189,7 +189,7 @@ QWidget* LessonEditor::makeForm()
         changed();
     });
     connect(m_ideal, &IdealForm::referenceChosen, this, &LessonEditor::chooseReference);
-    connect(m_ideal, &IdealForm::recordingsWanted, this, &LessonEditor::askForRecordings);
+    connect(m_ideal, &IdealForm::recordingsRequested, this, &LessonEditor::askForRecordings);
     column->addWidget(m_ideal);
     column->addSpacing(kSpace2);
     m_rubric = new RubricForm(form);
@@ -221,7 +221,7 @@ QWidget* LessonEditor::makePictures()
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setAutoDefault(true);
-        text::inEveryLanguage(button, [button, name, tip] {
+        text::bindTranslation(button, [button, name, tip] {
             button->setText(tr(name));
             button->setToolTip(tr(tip));
             button->setAccessibleName(tr(name));
@@ -245,7 +245,7 @@ QWidget* LessonEditor::makePictures()
     m_json->setReadOnly(true);
     m_json->setFrameShape(QFrame::NoFrame);
     m_json->setTabChangesFocus(true);
-    text::inEveryLanguage(m_json, [this] { m_json->setAccessibleName(tr("The lesson's file")); });
+    text::bindTranslation(m_json, [this] { m_json->setAccessibleName(tr("The lesson's file")); });
     QFont fixed(QStringLiteral("monospace"));
     fixed.setStyleHint(QFont::Monospace);
     fixed.setPixelSize(kSmall);
@@ -266,9 +266,9 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     row->setSpacing(kSpace2);
     m_save = new QPushButton(foot);
     m_save->setAutoDefault(true);
-    text::inEveryLanguage(m_save, [this] { m_save->setText(tr("Save")); });
+    text::bindTranslation(m_save, [this] { m_save->setText(tr("Save")); });
     m_save->setProperty("kind", "filled");
-    text::inEveryLanguage(m_save, [this] {
+    text::bindTranslation(m_save, [this] {
         m_save->setAccessibleName(tr("Save the lesson"));
         m_save->setToolTip(tr("Write the lesson into your folder (Ctrl+S)"));
     });
@@ -288,7 +288,7 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     row->addLayout(said, 1);
     m_fit = new QPushButton(foot);
     m_fit->setAutoDefault(true);
-    text::inEveryLanguage(m_fit, [this] {
+    text::bindTranslation(m_fit, [this] {
         m_fit->setText(tr("Fit"));
         m_fit->setToolTip(tr("Widen the tolerances until the ideal itself loses nothing"));
         m_fit->setAccessibleName(tr("Fit the tolerances to the ideal"));
@@ -299,7 +299,7 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     m_anew = new QPushButton(foot);
     m_anew->setObjectName(QStringLiteral("openAnew"));
     m_anew->setAutoDefault(true);
-    text::inEveryLanguage(m_anew, [this] {
+    text::bindTranslation(m_anew, [this] {
         m_anew->setText(tr("Open anew"));
         m_anew->setToolTip(tr("Show what stands in the file now; a step back brings your own changes back"));
         m_anew->setAccessibleName(m_anew->text());
@@ -393,7 +393,7 @@ void LessonEditor::changed()
     m_weigher->weigh(draft().object(), draft().file());
 }
 
-void LessonEditor::take(const std::shared_ptr<const Weighed>& weighed, bool isNewest)
+void LessonEditor::take(const std::shared_ptr<const EvaluatedDraft>& weighed, bool isNewest)
 {
     m_now = weighed;
     if (weighed->assignment) {
@@ -440,7 +440,7 @@ void LessonEditor::showMeaning()
 void LessonEditor::showFaults()
 {
     QStringList general;
-    for (const ::lessons::Fault& fault : m_rubric->takeFaults(m_ideal->takeFaults(m_now->read.faults)))
+    for (const ::lessons::ValidationIssue& fault : m_rubric->takeFaults(m_ideal->takeFaults(m_now->read.faults)))
         general << wordsOf(fault, draft());
     kit::showFault(m_generalFault, general.join(u' '));
 }
@@ -457,7 +457,7 @@ void LessonEditor::showCheck()
     const bool isFull = m_now->isFullMarks();
     QPalette colours = palette();
     const auto wrong = std::find_if(m_now->read.faults.begin(), m_now->read.faults.end(),
-                                    [](const ::lessons::Fault& fault) { return fault.grave; });
+                                    [](const ::lessons::ValidationIssue& fault) { return fault.grave; });
     if (wrong != m_now->read.faults.end())
         colours.setColor(QPalette::WindowText, tones(palette()).harmText);
     else if (itself && !isFull)

@@ -23,7 +23,7 @@ class QPushButton;
 
 namespace ui::lessoneditor {
 
-class DraftWeigher;
+class DraftEvaluator;
 class IdealForm;
 class RubricForm;
 class SweepPage;
@@ -98,7 +98,7 @@ private:
     void turnTo(const QString& present);
     void showTitle();
     void changed();
-    void take(const std::shared_ptr<const Weighed>& weighed, bool isNewest);
+    void take(const std::shared_ptr<const EvaluatedDraft>& weighed, bool isNewest);
     void offerReferences();
     void showMeaning();
     void showFaults();
@@ -111,17 +111,17 @@ private:
     void captureFrom(const QStringList& recordings);
     /// @param words  said again in another language
     void say(std::function<QString()> words, bool isWrong);
-    void speak();
+    void retranslateUi();
 
     std::map<QString, Opened> m_opened;  ///< by the file of the lesson they began from
     QString m_present;
-    std::shared_ptr<const Weighed> m_now;   ///< the newest of the present draft
-    std::shared_ptr<const Weighed> m_good;  ///< the newest of it that is a lesson
+    std::shared_ptr<const EvaluatedDraft> m_now;   ///< the newest of the present draft
+    std::shared_ptr<const EvaluatedDraft> m_good;  ///< the newest of it that is a lesson
     QString m_recoveryFile;
     std::optional<core::FileLock> m_recoveryLock;  ///< from recover() on, if no other window has it
     QJsonArray m_kept;                             ///< what is in the recovery file
     QTimer m_keeping;
-    DraftWeigher* m_weigher;
+    DraftEvaluator* m_weigher;
     bool m_isSaveWanted = false;
     std::function<QString()> m_saying;
     bool m_isSaidWrong = false;

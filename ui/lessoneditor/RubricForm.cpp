@@ -17,9 +17,9 @@
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/FaultWords.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 #include "ui/text/Texts.h"
+#include "ui/text/ValidationTexts.h"
 
 namespace ui::lessoneditor {
 
@@ -48,9 +48,9 @@ RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
     auto* title = kit::formWords({}, kBody, QFont::DemiBold, QPalette::WindowText, this);
     head->addWidget(title, 1);
     m_more = new QCheckBox(this);
-    text::inEveryLanguage(m_more, [this] { m_more->setText(tr("Targets and spans")); });
+    text::bindTranslation(m_more, [this] { m_more->setText(tr("Targets and spans")); });
     m_more->setObjectName(QStringLiteral("targetsAndSpans"));
-    text::inEveryLanguage(m_more, [this] {
+    text::bindTranslation(m_more, [this] {
         m_more->setToolTip(
             brokenIntoLines(tr("What each measure ought to be, and how far beyond the tolerance all points are lost")));
     });
@@ -72,7 +72,7 @@ RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
     });
     pass->addWidget(m_passMark);
     column->addLayout(pass);
-    text::inEveryLanguage(this, [this, title, passedFrom] {
+    text::bindTranslation(this, [this, title, passedFrom] {
         title->setText(tr("Marking"));
         passedFrom->setText(tr("Passed from"));
         m_passMark->setSuffix(QStringLiteral(" ") + tr("points"));
@@ -226,14 +226,14 @@ void RubricForm::showValues(const QJsonObject& rubric)
     kit::showNumber(*m_passMark, rubric.value(QStringLiteral("pass_mark")).toDouble());
 }
 
-std::vector<::lessons::Fault> RubricForm::takeFaults(const std::vector<::lessons::Fault>& faults)
+std::vector<::lessons::ValidationIssue> RubricForm::takeFaults(const std::vector<::lessons::ValidationIssue>& faults)
 {
     sumUp();
-    std::vector<::lessons::Fault> others;
+    std::vector<::lessons::ValidationIssue> others;
     std::map<QLabel*, QString> said;
     for (const Criterion& inputs : m_criteria)
         said[inputs.fault] = {};
-    for (const ::lessons::Fault& fault : faults) {
+    for (const ::lessons::ValidationIssue& fault : faults) {
         // The sum says it, beside the weights.
         if (fault.key == u"rubric" && fault.english().contains(u"weight"))
             continue;

@@ -31,7 +31,8 @@ public:
     /// @param rubric  the object of a file; it need not be one that could mark
     void showValues(const QJsonObject& rubric);
     /// Shows what is wrong with the marking beside what it is about, and answers the rest.
-    [[nodiscard]] std::vector<::lessons::Fault> takeFaults(const std::vector<::lessons::Fault>& faults);
+    [[nodiscard]] std::vector<::lessons::ValidationIssue>
+    takeFaults(const std::vector<::lessons::ValidationIssue>& faults);
 
     /// Figures behind the point of a tolerance in this unit.
     [[nodiscard]] static int decimalsOf(const std::string& unit);

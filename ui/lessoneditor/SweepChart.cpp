@@ -8,7 +8,7 @@
 #include <QHBoxLayout>
 
 #include "ui/charts/SaveButton.h"
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -43,7 +43,7 @@ SweepChart::SweepChart(QWidget* parent) : WalkedChart(parent)
     row->setSpacing(0);
     row->addWidget(view(), 1);
     row->addWidget(m_save, 0, Qt::AlignTop);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Scores of past attempts over the tolerance"));
         setSweep(m_sweep);
     });

@@ -11,14 +11,14 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/FileDialog.h"
-#include "ui/kit/Folders.h"
 #include "ui/kit/FormInputs.h"
+#include "ui/kit/StandardFolders.h"
 #include "ui/kit/Theme.h"
 #include "ui/lessoneditor/SweepChart.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 
 namespace ui::lessoneditor {
 
@@ -52,7 +52,7 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     auto* row = new QHBoxLayout;
     auto* folder = new QPushButton(this);
     folder->setAutoDefault(true);
-    text::inEveryLanguage(folder, [folder] {
+    text::bindTranslation(folder, [folder] {
         folder->setText(tr("Recordings …"));
         folder->setToolTip(tr("Choose the folder with recordings of attempts"));
         folder->setAccessibleName(tr("Choose the folder with recordings"));
@@ -61,7 +61,7 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     connect(folder, &QPushButton::clicked, this, &SweepPage::askForFolder);
     row->addWidget(folder);
     m_swept = kit::choiceInput({}, this);
-    text::inEveryLanguage(m_swept, [this] { kit::nameInput(m_swept, tr("Whose tolerance is changed")); });
+    text::bindTranslation(m_swept, [this] { kit::nameInput(m_swept, tr("Whose tolerance is changed")); });
     m_swept->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_swept->setMinimumContentsLength(12);
     connect(m_swept, &QComboBox::activated, this, &SweepPage::sweepAgain);
@@ -70,12 +70,12 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     auto* work = new QHBoxLayout;
     m_progress = new QProgressBar(this);
     m_progress->setTextVisible(false);
-    text::inEveryLanguage(m_progress, [this] { m_progress->setAccessibleName(tr("Recordings that are replayed")); });
+    text::bindTranslation(m_progress, [this] { m_progress->setAccessibleName(tr("Recordings that are replayed")); });
     m_stop = new QPushButton(this);
     m_stop->setAutoDefault(true);
-    text::inEveryLanguage(m_stop, [this] { m_stop->setText(tr("Stop")); });
+    text::bindTranslation(m_stop, [this] { m_stop->setText(tr("Stop")); });
     m_stop->setProperty("kind", "quiet");
-    text::inEveryLanguage(m_stop, [this] {
+    text::bindTranslation(m_stop, [this] {
         m_stop->setAccessibleName(tr("Stop replaying"));
         m_stop->setToolTip(tr("Go on with those that are done"));
     });
@@ -101,10 +101,10 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
         announce(*m_words);
     });
     begin({});
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-void SweepPage::speak()
+void SweepPage::retranslateUi()
 {
     if (m_swept->count() > 0)
         nameCriteria();
@@ -159,7 +159,7 @@ void SweepPage::setKnown(std::vector<MeasuredAttempt> attempts)
     sweepAgain();
 }
 
-void SweepPage::setDraft(const std::shared_ptr<const Weighed>& good)
+void SweepPage::setDraft(const std::shared_ptr<const EvaluatedDraft>& good)
 {
     m_good = good;
     const ::lessons::Rubric& rubric = m_good->assignment->rubric;

@@ -36,7 +36,7 @@ public:
     void setKnown(std::vector<MeasuredAttempt> attempts);
     /// The draft as it is now.
     /// @param good  one with an assignment
-    void setDraft(const std::shared_ptr<const Weighed>& good);
+    void setDraft(const std::shared_ptr<const EvaluatedDraft>& good);
     /// Replays the recordings of a folder. One that is still being read comes to nothing.
     void readFolder(const QString& folder);
 
@@ -48,10 +48,10 @@ private:
     void say(const QString& words);
     void sayHowToBegin();
     void nameCriteria();
-    void speak();
+    void retranslateUi();
     [[nodiscard]] bool isAsOpened() const;
 
-    std::shared_ptr<const Weighed> m_good;
+    std::shared_ptr<const EvaluatedDraft> m_good;
     std::optional<::lessons::Lesson> m_opened;
     std::shared_ptr<const PastAttempts> m_past;
     std::vector<MeasuredAttempt> m_known;

@@ -26,16 +26,16 @@ ToleranceView::ToleranceView(QWidget* parent) : QWidget(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("The tolerances on the tooth"));
         setToolTip(ui::kit::brokenIntoLines(
             tr("Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does")));
     });
 }
 
-void ToleranceView::show(std::shared_ptr<const Weighed> weighed)
+void ToleranceView::show(std::shared_ptr<const EvaluatedDraft> weighed)
 {
-    const auto anatomyOf = [](const std::shared_ptr<const Weighed>& of) {
+    const auto anatomyOf = [](const std::shared_ptr<const EvaluatedDraft>& of) {
         return of && of->assignment ? of->assignment->anatomy.get() : nullptr;
     };
     const bool isSameTooth = anatomyOf(weighed) == anatomyOf(m_weighed);

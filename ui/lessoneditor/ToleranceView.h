@@ -18,7 +18,7 @@ class ToleranceView : public QWidget
 public:
     explicit ToleranceView(QWidget* parent);
 
-    void show(std::shared_ptr<const Weighed> weighed);
+    void show(std::shared_ptr<const EvaluatedDraft> weighed);
     [[nodiscard]] QSize sizeHint() const override { return {720, 420}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {300, 180}; }
 
@@ -36,7 +36,7 @@ private:
     void turn(double degrees);
     void drag(const QPointF& place);
 
-    std::shared_ptr<const Weighed> m_weighed;
+    std::shared_ptr<const EvaluatedDraft> m_weighed;
     std::optional<core::terrain::Tooth> m_whole;
     core::imaging::SectionPlane m_plane;
 };

@@ -23,12 +23,12 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/ListTable.h"
 #include "ui/kit/Theme.h"
 #include "ui/people/ClassModel.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 #include "ui/text/Search.h"
 
 namespace ui::people {
@@ -195,7 +195,7 @@ AssignPage::AssignPage(const Actions& actions, QWidget* parent) : Page(actions, 
     row->addWidget(makeGiven(), 3);
     body()->addLayout(row, 1);
     body()->addWidget(makeFeet());
-    text::inEveryLanguage(this, [this] { retell(); });
+    text::bindTranslation(this, [this] { retell(); });
 }
 
 QWidget* AssignPage::makeOffers()
@@ -610,7 +610,7 @@ void AssignPage::take(const QList<AssignmentChange>& changes)
     if (m_hadFocus)
         (m_given.isEmpty() ? static_cast<QWidget*>(m_list) : m_table)->setFocus();
     tellChosen();
-    emit changeWanted(changes);
+    emit changeRequested(changes);
 }
 
 void AssignPage::confirm(const QList<AssignmentChange>& changes)

@@ -11,8 +11,8 @@
 #include <QList>
 #include <QString>
 
-#include "database/overview.h"
-#include "database/people.h"
+#include "database/ClassOverview.h"
+#include "database/Person.h"
 #include "ui/kit/Page.h"
 #include "ui/people/AssignTerms.h"
 
@@ -61,7 +61,7 @@ public:
     /// @param now  days are counted from here
     void setAssignments(const database::ClassOverview& overview, const QList<database::ClassAssignment>& given,
                         const QDateTime& now = QDateTime::currentDateTimeUtc());
-    /// changeWanted() has been done: said, with a button that undoes it.
+    /// changeRequested() has been done: said, with a button that undoes it.
     void confirm(const QList<AssignmentChange>& changes);
     /// It has not, or not all of it, and why.
     void refuse(const QString& sentence);
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] database::ClassId ofClass() const { return m_overview.id; }
 
 signals:
-    void changeWanted(const QList<ui::people::AssignmentChange>& changes);
+    void changeRequested(const QList<ui::people::AssignmentChange>& changes);
 
 protected:
     void showEvent(QShowEvent* event) override;

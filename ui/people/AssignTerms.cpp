@@ -20,7 +20,7 @@
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 
 namespace ui::people {
 namespace {
@@ -70,7 +70,7 @@ AssignTerms::AssignTerms(QWidget* parent)
     grid->addWidget(m_limit, 1, 1);
     grid->addWidget(m_note, 2, 0, 1, 2);
     grid->setColumnStretch(1, 1);
-    text::inEveryLanguage(this, [this] { retell(); });
+    text::bindTranslation(this, [this] { retell(); });
 }
 
 void AssignTerms::setTerms(const Terms& terms, int lessons)

@@ -6,8 +6,8 @@
 #include <QCoreApplication>
 
 #include "lessons/ClassStanding.h"
-#include "ui/scoring/HistoryCharts.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/scoring/AttemptCharts.h"
+#include "ui/text/PeopleTexts.h"
 #include "ui/text/Texts.h"
 
 namespace ui::people {

@@ -6,7 +6,7 @@
 
 #include <QString>
 
-#include "database/overview.h"
+#include "database/ClassOverview.h"
 #include "ui/charts/Chart.h"
 
 /// A class at one lesson, as charts. Of fewer than lessons::kFewestPeople people none of them says anything.

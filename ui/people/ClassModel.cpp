@@ -8,7 +8,7 @@
 #include <QPainter>
 #include <QStyleOptionHeader>
 
-#include "lessons/Stuck.h"
+#include "lessons/NeedsHelp.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
@@ -44,10 +44,10 @@ Need needOf(const MatrixStudent& student, bool hasNoneLeft, bool isLate)
 {
     if (hasNoneLeft)  // before all else: only the teacher can let him go on
         return Need::NoneLeft;
-    std::vector<::lessons::Try> tries;
+    std::vector<::lessons::AttemptOutcome> tries;
     for (std::size_t k = 0; k < std::min(student.recentTenths.size(), student.recentPassed.size()); ++k)
         tries.push_back({student.recentTenths[k], student.recentPassed[k]});
-    if (::lessons::isStuck(tries))
+    if (::lessons::needsHelp(tries))
         return Need::Stuck;
     if (student.lastLoginUtc.empty() && student.lastAttemptUtc.empty())
         return Need::NeverLoggedIn;

@@ -13,10 +13,10 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 
-#include "database/overview.h"
-#include "database/people.h"
+#include "database/ClassOverview.h"
+#include "database/Person.h"
 #include "ui/charts/Table.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 
 namespace ui::people {
 
@@ -24,7 +24,7 @@ namespace ui::people {
 enum class Need {
     Nothing,
     NoneLeft,       ///< no attempts left at a lesson that he was given and has not passed: he cannot go on
-    Stuck,          ///< lessons::isStuck() at the lesson he tried last
+    Stuck,          ///< lessons::needsHelp() at the lesson he tried last
     NeverLoggedIn,  ///< perhaps he cannot
     Late,           ///< a lesson that he was given is overdue, and he has not passed it
     NotBegun        ///< he has logged in, and not had an attempt graded yet

@@ -24,13 +24,13 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/ChartPanel.h"
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/FileDialog.h"
-#include "ui/kit/Folders.h"
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/ListTable.h"
-#include "ui/kit/SavedFile.h"
+#include "ui/kit/PrivateFile.h"
 #include "ui/kit/ScrollPane.h"
+#include "ui/kit/StandardFolders.h"
 #include "ui/kit/Theme.h"
 #include "ui/people/ClassCharts.h"
 #include "ui/text/EveryLanguage.h"
@@ -97,7 +97,7 @@ QWidget* ClassPage::makeHead()
     m_search->setObjectName(QStringLiteral("studentSearch"));
     m_search->setClearButtonEnabled(true);
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
-        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+        text::bindTranslation(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_search->setFont(typeface(kBody));
     m_search->setFixedWidth(kSearchPx);
     connect(m_search, &QLineEdit::textChanged, this, &ClassPage::search);
@@ -140,8 +140,8 @@ QWidget* ClassPage::makeHead()
     m_report->setMinimumHeight(36);
     m_report->setObjectName(QStringLiteral("classReport"));
     auto* menu = new QMenu(m_report);
-    m_savePdf = menu->addAction(QString(), this, &ClassPage::pdfWanted);
-    m_print = menu->addAction(QString(), this, &ClassPage::printWanted);
+    m_savePdf = menu->addAction(QString(), this, &ClassPage::pdfRequested);
+    m_print = menu->addAction(QString(), this, &ClassPage::printRequested);
     m_saveCsv = menu->addAction(QString(), this, &ClassPage::askForFile);
     m_report->setMenu(menu);
     row->addWidget(m_report);
@@ -149,7 +149,7 @@ QWidget* ClassPage::makeHead()
     m_assign->setObjectName(QStringLiteral("assignLessons"));
     m_assign->setProperty("kind", "filled");
     m_assign->setAutoDefault(true);
-    connect(m_assign, &QPushButton::clicked, this, &ClassPage::assignWanted);
+    connect(m_assign, &QPushButton::clicked, this, &ClassPage::assignRequested);
     row->addWidget(m_assign);
     return part;
 }
@@ -180,7 +180,7 @@ QWidget* ClassPage::makeMatrix()
     lessons->setSortIndicator(-1, Qt::AscendingOrder);
     connect(names, &QHeaderView::sectionClicked, this, [this](int row) {
         const QModelIndex source = m_filter->mapToSource(m_filter->index(row, 0));
-        emit studentWanted(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
+        emit studentRequested(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
     });
     connect(m_table, &QTableView::clicked, this, &ClassPage::takeCell);
     // A double click has been a click before: keys only.
@@ -233,7 +233,7 @@ QWidget* ClassPage::makeEmpty()
     m_people->setObjectName(QStringLiteral("enterPeople"));
     m_people->setProperty("kind", "filled");
     m_people->setAutoDefault(true);
-    connect(m_people, &QPushButton::clicked, this, &ClassPage::peopleWanted);
+    connect(m_people, &QPushButton::clicked, this, &ClassPage::peopleRequested);
     column->addWidget(m_people, 0, Qt::AlignHCenter);
     column->addStretch(1);
     return part;
@@ -410,7 +410,7 @@ void ClassPage::readAgain()
     m_whyNot = nullptr;
     tellEmpty();
     if (chosenClass().value == 0)
-        emit listWanted();
+        emit listRequested();
     else
         emit classChosen(chosenClass().value);
 }
@@ -495,10 +495,10 @@ void ClassPage::takeCell(const QModelIndex& index)
     const database::MatrixCell* cell = m_model->cell(source);
     if (cell == nullptr) {
         if (!student.lastAttemptUtc.empty())
-            emit studentWanted(student.id.value);
+            emit studentRequested(student.id.value);
     } else if (cell->attempts + cell->withoutScore > 0) {
         const std::string& lesson = m_model->overview().lessons[*ClassModel::lessonOf(source.column())];
-        emit attemptsWanted(student.id.value, QString::fromStdString(lesson));
+        emit attemptsRequested(student.id.value, QString::fromStdString(lesson));
     }
 }
 
@@ -665,7 +665,7 @@ void ClassPage::askForFile()
 {
     auto* dialog =
         new kit::FileDialog(this, tr("Save the matrix"), kit::documentsFolder(), QStringLiteral("CSV (*.csv)"));
-    connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::tableWanted);
+    connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::tableRequested);
     dialog->askWhere(QString::fromStdString(m_model->overview().name), QStringLiteral("csv"));
 }
 

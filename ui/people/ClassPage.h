@@ -9,8 +9,8 @@
 #include <QList>
 #include <QPoint>
 
-#include "database/overview.h"
-#include "database/people.h"
+#include "database/ClassOverview.h"
+#include "database/Person.h"
 #include "ui/kit/Page.h"
 #include "ui/people/ClassModel.h"
 
@@ -81,19 +81,19 @@ signals:
     /// Or it is to be read again.
     void classChosen(qint64 classId);
     /// Which classes there are is to be read: none is known.
-    void listWanted();
+    void listRequested();
     /// How the class does at it is wanted.
     void lessonChosen(const QString& lessonId);
-    void attemptsWanted(qint64 personId, const QString& lessonId);
+    void attemptsRequested(qint64 personId, const QString& lessonId);
     /// All attempts of a student.
-    void studentWanted(qint64 personId);
-    void assignWanted();
+    void studentRequested(qint64 personId);
+    void assignRequested();
     /// The page where people are entered and classes are made.
-    void peopleWanted();
-    void pdfWanted();
+    void peopleRequested();
+    void pdfRequested();
     /// save() is to follow.
-    void tableWanted(const QString& path);
-    void printWanted();
+    void tableRequested(const QString& path);
+    void printRequested();
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -10,8 +10,8 @@
 #include <QList>
 #include <QSortFilterProxyModel>
 
-#include "database/records.h"
-#include "ui/text/PeopleWords.h"
+#include "database/AttemptRecord.h"
+#include "ui/text/PeopleTexts.h"
 
 namespace ui::people {
 

@@ -114,12 +114,12 @@ QWidget* HistoryPage::makeList()
     m_replay = new QPushButton(part);
     m_replay->setObjectName(QStringLiteral("replayAttempt"));
     m_replay->setAutoDefault(true);
-    connect(m_replay, &QPushButton::clicked, this, [this] { emit replayWanted(chosen()); });
+    connect(m_replay, &QPushButton::clicked, this, [this] { emit replayRequested(chosen()); });
     m_open = new QPushButton(part);
     m_open->setObjectName(QStringLiteral("openAttempt"));
     m_open->setProperty("kind", "filled");
     m_open->setAutoDefault(true);
-    connect(m_open, &QPushButton::clicked, this, [this] { emit attemptOpenWanted(chosen()); });
+    connect(m_open, &QPushButton::clicked, this, [this] { emit attemptOpenRequested(chosen()); });
     buttons->addWidget(m_replay);
     buttons->addWidget(m_open);
     column->addLayout(buttons);
@@ -155,7 +155,7 @@ QWidget* HistoryPage::makeCharts()
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setAutoDefault(true);
-        text::inEveryLanguage(button, [button, say] {
+        text::bindTranslation(button, [button, say] {
             button->setText(say());
             button->setAccessibleName(say());
         });
@@ -175,7 +175,7 @@ QWidget* HistoryPage::makeCharts()
     m_other->setObjectName(QStringLiteral("otherChart"));
     second->addWidget(m_other, 1);
     for (charts::ChartPanel* panel : {m_score, m_other})
-        connect(panel, &charts::ChartPanel::chosen, this, &HistoryPage::attemptOpenWanted);
+        connect(panel, &charts::ChartPanel::chosen, this, &HistoryPage::attemptOpenRequested);
     return part;
 }
 

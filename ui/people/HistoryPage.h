@@ -8,10 +8,10 @@
 
 #include <QList>
 
-#include "database/overview.h"
-#include "database/records.h"
+#include "database/AttemptRecord.h"
+#include "database/ClassOverview.h"
 #include "ui/kit/Page.h"
-#include "ui/scoring/HistoryCharts.h"
+#include "ui/scoring/AttemptCharts.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -63,7 +63,7 @@ public:
     void setClassMedians(const std::optional<scoring::ClassMedians>& medians);
 
     /// Asks for them once more: others may have said something of them meanwhile.
-    void readAgain() { emit readAgainWanted(); }
+    void readAgain() { emit readAgainRequested(); }
 
     /// Focuses the list of lessons, as this page has no search field.
     [[nodiscard]] bool focusSearch() const override;
@@ -73,9 +73,9 @@ public:
 
 signals:
     /// Its score card is to be seen.
-    void attemptOpenWanted(qint64 id);
-    void replayWanted(qint64 id);
-    void readAgainWanted();
+    void attemptOpenRequested(qint64 id);
+    void replayRequested(qint64 id);
+    void readAgainRequested();
     /// A lesson was chosen: its band and medians are wanted. Of all lessons together there are none.
     void lessonChosen(const QString& id);
 

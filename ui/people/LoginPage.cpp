@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 
 #include "database/Usernames.h"
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/LanguageMenu.h"
 #include "ui/kit/ScrollPane.h"
@@ -61,8 +61,8 @@ LoginPage::LoginPage(QWidget* parent)
     m_column->addWidget(m_words);
     m_column->addSpacing(kSpace2);
     m_column->addWidget(m_choices);
-    connect(m_choices, &WelcomeChoices::practiceWanted, this, &LoginPage::guestWanted);
-    connect(m_choices, &WelcomeChoices::schoolWanted, this, [this] { ask(Door::NewSchool); });
+    connect(m_choices, &WelcomeChoices::practiceRequested, this, &LoginPage::guestRequested);
+    connect(m_choices, &WelcomeChoices::schoolRequested, this, [this] { ask(LoginMode::NewSchool); });
     for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again}) {
         auto* caption = new QLabel(m_card);
         caption->setFont(typeface(kSmall));
@@ -147,31 +147,31 @@ LoginPage::LoginPage(QWidget* parent)
             submit();
         });
     connect(m_other, &QPushButton::clicked, this, [this] {
-        if (m_door == Door::NewSchool)
-            ask(Door::Welcome);
-        else if (m_door == Door::Locked)
-            emit otherWanted();
+        if (m_door == LoginMode::NewSchool)
+            ask(LoginMode::Welcome);
+        else if (m_door == LoginMode::Locked)
+            emit otherRequested();
         else if (m_isIn)
-            emit leaveWanted();
+            emit leaveRequested();
         else
-            ask(m_door == Door::OwnPassword ? Door::Locked : Door::Login);
+            ask(m_door == LoginMode::OwnPassword ? LoginMode::Locked : LoginMode::Login);
     });
-    connect(m_change, &QPushButton::clicked, this, [this] { ask(Door::OwnPassword); });
-    connect(m_guest, &QPushButton::clicked, this, &LoginPage::guestWanted);
+    connect(m_change, &QPushButton::clicked, this, [this] { ask(LoginMode::OwnPassword); });
+    connect(m_guest, &QPushButton::clicked, this, &LoginPage::guestRequested);
     const auto offer = [this](QPushButton* button, void (LoginPage::*wanted)()) {
         connect(button, &QPushButton::clicked, this, [this, wanted] {
             setBusy(true);
             emit(this->*wanted)();
         });
     };
-    offer(m_tryAgain, &LoginPage::againWanted);
-    offer(m_restore, &LoginPage::restoreWanted);
-    text::inEveryLanguage(this, [this] {
-        speak();
+    offer(m_tryAgain, &LoginPage::againRequested);
+    offer(m_restore, &LoginPage::restoreRequested);
+    text::bindTranslation(this, [this] {
+        retranslateUi();
         say(m_saying);
         tellFault(m_faultWords);
     });
-    ask(Door::Login);
+    ask(LoginMode::Login);
 }
 
 QLineEdit* LoginPage::field(const char* name, bool isPassword)
@@ -187,17 +187,17 @@ QLineEdit* LoginPage::field(const char* name, bool isPassword)
     return input;
 }
 
-void LoginPage::ask(Door door, bool isIn)
+void LoginPage::ask(LoginMode door, bool isIn)
 {
-    if (door == Door::NewPassword && m_door == Door::Locked)
+    if (door == LoginMode::NewPassword && m_door == LoginMode::Locked)
         m_name->setText(m_lockedBy);  // the code is for this user
     m_door = door;
     m_isIn = isIn;
-    if (door == Door::NewPassword)
+    if (door == LoginMode::NewPassword)
         m_code = m_password->text();
     else
         m_code.clear();
-    if (door != Door::NewPassword)
+    if (door != LoginMode::NewPassword)
         m_name->clear();
     for (QLineEdit* input : {m_given, m_family, m_old, m_password, m_again})
         input->clear();
@@ -205,18 +205,18 @@ void LoginPage::ask(Door door, bool isIn)
     say({});
     setBusy(false);
     arrange();
-    speak();
+    retranslateUi();
     if (isVisible())
         firstInput()->setFocus();
 }
 
 QWidget* LoginPage::firstInput() const
 {
-    if (m_door == Door::Welcome)
+    if (m_door == LoginMode::Welcome)
         return m_choices;
-    return m_door == Door::Login || m_door == Door::NewSchool ? m_name
-           : m_door == Door::OwnPassword                      ? m_old
-                                                              : m_password;
+    return m_door == LoginMode::Login || m_door == LoginMode::NewSchool ? m_name
+           : m_door == LoginMode::OwnPassword                           ? m_old
+                                                                        : m_password;
 }
 
 void LoginPage::showEvent(QShowEvent* event)
@@ -227,20 +227,21 @@ void LoginPage::showEvent(QShowEvent* event)
 
 void LoginPage::arrange()
 {
-    const bool isNew = m_door == Door::NewSchool;
-    const bool isWelcome = m_door == Door::Welcome;
+    const bool isNew = m_door == LoginMode::NewSchool;
+    const bool isWelcome = m_door == LoginMode::Welcome;
     m_choices->setVisible(isWelcome);
     m_password->setVisible(!isWelcome);
     m_go->setVisible(!isWelcome);
-    m_name->setVisible(m_door == Door::Login || isNew);
+    m_name->setVisible(m_door == LoginMode::Login || isNew);
     m_given->setVisible(isNew);
     m_family->setVisible(isNew);
-    m_old->setVisible(m_door == Door::OwnPassword);
-    m_again->setVisible(isNew || m_door == Door::NewPassword || m_door == Door::OwnPassword);
-    m_other->setVisible(isNew || m_door == Door::NewPassword || m_door == Door::Locked || m_door == Door::OwnPassword);
-    m_change->setVisible(m_door == Door::Locked);
-    m_guest->setVisible(m_door == Door::Login);
-    m_keep->setVisible(m_kept && (m_door == Door::Login || m_door == Door::NewPassword));
+    m_old->setVisible(m_door == LoginMode::OwnPassword);
+    m_again->setVisible(isNew || m_door == LoginMode::NewPassword || m_door == LoginMode::OwnPassword);
+    m_other->setVisible(isNew || m_door == LoginMode::NewPassword || m_door == LoginMode::Locked ||
+                        m_door == LoginMode::OwnPassword);
+    m_change->setVisible(m_door == LoginMode::Locked);
+    m_guest->setVisible(m_door == LoginMode::Login);
+    m_keep->setVisible(m_kept && (m_door == LoginMode::Login || m_door == LoginMode::NewPassword));
     for (const auto& [input, caption] : m_captions)
         caption->setVisible(input->isVisibleTo(m_card));
 }
@@ -249,31 +250,31 @@ void LoginPage::setLockedBy(const QString& username, bool inExam)
 {
     m_lockedBy = username;
     m_isLockedInExam = inExam;
-    speak();
+    retranslateUi();
 }
 
-void LoginPage::speak()
+void LoginPage::retranslateUi()
 {
     m_language->setText(text::Language::nameOf(text::Language::current()));
     m_language->setAccessibleName(tr("Language: %1").arg(m_language->text()));
     m_language->setToolTip(tr("Choose the language"));
     switch (m_door) {
-    case Door::Login:
+    case LoginMode::Login:
         m_title->setText(tr("Cusp"));
         m_words->setText(tr("Log in to save your attempts."));
         m_go->setText(tr("Log in"));
         break;
-    case Door::NewPassword:
+    case LoginMode::NewPassword:
         m_title->setText(tr("Choose a password"));
         m_words->setText(tr("The one-time code is correct. Choose your own password: at least eight characters."));
         m_go->setText(tr("Set the password"));
         break;
-    case Door::OwnPassword:
+    case LoginMode::OwnPassword:
         m_title->setText(tr("Change your password"));
         m_words->setText(tr("At least eight characters."));
         m_go->setText(tr("Change the password"));
         break;
-    case Door::Welcome:
+    case LoginMode::Welcome:
         m_title->setText(tr("Welcome to Cusp"));
         m_words->setText(m_backupMade.isValid()
                              //: %1: a file
@@ -282,12 +283,12 @@ void LoginPage::speak()
                                    .arg(m_where)
                              : tr("Drill a virtual tooth and see what to do better."));
         break;
-    case Door::NewSchool:
+    case LoginMode::NewSchool:
         m_title->setText(tr("Set up a school"));
         m_words->setText(tr("No users yet. You become the admin, and add teachers and students next."));
         m_go->setText(tr("Create the school"));
         break;
-    case Door::Locked:
+    case LoginMode::Locked:
         //: %1: the name a user logs in with
         m_title->setText(tr("Locked by %1").arg(m_lockedBy));
         m_words->setText(m_isLockedInExam ? tr("The work in progress is unchanged, but the exam time keeps running.")
@@ -296,9 +297,9 @@ void LoginPage::speak()
         break;
     }
     //: Back, without having changed the password
-    m_other->setText(m_door == Door::OwnPassword ? tr("Cancel")
-                     : m_door == Door::NewSchool ? tr("Back")
-                                                 : tr("Switch user"));
+    m_other->setText(m_door == LoginMode::OwnPassword ? tr("Cancel")
+                     : m_door == LoginMode::NewSchool ? tr("Back")
+                                                      : tr("Switch user"));
     m_change->setText(tr("Change my password"));
     m_change->setAccessibleName(m_change->text());
     m_guest->setText(tr("Practise without login"));
@@ -310,10 +311,10 @@ void LoginPage::speak()
     name(m_given, tr("Given name"));
     name(m_family, tr("Family name"));
     name(m_old, tr("Current password"));
-    name(m_password, m_door == Door::Login         ? tr("Password or one-time code")
-                     : m_door == Door::OwnPassword ? tr("New password")
-                                                   : tr("Password"));
-    name(m_again, m_door == Door::OwnPassword ? tr("Confirm new password") : tr("Confirm password"));
+    name(m_password, m_door == LoginMode::Login         ? tr("Password or one-time code")
+                     : m_door == LoginMode::OwnPassword ? tr("New password")
+                                                        : tr("Password"));
+    name(m_again, m_door == LoginMode::OwnPassword ? tr("Confirm new password") : tr("Confirm password"));
     m_tryAgain->setText(tr("Try again"));
     //: %1: day and time
     m_restore->setText(
@@ -350,7 +351,7 @@ void LoginPage::tellFault(std::function<QString()> sentence)
 void LoginPage::setOpening(bool isOpening)
 {
     m_isOpening = isOpening;
-    speak();
+    retranslateUi();
     tellWaiting();
 }
 
@@ -381,7 +382,7 @@ void LoginPage::offerToKeep(std::function<QString()> work, bool isTicked)
     m_kept = std::move(work);
     m_keep->setChecked(isTicked);
     arrange();
-    speak();
+    retranslateUi();
 }
 
 bool LoginPage::keeps() const
@@ -394,7 +395,7 @@ void LoginPage::offerBackup(const QDateTime& made, const QString& where)
     m_where = where;
     m_backupMade = made;
     m_restore->setVisible(made.isValid());
-    speak();
+    retranslateUi();
 }
 
 void LoginPage::setBusy(bool busy)
@@ -466,40 +467,40 @@ void LoginPage::submit()
         m_again->selectAll();
         return;
     }
-    if (m_door == Door::NewSchool && !areNamesFit())
+    if (m_door == LoginMode::NewSchool && !areNamesFit())
         return;
     switch (m_door) {
-    case Door::Welcome:
+    case LoginMode::Welcome:
         break;
-    case Door::Login:
+    case LoginMode::Login:
         if (m_name->text().trimmed().isEmpty() || password.isEmpty()) {
             (password.isEmpty() && !m_name->text().isEmpty() ? m_password : m_name)->setFocus();
             return;
         }
         setBusy(true);
-        emit loginWanted(m_name->text(), password);
+        emit loginRequested(m_name->text(), password);
         break;
-    case Door::Locked:
+    case LoginMode::Locked:
         if (password.isEmpty()) {  // a Return that was meant for something else is no wrong password
             m_password->setFocus();
             return;
         }
         setBusy(true);
-        emit loginWanted(m_lockedBy, password);
+        emit loginRequested(m_lockedBy, password);
         break;
-    case Door::NewPassword:
+    case LoginMode::NewPassword:
         setBusy(true);
-        emit codeWanted(m_name->text(), m_code, password);
+        emit codeRequested(m_name->text(), m_code, password);
         break;
-    case Door::OwnPassword:
+    case LoginMode::OwnPassword:
         setBusy(true);
-        emit passwordChangeWanted(m_old->text(), password);
+        emit passwordChangeRequested(m_old->text(), password);
         break;
-    case Door::NewSchool:
+    case LoginMode::NewSchool:
         setBusy(true);
-        emit schoolWanted({m_name->text().toStdString(), m_given->text().trimmed().toStdString(),
-                           m_family->text().trimmed().toStdString(), database::Role::Admin},
-                          password);
+        emit schoolRequested({m_name->text().toStdString(), m_given->text().trimmed().toStdString(),
+                              m_family->text().trimmed().toStdString(), database::Role::Admin},
+                             password);
         break;
     }
 }

@@ -8,8 +8,8 @@
 #include <QString>
 #include <QWidget>
 
-#include "database/people.h"
-#include "ui/people/Door.h"
+#include "database/Person.h"
+#include "ui/people/LoginMode.h"
 
 class QCheckBox;
 class QFrame;
@@ -33,9 +33,9 @@ public:
 
     /// Empties what was typed, but for the name where it goes on being asked of the same person.
     /// @param isIn  who sees it has been let in and may go on without an answer
-    void ask(Door door, bool isIn = false);
-    [[nodiscard]] Door door() const { return m_door; }
-    /// Who has left his place, for Door::Locked.
+    void ask(LoginMode door, bool isIn = false);
+    [[nodiscard]] LoginMode door() const { return m_door; }
+    /// Who has left his place, for LoginMode::Locked.
     /// @param inExam  whose time goes on
     void setLockedBy(const QString& username, bool inExam);
     /// The database cannot be used: why. Practice without a login still works. Empty: it can.
@@ -61,18 +61,18 @@ public:
     void refuseNewPassword(std::function<QString()> sentence);
 
 signals:
-    void loginWanted(const QString& username, const QString& password);
-    void codeWanted(const QString& username, const QString& code, const QString& newPassword);
-    void schoolWanted(const database::NewPerson& admin, const QString& password);
-    void guestWanted();
+    void loginRequested(const QString& username, const QString& password);
+    void codeRequested(const QString& username, const QString& code, const QString& newPassword);
+    void schoolRequested(const database::NewPerson& admin, const QString& password);
+    void guestRequested();
     /// The database that cannot be used is to be tried again.
-    void againWanted();
-    void restoreWanted();
+    void againRequested();
+    void restoreRequested();
     /// Not who has locked the place.
-    void otherWanted();
+    void otherRequested();
     /// Who changes his password leaves it as it is, and was let in already.
-    void leaveWanted();
-    void passwordChangeWanted(const QString& old, const QString& newPassword);
+    void leaveRequested();
+    void passwordChangeRequested(const QString& old, const QString& newPassword);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -81,14 +81,14 @@ private:
     QLineEdit* field(const char* name, bool isPassword);
     void arrange();
     [[nodiscard]] QWidget* firstInput() const;
-    void speak();
+    void retranslateUi();
     void submit();
     void tellFault(std::function<QString()> sentence);
     void tellWaiting();
     /// Of a new school's admin; else says what is wrong.
     [[nodiscard]] bool areNamesFit();
 
-    Door m_door = Door::Login;
+    LoginMode m_door = LoginMode::Login;
     bool m_isIn = false;
     bool m_isBusy = false;
     bool m_isOpening = false;

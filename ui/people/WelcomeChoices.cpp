@@ -29,9 +29,9 @@ WelcomeChoices::WelcomeChoices(QWidget* parent) : QWidget(parent)
         label->setStyleSheet(QStringLiteral("color: white"));
     setFocusProxy(m_practise.button);
     m_school = addChoice("setUpSchool", *column);
-    connect(m_practise.button, &QPushButton::clicked, this, &WelcomeChoices::practiceWanted);
-    connect(m_school.button, &QPushButton::clicked, this, &WelcomeChoices::schoolWanted);
-    text::inEveryLanguage(this, [this] { speak(); });
+    connect(m_practise.button, &QPushButton::clicked, this, &WelcomeChoices::practiceRequested);
+    connect(m_school.button, &QPushButton::clicked, this, &WelcomeChoices::schoolRequested);
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
 WelcomeChoices::Choice WelcomeChoices::addChoice(const char* name, QVBoxLayout& column)
@@ -59,7 +59,7 @@ WelcomeChoices::Choice WelcomeChoices::addChoice(const char* name, QVBoxLayout& 
     return choice;
 }
 
-void WelcomeChoices::speak()
+void WelcomeChoices::retranslateUi()
 {
     m_practise.title->setText(tr("Practise now"));
     m_practise.words->setText(tr("A tooth with decay is ready. Nothing is saved."));

@@ -17,8 +17,8 @@ public:
     explicit WelcomeChoices(QWidget* parent);
 
 signals:
-    void practiceWanted();
-    void schoolWanted();
+    void practiceRequested();
+    void schoolRequested();
 
 private:
     /// A button with a title, and below it a line that explains the choice.
@@ -29,7 +29,7 @@ private:
         QLabel* words = nullptr;
     };
     Choice addChoice(const char* name, QVBoxLayout& column);
-    void speak();
+    void retranslateUi();
 
     Choice m_practise;
     Choice m_school;

@@ -160,7 +160,7 @@ BurChooser::BurChooser(kit::Actions& actions, QWidget* parent)
     : QWidget(parent), m_actions(actions), m_row(new QHBoxLayout(this)), m_picker(new BurPicker(actions, this)),
       m_all(kit::barButton(actions.allBurs, false, this))
 {
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Burs")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Burs")); });
     m_row->setContentsMargins(0, 0, 0, 0);
     m_row->setSpacing(kit::kSpace1);
     connect(actions.allBurs, &QAction::triggered, this, [this] { m_picker->open(*this); });

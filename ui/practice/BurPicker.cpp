@@ -129,7 +129,7 @@ BurPicker::BurPicker(kit::Actions& actions, QWidget* parent)
     all->addWidget(m_none);
     auto* pane = new kit::ScrollPane(content, QPalette::Base, this);
     all->addWidget(pane, 1);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("All burs"));
         m_search->setPlaceholderText(tr("Search by number, ISO size or shape"));
         m_search->setAccessibleName(m_search->placeholderText());
@@ -187,7 +187,7 @@ BurPicker::Cell BurPicker::makeCell(int bur, QWidget* parent)
     column->addWidget(star, 0, Qt::AlignHCenter);
     tile->installEventFilter(this);
     star->installEventFilter(this);
-    text::inEveryLanguage(whole, [size, bur] { size->setText(sizeWords(thatBur(bur))); });
+    text::bindTranslation(whole, [size, bur] { size->setText(sizeWords(thatBur(bur))); });
     connect(tile, &QAbstractButton::clicked, this, &QWidget::hide);
     connect(star, &QAbstractButton::clicked, this, [this, bur](bool checked) { takeStar(bur, checked); });
     return {bur, whole, tile, star};

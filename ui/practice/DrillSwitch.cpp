@@ -28,7 +28,7 @@ DrillSwitch::DrillSwitch(QAction* action, QWidget* parent) : QAbstractButton(par
     const auto name = [this, action] {
         setAccessibleName(action->isChecked() ? tr("Drill is on") : tr("Drill is off"));
     };
-    text::inEveryLanguage(this, name);
+    text::bindTranslation(this, name);
     connect(this, &QAbstractButton::clicked, action, [this, action] {
         action->trigger();
         setChecked(action->isChecked());

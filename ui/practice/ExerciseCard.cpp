@@ -14,9 +14,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/Actions.h"
-#include "ui/kit/Announce.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/practice/HoldGauge.h"
 #include "ui/text/EveryLanguage.h"
@@ -85,7 +85,7 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
     m_choices = makeChoices();
     row->addWidget(m_hold, 1);
     row->addWidget(m_choices);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         if (m_practised.index() != m_exercise.index())
             return;  // not begun
         sayTruth();
@@ -101,10 +101,10 @@ QWidget* ExerciseCard::makeHold()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace1);
     auto* figures = new QHBoxLayout;
-    m_force = new TabularLabel(whole);
+    m_force = new TabularDigitsLabel(whole);
     m_force->setFont(typeface(kFigure, QFont::Medium));
     m_force->setObjectName(QStringLiteral("holdForce"));
-    m_time = new TabularLabel(whole);
+    m_time = new TabularDigitsLabel(whole);
     m_time->setFont(typeface(kFigure, QFont::Medium));
     m_time->setAlignment(Qt::AlignRight);
     m_time->setObjectName(QStringLiteral("holdTime"));
@@ -133,7 +133,7 @@ QWidget* ExerciseCard::makeChoices()
         row->setSpacing(kSpace2);
         rows->addLayout(row);
         auto* name = new QLabel(whole);
-        text::inEveryLanguage(name, [name, pad] { name->setText(padName(pad)); });
+        text::bindTranslation(name, [name, pad] { name->setText(padName(pad)); });
         name->setFont(typeface(kBody, QFont::Medium));
         names->addWidget(name);
         m_pads[pad] = new QButtonGroup(whole);
@@ -144,7 +144,7 @@ QWidget* ExerciseCard::makeChoices()
             choice->setAutoDefault(false);
             // A click leaves the keys with the bur; Tab and the arrows come here.
             choice->setFocusPolicy(Qt::TabFocus);
-            text::inEveryLanguage(choice, [choice, pad, k] {
+            text::bindTranslation(choice, [choice, pad, k] {
                 choice->setText(text::capitalised(text::materialName(kTissues[k])));
                 //: %1 is "Left", "Middle" or "Right", %2 a tissue
                 choice->setAccessibleName(tr("%1: %2").arg(padName(pad), choice->text()));

@@ -15,7 +15,7 @@ class QLabel;
 class QPushButton;
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::practice {
@@ -61,8 +61,8 @@ private:
     QLabel* m_advice = nullptr;
     QWidget* m_hold = nullptr;
     HoldGauge* m_gauge = nullptr;
-    kit::TabularLabel* m_force = nullptr;
-    kit::TabularLabel* m_time = nullptr;
+    kit::TabularDigitsLabel* m_force = nullptr;
+    kit::TabularDigitsLabel* m_time = nullptr;
     QWidget* m_choices = nullptr;
     std::array<QButtonGroup*, core::grading::kPads> m_pads{};
     std::array<QLabel*, core::grading::kPads> m_truth{};

@@ -13,8 +13,8 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
-#include "ui/kit/Memory.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/AppSettings.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -59,7 +59,7 @@ HandControls::HandControls(tooth::ToothView& view, QWidget* parent)
         slider->setPageStep(5);
         slider->setFocusPolicy(Qt::TabFocus);
         slider->setObjectName(QLatin1String(name));
-        auto* text = new kit::TabularLabel(m_sliders);
+        auto* text = new kit::TabularDigitsLabel(m_sliders);
         text->setFont(kit::typeface(kit::kBody, QFont::Medium));
         text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grid->addWidget(caption, row, 0);
@@ -83,7 +83,7 @@ HandControls::HandControls(tooth::ToothView& view, QWidget* parent)
     const double kept = kit::memory().value(QLatin1String(kFeedKey)).toDouble(&isNumber);
     if (isNumber && kept >= PointerControl::kSlowestMmPerS && kept <= PointerControl::kFastestMmPerS)
         m_view.setFeed(kept);
-    text::inEveryLanguage(this, [this, feed, push] {
+    text::bindTranslation(this, [this, feed, push] {
         feed->setText(tr("Feed"));
         m_feed->setAccessibleName(tr("Feed, millimetres per second"));
         m_feed->setToolTip(tr("How fast the bur goes down at most while you press"));

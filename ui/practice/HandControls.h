@@ -10,7 +10,7 @@ class QLabel;
 class QSlider;
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::tooth {
@@ -53,9 +53,9 @@ private:
     QCheckBox* m_stopOn = nullptr;
     QSlider* m_stop = nullptr;
     QSlider* m_push = nullptr;
-    kit::TabularLabel* m_feedText = nullptr;
-    kit::TabularLabel* m_stopText = nullptr;
-    kit::TabularLabel* m_pushText = nullptr;
+    kit::TabularDigitsLabel* m_feedText = nullptr;
+    kit::TabularDigitsLabel* m_stopText = nullptr;
+    kit::TabularDigitsLabel* m_pushText = nullptr;
 };
 
 }  // namespace ui::practice

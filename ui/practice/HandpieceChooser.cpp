@@ -13,7 +13,7 @@ namespace ui::practice {
 
 HandpieceChooser::HandpieceChooser(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent)
 {
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Handpieces")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Handpieces")); });
     m_row = new QHBoxLayout(this);
     m_row->setContentsMargins(0, 0, 0, 0);
     m_row->setSpacing(kit::kSpace1);

@@ -203,7 +203,7 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace2, kSpace2, kSpace2, kSpace2);
     auto* title = new QLabel(this);
-    text::inEveryLanguage(title, [this, title] {
+    text::bindTranslation(title, [this, title] {
         title->setText(tr("Undo history"));
         m_list->setAccessibleName(title->text());
     });
@@ -217,9 +217,9 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     m_list->setUniformItemSizes(true);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    text::inEveryLanguage(m_list, [this] { m_list->setToolTip(tr("Click a state, or press Enter, to return to it")); });
+    text::bindTranslation(m_list, [this] { m_list->setToolTip(tr("Click a state, or press Enter, to return to it")); });
     column->addWidget(m_list);
-    text::inEveryLanguage(m_empty, [this] {
+    text::bindTranslation(m_empty, [this] {
         m_empty->setText(tr("Each stroke appears here as a small picture. Click a picture to go back to it. Later "
                             "strokes stay as a separate branch."));
     });
@@ -325,7 +325,7 @@ void HistoryPanel::jumpTo(int row)
 {
     const auto& rows = m_model->rows();
     if (row >= 0 && row < static_cast<int>(rows.size()))
-        emit momentWanted({rows[static_cast<std::size_t>(row)].moment.id});
+        emit momentRequested({rows[static_cast<std::size_t>(row)].moment.id});
 }
 
 void HistoryPanel::placeIn(const QRect& area)

@@ -11,7 +11,7 @@
 #include <QSet>
 
 #include "core/history/MomentId.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "ui/practice/HistoryGraph.h"
 #include "ui/render/Look.h"
 
@@ -58,7 +58,7 @@ public:
     static constexpr int kMostPictures = 512;
 
 signals:
-    void momentWanted(const core::session::GoTo& where);
+    void momentRequested(const core::session::GoTo& where);
     void pictureDrawn();
 
 protected:

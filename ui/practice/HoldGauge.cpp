@@ -27,7 +27,7 @@ HoldGauge::HoldGauge(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setObjectName(QStringLiteral("holdGauge"));
-    text::inEveryLanguage(this, [this] { sayBand(); });
+    text::bindTranslation(this, [this] { sayBand(); });
 }
 
 void HoldGauge::setAsked(const core::grading::ForceToHold& asked)

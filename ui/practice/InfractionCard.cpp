@@ -21,7 +21,7 @@ namespace ui::practice {
 namespace {
 
 using namespace ui::kit;
-using core::grading::Breach;
+using core::grading::RuleViolation;
 
 constexpr int kCardWidthPx = 460;
 constexpr int kWarningIconPx = 32;
@@ -33,58 +33,58 @@ QString breachName(const core::grading::Infraction& infraction)
     const QString value = text::number(infraction.value, 2);
     const QString limit = text::number(infraction.limit, 2);
     switch (infraction.breach) {
-    case Breach::PulpExposed:
+    case RuleViolation::PulpExposed:
         return QCoreApplication::translate("Breach", "The pulp is exposed");
-    case Breach::Perforated:
+    case RuleViolation::Perforated:
         return QCoreApplication::translate("Breach", "The tooth is perforated");
-    case Breach::TooDeep:
+    case RuleViolation::TooDeep:
         return QCoreApplication::translate("Breach", "Deeper than %1 mm").arg(limit);
-    case Breach::RidgeCut:
+    case RuleViolation::RidgeCut:
         return QCoreApplication::translate("Breach", "The marginal ridge is thinner than %1 mm").arg(limit);
-    case Breach::WrongPlace:
+    case RuleViolation::WrongPlace:
         return QCoreApplication::translate("Breach", "Cut outside the target area");
-    case Breach::TooMuchForce:
+    case RuleViolation::TooMuchForce:
         return QCoreApplication::translate("Breach", "Pressed with %1 N; the limit is %2 N").arg(value, limit);
-    case Breach::BurInAir:
+    case RuleViolation::BurInAir:
         return QCoreApplication::translate("Breach", "The bur ran without contact for %1 s").arg(limit);
-    case Breach::NeighbourHit:
+    case RuleViolation::NeighbourHit:
         return QCoreApplication::translate("Breach", "The running bur touched the adjacent tooth");
-    case Breach::WrongBur:
+    case RuleViolation::WrongBur:
         break;
     }
     return QCoreApplication::translate("Breach", "Cut with a bur that this lesson does not allow");
 }
 
-QString breachReason(Breach breach)
+QString breachReason(RuleViolation breach)
 {
     switch (breach) {
-    case Breach::PulpExposed:
+    case RuleViolation::PulpExposed:
         return QCoreApplication::translate("Breach",
                                            "An exposed pulp usually dies, because cut odontoblasts do not recover. "
                                            "Watch the section and leave half a millimetre of dentin.");
-    case Breach::Perforated:
+    case RuleViolation::Perforated:
         return QCoreApplication::translate("Breach",
                                            "A perforated tooth is usually lost. Watch the depth in the section.");
-    case Breach::TooDeep:
+    case RuleViolation::TooDeep:
         return QCoreApplication::translate("Breach", "Cutting deeper than necessary weakens the tooth and comes close "
                                                      "to the pulp. The section shows how deep you are.");
-    case Breach::RidgeCut:
+    case RuleViolation::RidgeCut:
         return QCoreApplication::translate("Breach",
                                            "A thin marginal ridge breaks under load. Stop the bur's outer edge "
                                            "earlier.");
-    case Breach::WrongPlace:
+    case RuleViolation::WrongPlace:
         return QCoreApplication::translate(
             "Breach", "Sound tissue does not grow back. The dashed line in the section shows what to cut.");
-    case Breach::TooMuchForce:
+    case RuleViolation::TooMuchForce:
         return QCoreApplication::translate("Breach", "About 1 N cuts best; more heats the pulp, stalls the turbine and "
                                                      "slips. Let the bur do the work.");
-    case Breach::BurInAir:
+    case RuleViolation::BurInAir:
         return QCoreApplication::translate(
             "Breach", "A running bur can injure lips and cheeks. Stop it when you are not cutting.");
-    case Breach::NeighbourHit:
+    case RuleViolation::NeighbourHit:
         return QCoreApplication::translate("Breach", "A nick in the adjacent tooth collects plaque and decays. Stay "
                                                      "inside the outline; N shows the adjacent teeth.");
-    case Breach::WrongBur:
+    case RuleViolation::WrongBur:
         break;
     }
     return QCoreApplication::translate(
@@ -114,7 +114,7 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     m_buttons = new QHBoxLayout;
     m_buttons->setSpacing(kSpace2);
     m_takeBack = new QPushButton(this);
-    text::inEveryLanguage(m_takeBack, [this] {
+    text::bindTranslation(m_takeBack, [this] {
         m_takeBack->setText(tr("Undo"));
         m_takeBack->setAccessibleName(m_takeBack->text());
         m_takeBack->setToolTip(tr("Restore the tooth as it was before this; you can redo it (Enter)"));
@@ -122,7 +122,7 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     m_takeBack->setProperty("kind", "filled");
     m_takeBack->setObjectName(QStringLiteral("takeBack"));
     m_goOnButton = new QPushButton(this);
-    text::inEveryLanguage(m_goOnButton, [this] {
+    text::bindTranslation(m_goOnButton, [this] {
         m_goOnButton->setText(tr("Continue"));
         m_goOnButton->setToolTip(tr("Keep the tooth as it is and continue (Esc)"));
         m_goOnButton->setAccessibleName(m_goOnButton->text());
@@ -140,11 +140,11 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
         if (isVisible() && qobject_cast<const tooth::ToothView*>(now) != nullptr)
             setFocus();
     });
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
     hide();
 }
 
-void InfractionCard::speak()
+void InfractionCard::retranslateUi()
 {
     if (!m_told)
         return;
@@ -157,7 +157,7 @@ void InfractionCard::speak()
 void InfractionCard::goOn()
 {
     hide();
-    emit goOnWanted();
+    emit goOnRequested();
 }
 
 bool InfractionCard::takeBack()
@@ -165,14 +165,14 @@ bool InfractionCard::takeBack()
     if (isHidden() || m_takeBack->isHidden())
         return false;
     hide();
-    emit takeBackWanted();
+    emit takeBackRequested();
     return true;
 }
 
 void InfractionCard::tell(const core::grading::Infraction& infraction, bool canTakeBack)
 {
     m_told = infraction;
-    speak();
+    retranslateUi();
     m_takeBack->setVisible(canTakeBack);
     show();
     raise();

@@ -5,7 +5,7 @@
 
 #include <QFrame>
 
-#include "core/grading/Referee.h"
+#include "core/grading/RuleChecker.h"
 
 class QBoxLayout;
 class QLabel;
@@ -31,14 +31,14 @@ public:
     void placeIn(const QRect& area, const std::optional<QPointF>& bur);
 
 signals:
-    void takeBackWanted();
-    void goOnWanted();
+    void takeBackRequested();
+    void goOnRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void speak();
+    void retranslateUi();
 
     std::optional<core::grading::Infraction> m_told;
     QLabel* m_what = nullptr;
@@ -51,6 +51,6 @@ private:
 /// "Pulp opened", with the value against the limit where there is one.
 [[nodiscard]] QString breachName(const core::grading::Infraction& infraction);
 /// Why it matters, in one sentence.
-[[nodiscard]] QString breachReason(core::grading::Breach breach);
+[[nodiscard]] QString breachReason(core::grading::RuleViolation breach);
 
 }  // namespace ui::practice

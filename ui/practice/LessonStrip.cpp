@@ -9,12 +9,12 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/LineIcon.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/LessonWords.h"
+#include "ui/text/LessonTexts.h"
 #include "ui/text/Texts.h"
 
 namespace ui::practice {
@@ -73,7 +73,7 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
         button->setIcon(lineIcon(drawing, roomPalette()));
         button->setIconSize({16, 16});
         button->setAutoRaise(true);
-        text::inEveryLanguage(button, [button, words] {
+        text::bindTranslation(button, [button, words] {
             button->setToolTip(tr(words));
             button->setAccessibleName(tr(words));
         });
@@ -92,13 +92,13 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     // There is always room for two lines, so that the tooth does not move when a longer step is shown.
     m_text->setMinimumHeight(m_text->fontMetrics().size(0, QStringLiteral("M\nM")).height());
     m_hint = new QPushButton(this);
-    text::inEveryLanguage(m_hint, [this] { m_hint->setText(tr("Hint")); });
+    text::bindTranslation(m_hint, [this] { m_hint->setText(tr("Hint")); });
     m_hint->setProperty("kind", "segment");
     m_hint->setCheckable(true);
-    text::inEveryLanguage(m_hint, [this] { m_hint->setToolTip(tr("Show a hint for this step")); });
+    text::bindTranslation(m_hint, [this] { m_hint->setToolTip(tr("Show a hint for this step")); });
     m_hint->setFocusPolicy(Qt::TabFocus);
     m_hint->setObjectName(QStringLiteral("lessonHint"));
-    m_time = new TabularLabel(this);
+    m_time = new TabularDigitsLabel(this);
     m_time->setFont(typeface(kTitle, QFont::Medium));
     m_time->setObjectName(QStringLiteral("lessonTime"));
     row->addWidget(m_before);
@@ -115,7 +115,7 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
         showStep();
         announce(*m_text);
     });
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         showStep();
         setTime(m_workedS);
     });

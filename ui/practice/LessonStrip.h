@@ -15,7 +15,7 @@ class QPushButton;
 class QToolButton;
 
 namespace ui::kit {
-class TabularLabel;
+class TabularDigitsLabel;
 }
 
 namespace ui::practice {
@@ -74,7 +74,7 @@ private:
     QPushButton* m_hint = nullptr;
     QToolButton* m_before = nullptr;
     QToolButton* m_next = nullptr;
-    kit::TabularLabel* m_time = nullptr;
+    kit::TabularDigitsLabel* m_time = nullptr;
 };
 
 }  // namespace ui::practice

@@ -15,7 +15,7 @@
 #include "ui/kit/ForceBar.h"
 #include "ui/kit/MaterialSwatch.h"
 #include "ui/kit/ScrollPane.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/practice/BurChooser.h"
 #include "ui/practice/DrillSwitch.h"
@@ -68,7 +68,7 @@ QString dash()
 SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* parent) : QFrame(parent)
 {
     setProperty("kind", "bar");
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Live figures and handpiece")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Live figures and handpiece")); });
     setFixedWidth(kWidthPx);
 
     auto* content = new QWidget;
@@ -116,7 +116,7 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
     auto* bur = quietLabel(content);
     burRow->addWidget(bur);
     burRow->addStretch(1);
-    m_rpm = new kit::TabularLabel(content);
+    m_rpm = new kit::TabularDigitsLabel(content);
     m_rpm->setFont(kit::typeface(kit::kSmall, QFont::Medium));
     m_rpm->setObjectName(QStringLiteral("burRpm"));
     burRow->addWidget(m_rpm);
@@ -139,7 +139,7 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
         auto* row = new QHBoxLayout(block);
         row->setContentsMargins(0, 0, 0, 0);
         row->setSpacing(kit::kSpace2);
-        auto* value = new kit::TabularLabel(block);
+        auto* value = new kit::TabularDigitsLabel(block);
         value->setFont(kit::typeface(kit::kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
         value->setObjectName(QString::fromLatin1(objectName));
@@ -155,7 +155,7 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
         auto* swatch = new kit::MaterialSwatch(kSwatchPx, content);
         swatch->setMaterial(material);
         auto* name = new QLabel(content);
-        kit::TabularLabel* value = addVolume(swatch, name, objectName);
+        kit::TabularDigitsLabel* value = addVolume(swatch, name, objectName);
         m_removedNames.at(at(material)) = name;
         if (material == Material::Enamel)
             m_enamelSwatch = swatch;
@@ -164,7 +164,7 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
     };
     addMaterial(Material::Enamel, "enamelRemoved");
     addMaterial(Material::Dentin, "dentinRemoved");
-    kit::TabularLabel* pulp = addMaterial(Material::Pulp, "pulpRemoved");
+    kit::TabularDigitsLabel* pulp = addMaterial(Material::Pulp, "pulpRemoved");
     // The part of the removed enamel and dentin that the grade counts: it leaves out what lies vertically above the
     // decay. A line of its own, because it is not another tissue.
     volumes->addSpacing(kit::kSpace1);
@@ -177,7 +177,7 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
     fill->setContentsMargins(0, 0, 0, 0);
     fill->addWidget(new kit::ScrollPane(content, QPalette::Base, this));
 
-    text::inEveryLanguage(this, [this, removed, pulp, bur] {
+    text::bindTranslation(this, [this, removed, pulp, bur] {
         name(m_material, tr("Under the bur"));
         name(m_force, tr("Force"));
         name(m_depth, tr("Depth"));
@@ -226,7 +226,7 @@ SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const char* objectNam
     row->setSpacing(kit::kSpace2);
     if (before != nullptr)
         row->addWidget(before);
-    auto* value = new kit::TabularLabel(block);
+    auto* value = new kit::TabularDigitsLabel(block);
     value->setFont(kit::typeface(kit::kFigure, QFont::Medium));
     value->setObjectName(QString::fromLatin1(objectName));
     row->addWidget(value, 1);
@@ -355,7 +355,7 @@ void SidePanel::setFigures(const core::servo::ServoState& servo, const core::ses
         double removed = session.removedMm3.at(at(material));
         if (m_isBlock && material == Material::Enamel)
             removed += session.removedMm3.at(at(Material::Dentin));
-        kit::TabularLabel* value = m_removed.at(at(material));
+        kit::TabularDigitsLabel* value = m_removed.at(at(material));
         value->setText(text::number(removed, 2), QStringLiteral("mm³"));
         value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
     }

@@ -9,7 +9,7 @@
 #include "core/guidance/Margin.h"
 #include "core/imaging/Section.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "lessons/Lesson.h"
 #include "ui/render/Look.h"
 
@@ -20,7 +20,7 @@ namespace ui::kit {
 class Actions;
 class ForceBar;
 class MaterialSwatch;
-class TabularLabel;
+class TabularDigitsLabel;
 }  // namespace ui::kit
 
 namespace ui::tooth {
@@ -66,7 +66,7 @@ private:
         QWidget* block;
         QString caption;
         QLabel* words;
-        kit::TabularLabel* value;
+        kit::TabularDigitsLabel* value;
     };
     /// @param before  stands before the value, or null
     static Figure addFigure(QBoxLayout* layout, const char* objectName, QWidget* before = nullptr);
@@ -83,11 +83,11 @@ private:
     lessons::ShownTarget m_target = lessons::ShownTarget::Decay;
     kit::MaterialSwatch* m_swatch = nullptr;
     kit::ForceBar* m_forceBar = nullptr;
-    std::array<kit::TabularLabel*, core::terrain::kMaterialCount> m_removed{};
+    std::array<kit::TabularDigitsLabel*, core::terrain::kMaterialCount> m_removed{};
     std::array<QLabel*, core::terrain::kMaterialCount> m_removedNames{};
     kit::MaterialSwatch* m_enamelSwatch = nullptr;
-    kit::TabularLabel* m_rpm = nullptr;
-    kit::TabularLabel* m_overcut = nullptr;
+    kit::TabularDigitsLabel* m_rpm = nullptr;
+    kit::TabularDigitsLabel* m_overcut = nullptr;
     QWidget* m_overcutRow = nullptr;
     QLabel* m_health = nullptr;
     QWidget* m_removedBlock = nullptr;

@@ -72,7 +72,7 @@ StereoCard::StereoCard(QWidget* parent)
     buttons->addWidget(back);
     buttons->addWidget(ready);
     grid->addLayout(buttons, row, 0, 1, 2);
-    text::inEveryLanguage(this, [this, title, first, second, third, ready, off, back] {
+    text::bindTranslation(this, [this, title, first, second, third, ready, off, back] {
         setAccessibleName(tr("Stereo picture"));
         title->setText(tr("Stereo picture"));
         m_mode->setAccessibleName(tr("Way to the eyes"));

@@ -9,9 +9,9 @@
 #include <QToolButton>
 
 #include "ui/kit/Actions.h"
+#include "ui/kit/AppSettings.h"
 #include "ui/kit/LanguageMenu.h"
 #include "ui/kit/LineIcon.h"
-#include "ui/kit/Memory.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/tooth/Viewpoint.h"
@@ -40,7 +40,7 @@ ViewMenu::ViewMenu(kit::Actions& actions, QWidget* window)
     : QObject(window), m_actions(actions), m_menu(new QMenu(window))
 {
     kit::dress(*m_menu, kit::roomPalette());
-    text::inEveryLanguage(m_menu, [this] { m_menu->setAccessibleName(tr("View")); });
+    text::bindTranslation(m_menu, [this] { m_menu->setAccessibleName(tr("View")); });
     for (QAction* action : {actions.resetView, actions.turnRound, actions.recentreHead})
         m_menu->addAction(action);
     m_menu->addMenu(makeSides());
@@ -76,7 +76,7 @@ ViewMenu::ViewMenu(kit::Actions& actions, QWidget* window)
         take();
     });
     connect(actions.outline, &QAction::triggered, this, &ViewMenu::take);
-    connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
+    connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageRequested);
 }
 
 QMenu* ViewMenu::makeSides()
@@ -90,10 +90,10 @@ QMenu* ViewMenu::makeSides()
                                                                          {"below", QT_TR_NOOP("Apical")}}};
     for (const auto& [name, words] : kSides) {
         QAction* side = sides->addAction(QString());
-        connect(side, &QAction::triggered, this, [this, name = QLatin1String(name)] { emit sideWanted(name); });
-        text::inEveryLanguage(sides, [side, words = words] { side->setText(tr(words)); });
+        connect(side, &QAction::triggered, this, [this, name = QLatin1String(name)] { emit sideRequested(name); });
+        text::bindTranslation(sides, [side, words = words] { side->setText(tr(words)); });
     }
-    text::inEveryLanguage(sides, [sides] { sides->setTitle(tr("Look from")); });
+    text::bindTranslation(sides, [sides] { sides->setTitle(tr("Look from")); });
     return sides;
 }
 
@@ -153,7 +153,7 @@ QToolButton* ViewMenu::makeButton(QWidget* parent)
     button->setFocusPolicy(Qt::TabFocus);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setMenu(m_menu);
-    text::inEveryLanguage(button, [button] {
+    text::bindTranslation(button, [button] {
         button->setText(tr("View"));
         button->setToolTip(tr("Choose what the view shows"));
         button->setAccessibleName(button->text());

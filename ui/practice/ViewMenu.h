@@ -46,9 +46,9 @@ public:
 
 signals:
     void chosen(const ui::tooth::ViewSettings& settings);
-    void stereoPageWanted();
+    void stereoPageRequested();
     /// The tooth is to be seen from a named side (tooth::viewpointNames()).
-    void sideWanted(const QString& viewpoint);
+    void sideRequested(const QString& viewpoint);
 
 private:
     QMenu* makeSides();

@@ -13,10 +13,10 @@
 
 #include "core/cutting/Feed.h"
 #include "ui/charts/SaveButton.h"
-#include "ui/kit/Announce.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/PresetTexts.h"
 #include "ui/text/Texts.h"
 
 namespace ui::presets {
@@ -80,7 +80,7 @@ FeedChart::FeedChart(QWidget* parent) : WalkedChart(parent), m_words(new QLabel(
     column->setSpacing(kit::kSpace1);
     column->addLayout(row, 1);
     column->addWidget(m_words);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Feed over force"));
         draw();
     });

@@ -11,7 +11,7 @@
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/PresetTexts.h"
 
 namespace ui::presets {
 namespace {
@@ -71,7 +71,7 @@ PresetTable::PresetTable(QWidget* parent) : QWidget(parent)
         grid->addWidget(help, row, 2, 1, 2);
     }
     grid->setRowStretch(row, 1);
-    text::inEveryLanguage(this, [this, material, rate, from, names, rest, fields] {
+    text::bindTranslation(this, [this, material, rate, from, names, rest, fields] {
         material->setText(tr("Material"));
         rate->setText(tr("Rate"));
         //: The force from which on a material is cut

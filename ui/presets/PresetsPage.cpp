@@ -26,7 +26,7 @@
 #include "ui/presets/PresetTable.h"
 #include "ui/presets/SimplePanel.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/PresetTexts.h"
 #include "ui/text/Texts.h"
 
 namespace ui::presets {
@@ -93,7 +93,7 @@ PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions
     row->addWidget(makeList());
     row->addWidget(makeDetails(), 1);
     body()->addLayout(row, 1);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setTitle(tr("Hardness presets"));
         setFault({});  // it was said in another language
         fill();
@@ -123,16 +123,16 @@ QWidget* PresetsPage::makeList()
     m_import = button("", "presetImport", side);
     m_export = button("", "presetExport", side);
     m_retire = button("", "presetRetire", side);
-    connect(m_retire, &QPushButton::clicked, this, [this] { emit retireWanted(nameOf(m_base), !isRetired()); });
-    connect(m_import, &QPushButton::clicked, this, &PresetsPage::importWanted);
-    connect(m_export, &QPushButton::clicked, this, [this] { emit exportWanted(m_base); });
+    connect(m_retire, &QPushButton::clicked, this, [this] { emit retireRequested(nameOf(m_base), !isRetired()); });
+    connect(m_import, &QPushButton::clicked, this, &PresetsPage::importRequested);
+    connect(m_export, &QPushButton::clicked, this, [this] { emit exportRequested(m_base); });
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(kSpace2);
     buttons->addWidget(m_import);
     buttons->addWidget(m_export);
     buttons->addWidget(m_retire);
     column->addLayout(buttons);
-    text::inEveryLanguage(side, [this] {
+    text::bindTranslation(side, [this] {
         m_list->setAccessibleName(tr("Hardness presets and their versions"));
         m_import->setText(tr("Import …"));
         m_import->setAccessibleName(tr("Import a preset"));
@@ -172,14 +172,14 @@ QWidget* PresetsPage::makeDetails()
     buttons->addWidget(copy);
     buttons->addStretch(1);
     column->addLayout(buttons);
-    connect(m_try, &QPushButton::clicked, this, [this] { emit tryWanted(m_base, m_draft); });
+    connect(m_try, &QPushButton::clicked, this, [this] { emit tryRequested(m_base, m_draft); });
     connect(m_save, &QPushButton::clicked, this, [this] {
         FeelPreset next = m_draft;
         next.version = 0;
-        emit saveWanted(next);
+        emit saveRequested(next);
     });
     connect(copy, &QPushButton::clicked, this, &PresetsPage::duplicate);
-    text::inEveryLanguage(side, [this, copy] {
+    text::bindTranslation(side, [this, copy] {
         m_try->setText(tr("Try on a block"));
         m_try->setAccessibleName(m_try->text());
         m_try->setToolTip(tr("Drill a block of enamel, dentin and soft caries with it"));
@@ -275,9 +275,9 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
         m_draft.notes = notes.toStdString();
         tell();
     });
-    connect(m_use, &QPushButton::clicked, this, [this] { emit useWanted(m_base); });
+    connect(m_use, &QPushButton::clicked, this, [this] { emit useRequested(m_base); });
 
-    text::inEveryLanguage(side, [this, simple, all, bur, burName] {
+    text::bindTranslation(side, [this, simple, all, bur, burName] {
         m_name->setAccessibleName(tr("Name of the preset"));
         m_name->setPlaceholderText(tr("Name"));
         m_notes->setAccessibleName(tr("Notes"));
@@ -332,9 +332,9 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     connect(m_compare, &QPushButton::clicked, this, [this] {
         const int at = m_other->currentData().toInt();
         if (m_other->currentIndex() >= 0 && m_all[static_cast<std::size_t>(at)].preset)
-            emit compareWanted(m_draft, *m_all[static_cast<std::size_t>(at)].preset, m_trials->value());
+            emit compareRequested(m_draft, *m_all[static_cast<std::size_t>(at)].preset, m_trials->value());
     });
-    text::inEveryLanguage(whole, [this, words] {
+    text::bindTranslation(whole, [this, words] {
         words->setText(tr("Compare blind with"));
         m_other->setAccessibleName(tr("Preset to compare with"));
         m_other->view()->setAccessibleName(m_other->accessibleName());

@@ -56,16 +56,17 @@ public:
 
 signals:
     /// A preset that is perhaps not kept yet, and the version that it was made of.
-    void tryWanted(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
-    void compareWanted(const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials);
+    void tryRequested(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
+    void compareRequested(const core::settings::FeelPreset& first, const core::settings::FeelPreset& second,
+                          int trials);
     /// As another version of its name.
-    void saveWanted(const core::settings::FeelPreset& preset);
+    void saveRequested(const core::settings::FeelPreset& preset);
     /// Teeth are to feel like this from now on, unless a lesson says otherwise.
-    void useWanted(const core::settings::FeelPreset& preset);
+    void useRequested(const core::settings::FeelPreset& preset);
     /// A preset in all its versions is to be offered to nobody any more, or again.
-    void retireWanted(const QString& name, bool isRetired);
-    void importWanted();
-    void exportWanted(const core::settings::FeelPreset& preset);
+    void retireRequested(const QString& name, bool isRetired);
+    void importRequested();
+    void exportRequested(const core::settings::FeelPreset& preset);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -13,7 +13,7 @@
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/PresetTexts.h"
 
 namespace ui::presets {
 namespace {
@@ -62,7 +62,7 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent), m_middle(quiet(this
     m_middle->setWordWrap(true);
     m_middle->setObjectName(QStringLiteral("dialMiddle"));
     grid->addWidget(m_middle, static_cast<int>(kDials), 0, 1, 4);
-    text::inEveryLanguage(this, [this, names, lows, highs] {
+    text::bindTranslation(this, [this, names, lows, highs] {
         const std::array<std::array<QString, 3>, kDials> words{{
             {tr("Enamel"), tr("softer"), tr("harder")},
             {tr("Dentin"), tr("softer"), tr("harder")},

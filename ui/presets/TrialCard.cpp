@@ -17,7 +17,7 @@
 #include "ui/presets/FeedChart.h"
 #include "ui/presets/SimplePanel.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/PresetTexts.h"
 #include "ui/text/Texts.h"
 
 namespace ui::presets {
@@ -108,7 +108,7 @@ TrialCard::TrialCard(QWidget* parent)
     });
     connect(m_csv, &QPushButton::clicked, this, [this] {
         if (m_trial)
-            emit csvWanted(m_trial->csv());
+            emit csvRequested(m_trial->csv());
     });
     connect(m_dials, &SimplePanel::changed, this, &TrialCard::turn);
     makeBlockChoice();
@@ -139,7 +139,7 @@ TrialCard::TrialCard(QWidget* parent)
     column->addWidget(m_answers);
     column->addLayout(buttons);
     column->addStretch(0);
-    text::inEveryLanguage(this, [this, saysA, saysNone, saysB] {
+    text::bindTranslation(this, [this, saysA, saysNone, saysB] {
         m_a->setText(QStringLiteral("A"));
         m_b->setText(QStringLiteral("B"));
         m_a->setAccessibleName(tr("Feel A"));
@@ -179,7 +179,7 @@ void TrialCard::makeBlockChoice()
     row->addWidget(words);
     row->addWidget(m_block, 1);
     connect(m_block, &QComboBox::activated, this, &TrialCard::takeBlock);
-    text::inEveryLanguage(m_blockChoice, [this, words] {
+    text::bindTranslation(m_blockChoice, [this, words] {
         //: What the block is made of on which a hardness preset is tried
         words->setText(tr("Block of"));
         m_block->setAccessibleName(tr("What the block is made of"));
@@ -319,7 +319,7 @@ void TrialCard::answer(Answer said)
         emit felt(m_trial->behind(m_held));  // no secret any more
         return;
     }
-    emit freshBlockWanted();
+    emit freshBlockRequested();
     hold(Answer::A);
 }
 

@@ -45,10 +45,10 @@ signals:
     /// What the block is made of; felt() follows.
     void blockChosen(const core::settings::ToothKind& kind);
     /// The block is to be whole again: another trial begins.
-    void freshBlockWanted();
+    void freshBlockRequested();
     /// Back to the page of presets.
     void done();
-    void csvWanted(const QByteArray& csv);
+    void csvRequested(const QByteArray& csv);
 
 private:
     void makeBlockChoice();

@@ -14,7 +14,7 @@
 
 #include "ui/kit/Actions.h"
 #include "ui/kit/FoldingBar.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/practice/ViewMenu.h"
 #include "ui/replay/TimeLine.h"
@@ -45,7 +45,7 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
     column->setSpacing(0);
     m_line = new TimeLine(this);
     column->addWidget(m_line);
-    connect(m_line, &TimeLine::seekWanted, this, &ReplayBar::seek);
+    connect(m_line, &TimeLine::seekRequested, this, &ReplayBar::seek);
 
     auto* bar = new FoldingBar(this);
     column->addWidget(bar);
@@ -55,13 +55,13 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
          {actions.replayBegin, actions.stepBack, actions.pauseReplay, actions.stepOn, actions.replayEnd})
         row.addWidget(barButton(action, false, bar));
     row.addSpacing(kSpace2);
-    m_time = new TabularLabel(bar);
+    m_time = new TabularDigitsLabel(bar);
     m_time->setFont(typeface(kBody, QFont::Medium));
     m_time->setObjectName(QStringLiteral("replayTime"));
     row.addWidget(m_time);
     row.addSpacing(kSpace4);
     row.addWidget(barButton(actions.slower, false, bar));
-    m_speedLabel = new TabularLabel(bar);
+    m_speedLabel = new TabularDigitsLabel(bar);
     m_speedLabel->setFont(typeface(kBody, QFont::Medium));
     m_speedLabel->setAlignment(Qt::AlignHCenter);
     m_speedLabel->setObjectName(QStringLiteral("replaySpeed"));
@@ -70,7 +70,7 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
     row.addWidget(barButton(actions.faster, false, bar));
     row.addSpacing(kSpace4);
     m_words = new QLabel(bar);
-    text::inEveryLanguage(m_words, [this] { m_words->setText(tr("You are watching a recording")); });
+    text::bindTranslation(m_words, [this] { m_words->setText(tr("You are watching a recording")); });
     m_words->setForegroundRole(QPalette::PlaceholderText);
     row.addWidget(m_words);
     row.addStretch(1);
@@ -83,17 +83,17 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
     row.addWidget(view);
     bar->mayFold(view);
     auto* stop = new QPushButton(bar);
-    text::inEveryLanguage(stop, [stop] { stop->setText(tr("Stop")); });
+    text::bindTranslation(stop, [stop] { stop->setText(tr("Stop")); });
     stop->setProperty("kind", "filled");
-    text::inEveryLanguage(stop, [stop] {
+    text::bindTranslation(stop, [stop] {
         stop->setAccessibleName(tr("Stop the replay"));
         stop->setToolTip(tr("Stop the replay and return to your own work (Esc)"));
     });
     stop->setFocusPolicy(Qt::TabFocus);
-    connect(stop, &QPushButton::clicked, this, &ReplayBar::stopWanted);
+    connect(stop, &QPushButton::clicked, this, &ReplayBar::stopRequested);
     row.addWidget(stop);
     begin(0.0);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         showSpeed();
         showTime();
     });
@@ -111,13 +111,13 @@ void ReplayBar::begin(double lengthS)
     setPosition(0.0);
 }
 
-void ReplayBar::setCourse(const Course& course)
+void ReplayBar::setCourse(const AttemptTimeline& course)
 {
     m_course = course;
     m_line->setCourse(course);
 }
 
-void ReplayBar::setBeside(const Course& beside)
+void ReplayBar::setBeside(const AttemptTimeline& beside)
 {
     m_line->setBeside(beside);
 }
@@ -140,7 +140,7 @@ void ReplayBar::seek(double seconds)
     m_positionS = std::clamp(seconds, 0.0, m_course.lengthS);
     m_sinceSeek.start();
     showTime();
-    emit seekWanted(m_positionS);
+    emit seekRequested(m_positionS);
 }
 
 void ReplayBar::changeSpeed(bool faster)

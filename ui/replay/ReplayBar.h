@@ -4,13 +4,13 @@
 #include <QElapsedTimer>
 #include <QFrame>
 
-#include "ui/replay/Course.h"
+#include "ui/replay/AttemptTimeline.h"
 
 class QLabel;
 
 namespace ui::kit {
 class Actions;
-class TabularLabel;
+class TabularDigitsLabel;
 }  // namespace ui::kit
 namespace ui::practice {
 class ViewMenu;
@@ -29,9 +29,9 @@ public:
 
     /// A recording of this length begins, as fast as it was made; more of it is known by and by (setCourse).
     void begin(double lengthS);
-    void setCourse(const Course& course);
+    void setCourse(const AttemptTimeline& course);
     /// What is shown beside; without a length nothing is.
-    void setBeside(const Course& beside);
+    void setBeside(const AttemptTimeline& beside);
     /// The moment that is shown.
     void setPosition(double seconds);
 
@@ -43,9 +43,9 @@ public:
     void changeSpeed(bool faster);
 
 signals:
-    void seekWanted(double seconds);
+    void seekRequested(double seconds);
     void speedChosen(double times);
-    void stopWanted();
+    void stopRequested();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -55,14 +55,14 @@ private:
     void showTime();
     void showSpeed();
 
-    Course m_course;
+    AttemptTimeline m_course;
     double m_positionS = 0.0;
     QElapsedTimer m_sinceSeek;
     std::size_t m_speed = 0;
     TimeLine* m_line = nullptr;
     QLabel* m_words = nullptr;
-    kit::TabularLabel* m_time = nullptr;
-    kit::TabularLabel* m_speedLabel = nullptr;
+    kit::TabularDigitsLabel* m_time = nullptr;
+    kit::TabularDigitsLabel* m_speedLabel = nullptr;
 };
 
 }  // namespace ui::replay

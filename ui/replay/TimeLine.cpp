@@ -14,7 +14,7 @@
 
 #include "core/bur/Bur.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "ui/kit/Theme.h"
 #include "ui/practice/ExerciseCard.h"
 #include "ui/practice/InfractionCard.h"
@@ -197,7 +197,7 @@ QString remarkWords(const Remark& remark)
 TimeLine::TimeLine(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("timeLine"));
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Time line"));
         setAccessibleDescription(
             tr("Left and Right move from stroke to stroke, Home and End to the beginning and the end."));
@@ -212,13 +212,13 @@ QSize TimeLine::sizeHint() const
     return {200, static_cast<int>(lanes().size()) * kStrokeLanePx + kScalePx + kSpace1};
 }
 
-void TimeLine::setCourse(const Course& course)
+void TimeLine::setCourse(const AttemptTimeline& course)
 {
     m_course = course;
     update();
 }
 
-void TimeLine::setBeside(const Course& beside)
+void TimeLine::setBeside(const AttemptTimeline& beside)
 {
     const bool another = (beside.lengthS > 0.0) != (m_beside.lengthS > 0.0);
     m_beside = beside;
@@ -245,7 +245,7 @@ QList<TimeLine::Lane> TimeLine::lanes() const
     return all;
 }
 
-double TimeLine::xIn(const Course& course, double seconds) const
+double TimeLine::xIn(const AttemptTimeline& course, double seconds) const
 {
     const double share = course.lengthS > 0.0 ? std::clamp(seconds / course.lengthS, 0.0, 1.0) : 0.0;
     return kSidePx + share * (width() - 2 * kSidePx);
@@ -392,18 +392,18 @@ void TimeLine::mousePressEvent(QMouseEvent* event)
         for (const double atS : signs) {
             if (std::abs(xIn(lane.course, atS) - x) > kHitPx)
                 continue;
-            emit seekWanted(secondsAt(xIn(lane.course, atS - kLeadUpS)));
+            emit seekRequested(secondsAt(xIn(lane.course, atS - kLeadUpS)));
             return;
         }
     }
     m_scrubs = true;
-    emit seekWanted(secondsAt(x));
+    emit seekRequested(secondsAt(x));
 }
 
 void TimeLine::mouseMoveEvent(QMouseEvent* event)
 {
     if (m_scrubs)
-        emit seekWanted(secondsAt(event->position().x()));
+        emit seekRequested(secondsAt(event->position().x()));
 }
 
 void TimeLine::mouseReleaseEvent(QMouseEvent*)

@@ -4,7 +4,7 @@
 #include <QList>
 #include <QWidget>
 
-#include "ui/replay/Course.h"
+#include "ui/replay/AttemptTimeline.h"
 
 namespace ui::replay {
 
@@ -18,12 +18,12 @@ class TimeLine final : public QWidget
 public:
     explicit TimeLine(QWidget* parent);
 
-    void setCourse(const Course& course);
+    void setCourse(const AttemptTimeline& course);
     /// @param beside  no strokes, no length: there is none
-    void setBeside(const Course& beside);
+    void setBeside(const AttemptTimeline& beside);
     /// The moment that is shown.
     void setPosition(double seconds);
-    [[nodiscard]] const Course& course() const { return m_course; }
+    [[nodiscard]] const AttemptTimeline& course() const { return m_course; }
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] QStringList saidAt(const QPoint& place) const;
 
 signals:
-    void seekWanted(double seconds);
+    void seekRequested(double seconds);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -47,20 +47,20 @@ private:
     /// One attempt of the line, and where its lanes begin.
     struct Lane
     {
-        const Course& course;
+        const AttemptTimeline& course;
         int top;
     };
 
     [[nodiscard]] QList<Lane> lanes() const;
-    [[nodiscard]] double xIn(const Course& course, double seconds) const;
+    [[nodiscard]] double xIn(const AttemptTimeline& course, double seconds) const;
     [[nodiscard]] double secondsAt(double x) const;
     void paintLane(QPainter& painter, const Lane& lane) const;
     void paintMarks(QPainter& painter, const Lane& lane) const;
     void paintScale(QPainter& painter) const;
     void paintNow(QPainter& painter) const;
 
-    Course m_course;
-    Course m_beside;
+    AttemptTimeline m_course;
+    AttemptTimeline m_beside;
     double m_positionS = 0.0;
     bool m_scrubs = false;
 };

@@ -14,8 +14,8 @@
 #include <QTemporaryDir>
 
 #include "ui/kit/FileDialog.h"
-#include "ui/kit/Folders.h"
-#include "ui/kit/SavedFile.h"
+#include "ui/kit/PrivateFile.h"
+#include "ui/kit/StandardFolders.h"
 
 namespace ui::report {
 namespace {

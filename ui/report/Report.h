@@ -12,13 +12,13 @@
 #include <QSizeF>
 #include <QString>
 
-#include "database/overview.h"
-#include "database/people.h"
-#include "database/records.h"
-#include "lessons/Moments.h"
+#include "database/AttemptRecord.h"
+#include "database/ClassOverview.h"
+#include "database/Person.h"
+#include "lessons/PointLossTimeline.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/scoring/ScoreCard.h"
-#include "ui/text/PeopleWords.h"
+#include "ui/text/PeopleTexts.h"
 
 class QPagedPaintDevice;
 class QPainter;

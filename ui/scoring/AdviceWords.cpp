@@ -10,7 +10,7 @@ namespace {
 
 class AdviceWords
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::study::AdviceWords)
+    Q_DECLARE_TR_FUNCTIONS(ui::scoring::AdviceWords)
 public:
     [[nodiscard]] static QString of(const ::lessons::Advice& advice, const ::lessons::Criterion& criterion);
 };

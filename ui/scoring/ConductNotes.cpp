@@ -52,7 +52,7 @@ void ConductNotes::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange && m_process)
-        speak();
+        retranslateUi();
 }
 
 QString ConductNotes::factsOf(const core::grading::Process& process, std::uint8_t aids)
@@ -76,7 +76,7 @@ void ConductNotes::setConduct(const core::grading::Process& process,
     m_infractions = infractions;
     m_aids = aids;
     m_showsAll = false;
-    speak();
+    retranslateUi();
 }
 
 QString ConductNotes::countWords(const std::vector<core::grading::Infraction>& infractions)
@@ -90,7 +90,7 @@ QString ConductNotes::breachWords(const core::grading::Infraction& infraction)
     return tr("%1 at %2").arg(practice::breachName(infraction), text::duration(std::floor(infraction.seconds)));
 }
 
-void ConductNotes::speak()
+void ConductNotes::retranslateUi()
 {
     m_title->setText(countWords(m_infractions));
     m_facts->setText(factsOf(*m_process, m_aids));
@@ -131,7 +131,7 @@ void ConductNotes::fillBreaches()
     };
     for (const core::grading::Infraction& infraction : shown) {
         QPushButton* chip = add(breachWords(infraction), tr("Replay the attempt from this moment"));
-        connect(chip, &QPushButton::clicked, this, [this, at = infraction.seconds] { emit momentWanted(at); });
+        connect(chip, &QPushButton::clicked, this, [this, at = infraction.seconds] { emit momentRequested(at); });
     }
     if (shown.size() < m_infractions.size()) {
         QPushButton* more = add(tr("%n more", "breaches", static_cast<int>(m_infractions.size() - shown.size())),

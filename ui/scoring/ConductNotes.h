@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "core/grading/Process.h"
-#include "core/grading/Referee.h"
+#include "core/grading/RuleChecker.h"
 
 class QHBoxLayout;
 class QLabel;
@@ -33,14 +33,14 @@ public:
 
 signals:
     /// The attempt is to be seen from this moment on.
-    void momentWanted(double seconds);
+    void momentRequested(double seconds);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     [[nodiscard]] static QString factsOf(const core::grading::Process& process, std::uint8_t aids);
-    void speak();
+    void retranslateUi();
     void fillBreaches();
 
     std::optional<core::grading::Process> m_process;  ///< that is told

@@ -10,7 +10,7 @@
 #include <QPainter>
 #include <QPushButton>
 
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/Texts.h"
 
@@ -108,7 +108,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     name->setWordWrap(true);
     name->setMinimumHeight(1);  // as its width asks for, and no more
     m_slot->addWidget(name, 0, 0);
-    auto* measured = new TabularLabel(this);
+    auto* measured = new TabularDigitsLabel(this);
     measured->setFont(typeface(kBody));
     measured->setAlignment(Qt::AlignRight);
     measured->setText(text::criterionMeasured(criterion));
@@ -118,7 +118,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
         measured->setToolTip(
             brokenIntoLines(tr("The exposed area, seen from above. The side panel shows the removed volume, in mm³.")));
     m_slot->addWidget(measured, 0, 1);
-    auto* lost = new TabularLabel(this);
+    auto* lost = new TabularDigitsLabel(this);
     // What cost nothing takes no more room than its name.
     lost->setFont(typeface(criterion.lostTenths > 0 ? kTitle : kBody, QFont::DemiBold));
     lost->setAlignment(Qt::AlignRight);
@@ -213,7 +213,7 @@ void CriterionRow::fillMoments(bool all)
             continue;
         }
         QPushButton* chip = add(text, tr("Replay the attempt from this moment"));
-        connect(chip, &QPushButton::clicked, this, [this, at = moment.seconds] { emit momentWanted(at); });
+        connect(chip, &QPushButton::clicked, this, [this, at = moment.seconds] { emit momentRequested(at); });
     }
     if (isMore) {
         const auto rest = static_cast<int>(m_moments.size() - shown.size());

@@ -5,7 +5,7 @@
 
 #include <QAbstractButton>
 
-#include "lessons/Moments.h"
+#include "lessons/PointLossTimeline.h"
 
 class QGridLayout;
 class QLabel;
@@ -30,7 +30,7 @@ public:
     void bePlain();
 
 signals:
-    void momentWanted(double seconds);
+    void momentRequested(double seconds);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -26,8 +26,8 @@ FeedbackCard::FeedbackCard(QWidget* parent) : QFrame(parent), m_words(new QLabel
     m_read->setObjectName(QStringLiteral("readFeedback"));
     m_read->setAutoDefault(true);
     row->addWidget(m_read);
-    connect(m_read, &QPushButton::clicked, this, &FeedbackCard::readWanted);
-    text::inEveryLanguage(this, [this] { tell(); });
+    connect(m_read, &QPushButton::clicked, this, &FeedbackCard::readRequested);
+    text::bindTranslation(this, [this] { tell(); });
     hide();
 }
 

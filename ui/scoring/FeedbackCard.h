@@ -21,7 +21,7 @@ public:
     void setNews(int attempts, const QString& lesson, const QString& author);
 
 signals:
-    void readWanted();
+    void readRequested();
 
 private:
     void tell();

@@ -91,10 +91,10 @@ HeatMap::HeatMap(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMouseTracking(true);
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-void HeatMap::speak()
+void HeatMap::retranslateUi()
 {
     setAccessibleName(tr("The tooth from above, coloured by what is too deep and what is still to cut"));
     setToolTip(
@@ -141,7 +141,7 @@ void HeatMap::setPinnable(bool pinnable)
     m_isPinnable = pinnable;
     setFocusPolicy(pinnable ? Qt::StrongFocus : Qt::NoFocus);
     setCursor(pinnable ? Qt::CrossCursor : Qt::ArrowCursor);
-    speak();
+    retranslateUi();
 }
 
 void HeatMap::choosePin(const std::optional<std::array<double, 3>>& placeMm)

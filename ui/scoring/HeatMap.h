@@ -73,7 +73,7 @@ private:
     void paintPin(QPainter& painter) const;
     [[nodiscard]] std::array<double, 3> placeOf(std::size_t node) const;
     void choosePin(const std::optional<std::array<double, 3>>& placeMm);
-    void speak();
+    void retranslateUi();
     void paintLegend(QPainter& painter, const QRectF& area) const;
     [[nodiscard]] QColor wordColour() const;
 

@@ -8,10 +8,10 @@
 #include <QList>
 #include <QString>
 
-#include "database/overview.h"
-#include "database/people.h"
-#include "database/records.h"
-#include "lessons/Moments.h"
+#include "database/AttemptRecord.h"
+#include "database/ClassOverview.h"
+#include "database/Person.h"
+#include "lessons/PointLossTimeline.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/scoring/ScoredWork.h"
 

@@ -24,27 +24,27 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/SaveButton.h"
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/Actions.h"
-#include "ui/kit/Announce.h"
 #include "ui/kit/LineIcon.h"
 #include "ui/kit/ScoreBar.h"
 #include "ui/kit/ScrollPane.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/practice/ExerciseCard.h"
 #include "ui/scoring/AdviceWords.h"
+#include "ui/scoring/AttemptCharts.h"
+#include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/ConductNotes.h"
 #include "ui/scoring/CriterionRow.h"
 #include "ui/scoring/HeatMap.h"
-#include "ui/scoring/HistoryChart.h"
-#include "ui/scoring/HistoryCharts.h"
+#include "ui/scoring/RecentScoresChart.h"
 #include "ui/scoring/ScoreCard.h"
-#include "ui/scoring/TalkPanel.h"
 #include "ui/scoring/WorstSection.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/LessonWords.h"
-#include "ui/text/PeopleWords.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/LessonTexts.h"
+#include "ui/text/PeopleTexts.h"
+#include "ui/text/PresetTexts.h"
 #include "ui/text/Texts.h"
 
 namespace ui::scoring {
@@ -224,8 +224,8 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     body()->addWidget(m_scroll, 1);
     connect(m_heat, &HeatMap::pinned, this,
             [this](const std::optional<std::array<double, 3>>& place) { m_talk->setPlace(place, true); });
-    connect(m_talk, &TalkPanel::placeWanted, this, &ScorePage::showPin);
-    connect(m_talk, &TalkPanel::formUsed, this, [this](QWidget* form) {
+    connect(m_talk, &CommentsPanel::placeRequested, this, &ScorePage::showPin);
+    connect(m_talk, &CommentsPanel::formUsed, this, [this](QWidget* form) {
         m_formInUse = form;
         showForm();
     });
@@ -241,12 +241,12 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_replay = new QPushButton(this);
     m_replay->setObjectName(QStringLiteral("replayScored"));
     m_replay->setAutoDefault(true);
-    text::inEveryLanguage(m_replay, [this] {
+    text::bindTranslation(m_replay, [this] {
         m_replay->setText(tr("Replay"));
         m_replay->setAccessibleName(tr("Replay this attempt"));
     });
     m_replay->hide();
-    connect(m_replay, &QPushButton::clicked, this, &ScorePage::replayWanted);
+    connect(m_replay, &QPushButton::clicked, this, &ScorePage::replayRequested);
     m_buttons->addWidget(m_replay);
     m_ofTheTable = {pageButton(actions.saveRecording, "", this), pageButton(actions.reload, "", this)};
     for (QPushButton* button : m_ofTheTable)
@@ -257,17 +257,17 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_next->setObjectName(QStringLiteral("nextLesson"));
     m_next->setProperty("kind", "filled");
     m_next->setAutoDefault(true);
-    text::inEveryLanguage(m_next, [this] {
+    text::bindTranslation(m_next, [this] {
         m_next->setText(tr("Next lesson"));
         m_next->setAccessibleName(m_next->text());
         m_next->setToolTip(text::said(m_nextTitle));
     });
     m_next->hide();
-    connect(m_next, &QPushButton::clicked, this, &ScorePage::nextWanted);
+    connect(m_next, &QPushButton::clicked, this, &ScorePage::nextRequested);
     m_buttons->addWidget(m_next);
     body()->addLayout(m_buttons);
-    text::inEveryLanguage(this, [this] {
-        speak();
+    text::bindTranslation(this, [this] {
+        retranslateUi();
         tellSaying();
     });
 }
@@ -358,7 +358,7 @@ QWidget* ScorePage::makeResult()
     auto* row = new QHBoxLayout(frame);
     row->setContentsMargins(kSpace6, kSpace2, kSpace6, kSpace2);
     row->setSpacing(2 * kSpace6);
-    m_total = new TabularLabel(frame);
+    m_total = new TabularDigitsLabel(frame);
     m_total->setFont(typeface(kHero, QFont::DemiBold));
     m_total->setObjectName(QStringLiteral("total"));
     row->addWidget(m_total);
@@ -404,7 +404,7 @@ QWidget* ScorePage::makeCriteria()
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
     QLabel* title = scoreLabel({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
-    text::inEveryLanguage(title, [title] { title->setText(tr("Lost points")); });
+    text::bindTranslation(title, [title] { title->setText(tr("Lost points")); });
     title->setContentsMargins(kSpace2, 0, 0, 0);
     column->addWidget(title);
     m_criteriaSlot = new QVBoxLayout;
@@ -418,7 +418,7 @@ QWidget* ScorePage::makeCriteria()
     looking->addWidget(finding);
     m_progress = new QProgressBar(m_looking);
     m_progress->setTextVisible(false);
-    text::inEveryLanguage(finding, [this, finding] {
+    text::bindTranslation(finding, [this, finding] {
         finding->setText(tr("Finding the moment of each lost point …"));
         m_progress->setAccessibleName(tr("Finding the moment of each lost point"));
     });
@@ -438,7 +438,7 @@ QWidget* ScorePage::makeCriteria()
     m_detailsButton->setCheckable(true);
     m_detailsButton->setAutoRaise(true);
     m_detailsButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    text::inEveryLanguage(m_detailsButton, [this] {
+    text::bindTranslation(m_detailsButton, [this] {
         m_detailsButton->setText(tr("Details"));
         m_detailsButton->setToolTip(tr("How the points add up, and by which rules"));
     });
@@ -457,7 +457,7 @@ QWidget* ScorePage::makeAdvice()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace1);
     QLabel* title = scoreLabel({}, kSmall, QFont::DemiBold, QPalette::PlaceholderText, m_adviceBox);
-    text::inEveryLanguage(title, [title] { title->setText(tr("Next time")); });
+    text::bindTranslation(title, [title] { title->setText(tr("Next time")); });
     column->addWidget(title);
     m_advice = scoreLabel({}, kBody, QFont::Medium, QPalette::WindowText, m_adviceBox);
     m_advice->setObjectName(QStringLiteral("advice"));
@@ -468,9 +468,9 @@ QWidget* ScorePage::makeAdvice()
     m_showMoment->setProperty("kind", "chip");
     m_showMoment->setFont(typeface(kSmall, QFont::Medium));
     m_showMoment->setAutoDefault(true);
-    text::inEveryLanguage(m_showMoment,
+    text::bindTranslation(m_showMoment,
                           [this] { m_showMoment->setAccessibleName(tr("Show the moment in the replay")); });
-    connect(m_showMoment, &QPushButton::clicked, this, [this] { emit momentWanted(m_adviceAtS); });
+    connect(m_showMoment, &QPushButton::clicked, this, [this] { emit momentRequested(m_adviceAtS); });
     column->addWidget(m_showMoment, 0, Qt::AlignLeft);
     return m_adviceBox;
 }
@@ -536,7 +536,7 @@ QWidget* ScorePage::makePlace()
     row->addWidget(m_section, 1);
     column->addLayout(row, 1);
     m_conduct = new ConductNotes(frame);
-    connect(m_conduct, &ConductNotes::momentWanted, this, &ScorePage::momentWanted);
+    connect(m_conduct, &ConductNotes::momentRequested, this, &ScorePage::momentRequested);
     column->addWidget(m_conduct);
     return frame;
 }
@@ -548,7 +548,7 @@ QWidget* ScorePage::makeHistory()
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
     QLabel* title = scoreLabel({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
-    text::inEveryLanguage(title, [title] { title->setText(tr("Attempts")); });
+    text::bindTranslation(title, [title] { title->setText(tr("Attempts")); });
     column->addWidget(title);
     m_remark = scoreLabel({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
@@ -557,15 +557,15 @@ QWidget* ScorePage::makeHistory()
     m_keep = new QPushButton(frame);
     m_keep->setObjectName(QStringLiteral("keepGrade"));
     m_keep->setAutoDefault(true);
-    text::inEveryLanguage(m_keep, [this] {
+    text::bindTranslation(m_keep, [this] {
         m_keep->setText(tr("Log in and save"));
         m_keep->setAccessibleName(m_keep->text());
     });
-    connect(m_keep, &QPushButton::clicked, this, &ScorePage::keepWanted);
+    connect(m_keep, &QPushButton::clicked, this, &ScorePage::keepRequested);
     column->addWidget(m_keep, 0, Qt::AlignLeft);
     auto* row = new QHBoxLayout;
     row->setSpacing(2 * kSpace6);
-    m_chart = new HistoryChart(frame);
+    m_chart = new RecentScoresChart(frame);
     m_saveChart = new charts::SaveButton([this] { return historyChart(); }, frame);
     m_saveChart->beSmall();
     connect(m_saveChart, &charts::SaveButton::told, this,
@@ -591,7 +591,7 @@ QWidget* ScorePage::makeTalk()
     QFrame* frame = cardIn(this);
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
-    m_talk = new TalkPanel(frame);
+    m_talk = new CommentsPanel(frame);
     column->addWidget(m_talk);
     frame->hide();
     return frame;
@@ -606,10 +606,10 @@ QWidget* ScorePage::makeReport()
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setMinimumHeight(36);
     auto* menu = new QMenu(button);
-    QAction* pdf = menu->addAction(QString(), this, &ScorePage::pdfWanted);
-    QAction* print = menu->addAction(QString(), this, &ScorePage::printWanted);
+    QAction* pdf = menu->addAction(QString(), this, &ScorePage::pdfRequested);
+    QAction* print = menu->addAction(QString(), this, &ScorePage::printRequested);
     button->setMenu(menu);
-    text::inEveryLanguage(button, [button, menu, pdf, print] {
+    text::bindTranslation(button, [button, menu, pdf, print] {
         button->setText(tr("Report"));
         button->setAccessibleName(tr("Save or print the score card"));
         menu->setAccessibleName(button->accessibleName());
@@ -645,7 +645,7 @@ void ScorePage::tellSaying()
 }
 
 void ScorePage::setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
-                         const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
+                         const QList<database::AttemptRecord>& history, const std::optional<ScorePrediction>& expected,
                          const std::optional<ScoredWork>& scored)
 {
     m_work = std::move(work);
@@ -670,14 +670,14 @@ void ScorePage::setScore(std::function<QString()> work, const ::lessons::ScoreSh
     m_keeping = history.isEmpty() ? Keeping::Nowhere : Keeping::Kept;
     m_history = history;
     m_chosen.clear();
-    speak();
+    retranslateUi();
     m_scroll->verticalScrollBar()->setValue(0);
 }
 
 void ScorePage::setPerson(const QString& fullName)
 {
     m_person = fullName;
-    speak();
+    retranslateUi();
 }
 
 void ScorePage::setGiven(std::optional<int> tenths)
@@ -687,7 +687,7 @@ void ScorePage::setGiven(std::optional<int> tenths)
     m_given = tenths;
     if (!m_history.isEmpty())
         m_history.front().givenTenths = tenths;
-    speak();
+    retranslateUi();
 }
 
 QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)
@@ -712,7 +712,7 @@ QString ScorePage::sumWords(const ::lessons::ScoreSheet& sheet, std::optional<in
 }
 
 /// All that is known of the score, in the language of today.
-void ScorePage::speak()
+void ScorePage::retranslateUi()
 {
     if (!m_isShown) {
         setTitle(tr("Grade"));
@@ -770,7 +770,7 @@ void ScorePage::tellUnrecorded()
                              "shown. The score and the lost points are shown as they were saved."));
 }
 
-void ScorePage::setNoise(const ::lessons::GridNoise& noise)
+void ScorePage::setNoise(const ::lessons::GridSensitivity& noise)
 {
     m_noiseNow = noise;
     tellNoise();
@@ -781,7 +781,7 @@ void ScorePage::tellNoise()
     m_noise->setVisible(m_noiseNow.has_value());
     if (!m_noiseNow)
         return;
-    const ::lessons::GridNoise& noise = *m_noiseNow;
+    const ::lessons::GridSensitivity& noise = *m_noiseNow;
     const QString half = text::points(noise.half.totalTenths);
     m_noise->setText(noise.isUncertain() ? tr("Result is close to the pass mark.")
                                          : tr("Result is clear of the pass mark."));
@@ -858,7 +858,7 @@ void ScorePage::fillCriteria()
     CriterionRow* chosen = nullptr;
     for (const ::lessons::Criterion& criterion : m_sheet.criteria) {
         auto* row = new CriterionRow(criterion, m_sheet.verdict, m_criteria);
-        connect(row, &CriterionRow::momentWanted, this, &ScorePage::momentWanted);
+        connect(row, &CriterionRow::momentRequested, this, &ScorePage::momentRequested);
         connect(row, &CriterionRow::toggled, this, [this, row](bool on) {
             if (on)
                 showPlace(*row);
@@ -974,12 +974,12 @@ void ScorePage::tellHistory()
     const auto isComparable = [&](const database::AttemptRecord& attempt) {
         return attempt.rubricHash == sheet.rubricHash;
     };
-    QList<HistoryChart::Score> scores;
+    QList<RecentScoresChart::Score> scores;
     for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
-        scores << HistoryChart::Score{history[k - 1].countingTenths(), isComparable(history[k - 1]),
-                                      text::when(history[k - 1].finishedUtc)};
+        scores << RecentScoresChart::Score{history[k - 1].countingTenths(), isComparable(history[k - 1]),
+                                           text::when(history[k - 1].finishedUtc)};
     if (scores.isEmpty())
-        scores << HistoryChart::Score{sheet.totalTenths, true};
+        scores << RecentScoresChart::Score{sheet.totalTenths, true};
     m_chart->setScores(scores, sheet.passMarkTenths);
     m_saveChart->setVisible(!history.isEmpty());
     m_saveChart->nameIt();
@@ -996,7 +996,7 @@ void ScorePage::tellHistory()
         const QDateTime when = QDateTime::fromString(QString::fromStdString(attempt.finishedUtc), Qt::ISODate);
         const QString date = when.isValid() ? locale.toString(when.toLocalTime(), QLocale::ShortFormat)
                                             : QString::fromStdString(attempt.finishedUtc);
-        auto* score = new TabularLabel(m_list);
+        auto* score = new TabularDigitsLabel(m_list);
         score->setFont(typeface(kBody, k == 0 ? QFont::DemiBold : QFont::Normal));
         score->setAlignment(Qt::AlignRight);
         score->setText(text::points(attempt.countingTenths()));

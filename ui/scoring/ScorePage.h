@@ -6,13 +6,13 @@
 
 #include <QList>
 
-#include "database/records.h"
+#include "database/AttemptRecord.h"
 #include "lessons/ClassStanding.h"
-#include "lessons/GridNoise.h"
-#include "lessons/Moments.h"
+#include "lessons/GridSensitivity.h"
+#include "lessons/PointLossTimeline.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/kit/Page.h"
-#include "ui/scoring/Expectation.h"
+#include "ui/scoring/ScorePrediction.h"
 #include "ui/scoring/ScoredWork.h"
 
 class QGridLayout;
@@ -25,11 +25,11 @@ class QToolButton;
 namespace ui::kit {
 class ScoreBar;
 class ScrollPane;
-class TabularLabel;
+class TabularDigitsLabel;
 }  // namespace ui::kit
 namespace ui::scoring {
-class HistoryChart;
-class TalkPanel;
+class RecentScoresChart;
+class CommentsPanel;
 }  // namespace ui::scoring
 
 namespace ui::charts {
@@ -59,7 +59,7 @@ public:
     /// @param expected  what the student had expected, where that was asked
     /// @param scored   what was marked; nothing: no pictures, and no replay
     void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
-                  const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
+                  const QList<database::AttemptRecord>& history, const std::optional<ScorePrediction>& expected,
                   const std::optional<ScoredWork>& scored);
     /// Whose work it is, after setScore(); empty: one's own.
     void setPerson(const QString& fullName);
@@ -75,14 +75,14 @@ public:
     enum class Keeping {
         Nowhere,  ///< there is no database
         Refused,  ///< by the disk: it is tried again as long as the program runs
-        Guest,    ///< nobody is logged in: keepWanted() is offered
+        Guest,    ///< nobody is logged in: keepRequested() is offered
         Pending,  ///< it is being kept
         Waiting,  ///< on this computer, until the database can be reached
         Kept
     };
     void setKeeping(Keeping keeping);
     /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
-    [[nodiscard]] TalkPanel& talk() { return *m_talk; }
+    [[nodiscard]] CommentsPanel& talk() { return *m_talk; }
     /// What a score came to, here and on paper.
     /// @param givenTenths  by a teacher, where he did
     [[nodiscard]] static QString verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
@@ -100,7 +100,7 @@ public:
     /// Where the score stands among those of a class.
     void setClass(const ::lessons::ClassStanding& standing);
     /// What the score comes to on other grids.
-    void setNoise(const ::lessons::GridNoise& noise);
+    void setNoise(const ::lessons::GridSensitivity& noise);
     /// The moments are being looked for, and so far this share of the attempt, 0 .. 1, has been looked at; nothing:
     /// nobody looks any more.
     void setMomentsProgress(std::optional<double> share);
@@ -109,16 +109,16 @@ public:
 
 signals:
     /// The card is wanted as a PDF, or on paper.
-    void pdfWanted();
-    void printWanted();
+    void pdfRequested();
+    void printRequested();
     /// The attempt is to be seen from this moment on.
-    void momentWanted(double seconds);
+    void momentRequested(double seconds);
     /// The attempt is to be seen from its beginning.
-    void replayWanted();
+    void replayRequested();
     /// Emitted when the user asks for the lesson of setNext().
-    void nextWanted();
+    void nextRequested();
     /// A guest wants to log in, so that the grade is kept as his.
-    void keepWanted();
+    void keepRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -138,7 +138,7 @@ private:
     QWidget* makeReport();
     /// The criteria beside the pictures; where there is no room for that, above.
     void arrange();
-    void speak();
+    void retranslateUi();
     void tellSaying();
     void fillCriteria();
     void showPlace(const CriterionRow& row);
@@ -158,8 +158,8 @@ private:
     std::function<QString()> m_work;
     QString m_person;            ///< empty: one's own
     std::optional<int> m_given;  ///< tenths, by a teacher
-    std::optional<Expectation> m_expectation;
-    std::optional<::lessons::GridNoise> m_noiseNow;
+    std::optional<ScorePrediction> m_expectation;
+    std::optional<::lessons::GridSensitivity> m_noiseNow;
     std::optional<::lessons::ClassStanding> m_standing;
     std::vector<std::vector<::lessons::Moment>> m_moments;
     QList<database::AttemptRecord> m_history;
@@ -172,7 +172,7 @@ private:
     QWidget* m_criteriaCard = nullptr;
     QWidget* m_placeCard = nullptr;
     QWidget* m_historyCard = nullptr;
-    TalkPanel* m_talk = nullptr;
+    CommentsPanel* m_talk = nullptr;
     QWidget* m_talkCard = nullptr;
     QWidget* m_formInUse = nullptr;  ///< of the talk: where something was written last
     kit::ScrollPane* m_scroll = nullptr;
@@ -181,7 +181,7 @@ private:
     std::function<QString()> m_saying;
     QPushButton* m_replay = nullptr;
     bool m_talks = false;
-    kit::TabularLabel* m_total = nullptr;
+    kit::TabularDigitsLabel* m_total = nullptr;
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
     QLabel* m_expected = nullptr;
@@ -216,7 +216,7 @@ private:
     Keeping m_keeping = Keeping::Nowhere;
     ::lessons::ScoreSheet m_sheet;  ///< that is shown
     QLabel* m_class = nullptr;
-    HistoryChart* m_chart = nullptr;
+    RecentScoresChart* m_chart = nullptr;
     charts::SaveButton* m_saveChart = nullptr;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listSlot = nullptr;

@@ -8,7 +8,7 @@
 
 #include "core/grading/IdealCavity.h"
 #include "core/grading/MeasureTable.h"
-#include "core/grading/Referee.h"
+#include "core/grading/RuleChecker.h"
 #include "core/terrain/Tooth.h"
 #include "lessons/PresetFile.h"
 

@@ -16,7 +16,7 @@ namespace ui::scoring {
 WorstSection::WorstSection(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Section through the worst place")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Section through the worst place")); });
 }
 
 void WorstSection::setWork(const ScoredWork& work)

@@ -71,7 +71,7 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
     column->addWidget(new ScrollPane(m_content, QPalette::Window, this), 1);
     body()->addLayout(column, 1);
     connect(m_search, &QLineEdit::textChanged, this, &SettingsPage::search);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setTitle(tr("Settings"));
         m_search->setPlaceholderText(tr("Search the settings"));
         m_search->setAccessibleName(tr("Search the settings"));

@@ -27,7 +27,7 @@ private:
 
 }  // namespace
 
-void inEveryLanguage(QObject* listener, std::function<void()> say)
+void bindTranslation(QObject* listener, std::function<void()> say)
 {
     say();
     new Sayer(listener, std::move(say));

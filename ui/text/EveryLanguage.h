@@ -10,9 +10,9 @@ namespace ui::text {
 /// Says something now, and again in each language that is chosen while `listener` lives: the words of a widget, set
 /// where the widget is made.
 ///
-///     inEveryLanguage(button, [button] { button->setText(tr("Log in")); });
+///     bindTranslation(button, [button] { button->setText(tr("Log in")); });
 ///
 /// @param listener  a widget, or a child of one: Qt tells nobody else that the language has changed. Ui thread.
-void inEveryLanguage(QObject* listener, std::function<void()> say);
+void bindTranslation(QObject* listener, std::function<void()> say);
 
 }  // namespace ui::text

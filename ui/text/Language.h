@@ -14,7 +14,7 @@ public:
     [[nodiscard]] static QStringList available();
     /// Whether a code, with or without a country ("de_AT"), means one of them.
     [[nodiscard]] static bool isAvailable(const QString& code);
-    /// What a language is called by those who speak it: "Deutsch". Empty for a code that is not available.
+    /// What a language is called by those who retranslateUi it: "Deutsch". Empty for a code that is not available.
     [[nodiscard]] static QString nameOf(const QString& code);
 
     /// One of available(): the one that was chosen last.

@@ -63,65 +63,65 @@ QString kindName(int position)
 }
 
 /// What to do with a file whose content is of no use.
-QString remedy(Failed failed)
+QString remedy(FailedOperation failed)
 {
     switch (failed) {
-    case Failed::OpeningScan:
+    case FailedOperation::OpeningScan:
         return QCoreApplication::translate("Error", "Export it again, or choose another scan.");
-    case Failed::OpeningRecording:
+    case FailedOperation::OpeningRecording:
         return QCoreApplication::translate("Error", "Copy it again from where it was made, or choose another one.");
-    case Failed::KeepingGrades:
-    case Failed::KeepingGrade:
-    case Failed::ReadingSchool:
-    case Failed::ChangingSchool:
-    case Failed::Reporting:
+    case FailedOperation::KeepingGrades:
+    case FailedOperation::KeepingGrade:
+    case FailedOperation::ReadingSchool:
+    case FailedOperation::ChangingSchool:
+    case FailedOperation::Reporting:
         return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
                                                     "one.");
-    case Failed::ResumingAttempt:
+    case FailedOperation::ResumingAttempt:
         return QCoreApplication::translate("Error", "Its file is kept for seven days, in the folder \"discarded\".");
-    case Failed::OpeningLesson:
+    case FailedOperation::OpeningLesson:
         return QCoreApplication::translate("Error", "Ask who made the lesson, or choose another one.");
-    case Failed::MakingTooth:
-    case Failed::SavingRecording:
-    case Failed::SavingReference:
-    case Failed::Marking:
-    case Failed::KeepingAttempt:
-    case Failed::KeepingExam:
-    case Failed::SendingAttempt:
+    case FailedOperation::MakingTooth:
+    case FailedOperation::SavingRecording:
+    case FailedOperation::SavingReference:
+    case FailedOperation::Marking:
+    case FailedOperation::KeepingAttempt:
+    case FailedOperation::KeepingExam:
+    case FailedOperation::SendingAttempt:
         return QCoreApplication::translate("Error", "Try again.");
     }
     return {};
 }
 
 /// Whose file it ought to be.
-QString wrongKind(Failed failed)
+QString wrongKind(FailedOperation failed)
 {
     switch (failed) {
-    case Failed::OpeningRecording:
+    case FailedOperation::OpeningRecording:
         return QCoreApplication::translate("Error", "The file is no recording of Cusp.");
-    case Failed::KeepingGrades:
-    case Failed::KeepingGrade:
-    case Failed::ReadingSchool:
-    case Failed::ChangingSchool:
-    case Failed::Reporting:
+    case FailedOperation::KeepingGrades:
+    case FailedOperation::KeepingGrade:
+    case FailedOperation::ReadingSchool:
+    case FailedOperation::ChangingSchool:
+    case FailedOperation::Reporting:
         return QCoreApplication::translate("Error", "The file is no database of Cusp.");
-    case Failed::ResumingAttempt:
+    case FailedOperation::ResumingAttempt:
         return QCoreApplication::translate("Error", "This Cusp did not write the file, or an older one did.");
-    case Failed::OpeningScan:
-    case Failed::OpeningLesson:
-    case Failed::MakingTooth:
-    case Failed::SavingRecording:
-    case Failed::SavingReference:
-    case Failed::Marking:
-    case Failed::KeepingAttempt:
-    case Failed::KeepingExam:
-    case Failed::SendingAttempt:
+    case FailedOperation::OpeningScan:
+    case FailedOperation::OpeningLesson:
+    case FailedOperation::MakingTooth:
+    case FailedOperation::SavingRecording:
+    case FailedOperation::SavingReference:
+    case FailedOperation::Marking:
+    case FailedOperation::KeepingAttempt:
+    case FailedOperation::KeepingExam:
+    case FailedOperation::SendingAttempt:
         return QCoreApplication::translate("Error", "The file is not what its name says. Scans are OBJ, STL or PLY.");
     }
     return {};
 }
 
-QString reason(core::ErrorCode code, Failed failed)
+QString reason(core::ErrorCode code, FailedOperation failed)
 {
     const auto andRemedy = [failed](const QString& fault) { return fault + u' ' + remedy(failed); };
     switch (code) {
@@ -131,12 +131,12 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "The file cannot be read. Check that it is a file and that you may "
                                                     "open it.");
     case core::ErrorCode::FileUnwritable:
-        if (failed == Failed::KeepingGrade)  // it lies there until the school has it
+        if (failed == FailedOperation::KeepingGrade)  // it lies there until the school has it
             return QCoreApplication::translate("Error", "The folder “outbox”, where grades wait for the school, "
                                                         "cannot be written. Make room on the disk, or make that "
                                                         "folder writable.");
-        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool || failed == Failed::ChangingSchool ||
-            failed == Failed::Reporting)
+        if (failed == FailedOperation::KeepingGrades || failed == FailedOperation::ReadingSchool ||
+            failed == FailedOperation::ChangingSchool || failed == FailedOperation::Reporting)
             return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
                                                         "or make its folder writable.");
         return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
@@ -146,7 +146,7 @@ QString reason(core::ErrorCode code, Failed failed)
     case core::ErrorCode::FileTruncated:
         return andRemedy(QCoreApplication::translate("Error", "The file ends too early."));
     case core::ErrorCode::FileTooLarge:
-        if (failed == Failed::OpeningScan)
+        if (failed == FailedOperation::OpeningScan)
             return QCoreApplication::translate("Error", "The file is too large. Export it with fewer triangles.");
         return QCoreApplication::translate("Error", "The file is too large.");
     case core::ErrorCode::WrongKind:
@@ -180,7 +180,8 @@ QString reason(core::ErrorCode code, Failed failed)
             "open. Only one at a time can: close that one. For several computers an admin keeps them on a "
             "PostgreSQL server.");
     case core::ErrorCode::ConnectionLost:
-        if (failed == Failed::ChangingSchool || failed == Failed::Reporting)  // nobody does it again but who wanted it
+        if (failed == FailedOperation::ChangingSchool ||
+            failed == FailedOperation::Reporting)  // nobody does it again but who wanted it
             return QCoreApplication::translate(
                 "Error", "The school's server does not answer. Try it again when the server answers.");
         return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
@@ -217,64 +218,64 @@ QString reason(core::ErrorCode code, Failed failed)
 
 }  // namespace
 
-QString errorText(const core::Error& error, Failed failed)
+QString errorText(const core::Error& error, FailedOperation failed)
 {
     if (error.code == core::ErrorCode::OutcomeUnknown)  // nor does anybody know what has failed
         return reason(error.code, failed);
     switch (failed) {
-    case Failed::OpeningScan:
+    case FailedOperation::OpeningScan:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The scan cannot be opened. %1").arg(reason(error.code, failed));
-    case Failed::MakingTooth:
+    case FailedOperation::MakingTooth:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The tooth cannot be created. %1").arg(reason(error.code, failed));
-    case Failed::OpeningLesson:
+    case FailedOperation::OpeningLesson:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The lesson cannot be started; your work is unchanged. %1")
             .arg(reason(error.code, failed));
-    case Failed::Marking:
+    case FailedOperation::Marking:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The work cannot be graded; it is unchanged. %1")
             .arg(reason(error.code, failed));
-    case Failed::OpeningRecording:
+    case FailedOperation::OpeningRecording:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The recording cannot be played. %1")
             .arg(reason(error.code, failed));
-    case Failed::SavingRecording:
+    case FailedOperation::SavingRecording:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The recording was not saved. %1").arg(reason(error.code, failed));
-    case Failed::SavingReference:
+    case FailedOperation::SavingReference:
         if (error.code == core::ErrorCode::BadStructure)
             return QCoreApplication::translate("Error", "Nothing has been cut yet that could be a reference.");
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The reference was not saved. %1").arg(reason(error.code, failed));
-    case Failed::KeepingGrades:
+    case FailedOperation::KeepingGrades:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "Grades will not be saved; drilling and grading still work. %1")
             .arg(reason(error.code, failed));
-    case Failed::KeepingGrade:
+    case FailedOperation::KeepingGrade:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "This grade is not saved yet; Cusp tries again while it runs. %1")
             .arg(reason(error.code, failed));
-    case Failed::ReadingSchool:
+    case FailedOperation::ReadingSchool:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The school's data cannot be shown now; your work is saved. %1")
             .arg(reason(error.code, failed));
-    case Failed::ChangingSchool:
+    case FailedOperation::ChangingSchool:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "That was not done, and nothing was changed. %1")
             .arg(reason(error.code, failed));
-    case Failed::Reporting:
+    case FailedOperation::Reporting:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "Nothing was written: what stands on it is read anew for it. %1")
             .arg(reason(error.code, failed));
-    case Failed::SendingAttempt:
+    case FailedOperation::SendingAttempt:
         return QCoreApplication::translate("Error",
                                            "An attempt that was to be sent to the school is damaged. It was moved to "
                                            "the folder “outbox/damaged”. Everything else is saved as usual.");
-    case Failed::KeepingAttempt:
-    case Failed::KeepingExam:
-        if (error.code == core::ErrorCode::FileUnwritable && failed == Failed::KeepingExam)
+    case FailedOperation::KeepingAttempt:
+    case FailedOperation::KeepingExam:
+        if (error.code == core::ErrorCode::FileUnwritable && failed == FailedOperation::KeepingExam)
             return QCoreApplication::translate(
                 "Error", "This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go "
                          "on, and have room made on the disk.");
@@ -285,7 +286,7 @@ QString errorText(const core::Error& error, Failed failed)
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "This attempt is not kept on the disk while you work. %1")
             .arg(reason(error.code, failed));
-    case Failed::ResumingAttempt:
+    case FailedOperation::ResumingAttempt:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "An unfinished attempt cannot be resumed. %1")
             .arg(reason(error.code, failed));
@@ -319,7 +320,7 @@ QString loginFault(const core::Error& error)
             "Login",
             "Another program is writing to the school's database, so nobody can log in. Try again in a moment.");
     default:
-        return errorText(error, Failed::KeepingGrades);
+        return errorText(error, FailedOperation::KeepingGrades);
     }
 }
 

@@ -17,7 +17,7 @@
 namespace ui::text {
 
 /// What could not be done.
-enum class Failed {
+enum class FailedOperation {
     OpeningScan,
     MakingTooth,
     OpeningLesson,
@@ -38,7 +38,7 @@ enum class Failed {
 
 /// What happened, what still works and what to try, two or three sentences. The error's own detail (English, exact) is
 /// for the log and for whoever asks.
-[[nodiscard]] QString errorText(const core::Error& error, Failed failed);
+[[nodiscard]] QString errorText(const core::Error& error, FailedOperation failed);
 /// Why somebody could not log in, or be entered.
 [[nodiscard]] QString loginFault(const core::Error& error);
 

@@ -224,7 +224,7 @@ void SceneWidget::fail(const QString& detail)
     heading->setFont(kit::typeface(kit::kTitle, QFont::DemiBold));
     heading->setAlignment(Qt::AlignCenter);
     auto* sentence = new QLabel(m_whyNot);
-    text::inEveryLanguage(m_whyNot, [this, heading, sentence] {
+    text::bindTranslation(m_whyNot, [this, heading, sentence] {
         //: Heading where a picture would be; a sentence below says why
         heading->setText(tr("No picture"));
         sentence->setText(m_sentence());

@@ -5,7 +5,7 @@
 
 #include <QElapsedTimer>
 
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/session/Sight.h"
 
 namespace ui::tooth {
@@ -18,14 +18,14 @@ class SightNotes
 {
 public:
     /// @param links  must outlive it
-    explicit SightNotes(core::session::UiLinks& links) : m_links(links) {}
+    explicit SightNotes(core::session::UiChannels& links) : m_links(links) {}
 
     /// Takes the camera. Call this once a frame while the student works.
     /// @param generation  of the tooth; each has a recording of its own
     void look(const Camera& camera, std::uint64_t generation, bool pushes);
 
 private:
-    core::session::UiLinks& m_links;
+    core::session::UiChannels& m_links;
     std::uint64_t m_generation = 0;
     std::uint64_t m_seen = 0;  ///< the sight in the last frame, as a note
     std::uint64_t m_told = 0;  ///< the last note in the recording

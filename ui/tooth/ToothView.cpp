@@ -79,7 +79,7 @@ glm::dvec2 toGlm(QPointF point)
 
 }  // namespace
 
-ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
+ToothView::ToothView(core::session::UiChannels& links, QWidget* parent, Way way)
     : SceneWidget(
           [] {
               return tr(
@@ -96,7 +96,7 @@ ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
     if (isUsable())
         setCursor(Qt::CrossCursor);
     setMinimumSize(220, 180);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Tooth"));
         setAccessibleDescription(tr("Arrow keys move the bur, page down pushes, page up lifts."));
     });

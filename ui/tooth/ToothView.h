@@ -16,7 +16,7 @@
 #include <QTimer>
 
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/settings/PenSettings.h"
 #include "core/teeth/Arch.h"
 #include "core/terrain/Tooth.h"
@@ -54,7 +54,7 @@ class ToothView : public SceneWidget
 
 public:
     /// @param links  must outlive the view
-    explicit ToothView(core::session::UiLinks& links, QWidget* parent = nullptr, Way way = bestWay());
+    explicit ToothView(core::session::UiChannels& links, QWidget* parent = nullptr, Way way = bestWay());
     ~ToothView() override;
 
     /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
@@ -215,7 +215,7 @@ private:
     [[nodiscard]] render::Scene scene(QSizeF sizePx) const;
     [[nodiscard]] bool showsInstrument() const;
 
-    core::session::UiLinks& m_links;
+    core::session::UiChannels& m_links;
     std::optional<core::terrain::Tooth> m_tooth;  ///< what m_surface draws, for those who look inside
     std::uint64_t m_toothRevision = 0;
     std::unique_ptr<render::ToothSurface> m_surface;

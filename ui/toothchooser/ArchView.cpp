@@ -53,13 +53,13 @@ ArchTooth::ArchTooth(int fdi, QWidget* parent) : QAbstractButton(parent), m_fdi(
     setCheckable(true);
     setText(QString::number(fdi));
     //: %1 is the FDI number, %2 the tooth's name
-    text::inEveryLanguage(this, [this, fdi] { setAccessibleName(tr("%1, %2").arg(fdi).arg(text::toothName(fdi))); });
+    text::bindTranslation(this, [this, fdi] { setAccessibleName(tr("%1, %2").arg(fdi).arg(text::toothName(fdi))); });
 }
 
 ArchView::ArchView(QWidget* parent) : QWidget(parent)
 {
     setMouseTracking(true);
-    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Arches")); });
+    text::bindTranslation(this, [this] { setAccessibleName(tr("Arches")); });
     for (const int quadrant : {1, 2, 3, 4})
         for (int position = 1; position <= 8; ++position) {
             Tooth tooth;

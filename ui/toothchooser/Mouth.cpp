@@ -41,7 +41,7 @@ Mouth::Mouth(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(260, 240);
-    text::inEveryLanguage(this, [this] {
+    text::bindTranslation(this, [this] {
         setAccessibleName(tr("Whole mouth"));
         setSelected(m_selected);
     });

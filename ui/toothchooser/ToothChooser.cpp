@@ -83,7 +83,7 @@ ToothChooser::ToothChooser(const kit::Actions& actions, QWidget* parent)
     connect(m_arches, &ArchView::selectionChanged, this, &ToothChooser::describe);
     connect(m_arches, &ArchView::toothActivated, this, &ToothChooser::toothChosen);
     connect(m_take, &QPushButton::clicked, this, [this] { emit toothChosen(m_arches->selected()); });
-    text::inEveryLanguage(this, [this, scanHint] {
+    text::bindTranslation(this, [this, scanHint] {
         setTitle(tr("Choose a tooth"));
         m_take->setText(tr("Drill this tooth"));
         m_take->setAccessibleName(m_take->text());

@@ -16,12 +16,12 @@ AccountMenu::AccountMenu(const kit::Actions& actions, QWidget* parent) : QMenu(p
     addAction(actions.lock);
     QAction* password = addAction(QString());
     password->setObjectName(QStringLiteral("ownPassword"));
-    connect(password, &QAction::triggered, this, &AccountMenu::passwordWanted);
+    connect(password, &QAction::triggered, this, &AccountMenu::passwordRequested);
     addSeparator();
     addMenu(new kit::LanguageMenu(this));
     addAction(actions.presets);
     addAction(actions.settings);
-    text::inEveryLanguage(this, [this, password] {
+    text::bindTranslation(this, [this, password] {
         setAccessibleName(tr("My account"));
         password->setText(tr("Change my password …"));
     });

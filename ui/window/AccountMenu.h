@@ -17,7 +17,7 @@ public:
     AccountMenu(const kit::Actions& actions, QWidget* parent);
 
 signals:
-    void passwordWanted();
+    void passwordRequested();
 };
 
 }  // namespace ui::window

@@ -105,7 +105,7 @@ HelpOverlay::HelpOverlay(const kit::Actions& actions, QWidget* parent)
     });
     title->setFont(kit::typeface(kit::kTitle, QFont::DemiBold));
     m_close->setIcon(kit::lineIcon(QStringLiteral("close"), palette()));
-    text::inEveryLanguage(m_close, [this] {
+    text::bindTranslation(m_close, [this] {
         m_close->setAccessibleName(tr("Close"));
         m_close->setToolTip(tr("Close (Esc)"));
     });
@@ -123,7 +123,7 @@ HelpOverlay::HelpOverlay(const kit::Actions& actions, QWidget* parent)
     m_scroll = new kit::ScrollPane(m_content, QPalette::Base, m_card);
     inside->addWidget(m_scroll, 1);
     // Keys have other names in another language, too.
-    text::inEveryLanguage(this, [this, &actions] { makeGroups(actions); });
+    text::bindTranslation(this, [this, &actions] { makeGroups(actions); });
     connect(&actions, &kit::Actions::bursAtHandChanged, this, [this, &actions] { makeGroups(actions); });
     hide();
 }

@@ -44,11 +44,11 @@
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/kit/Actions.h"
-#include "ui/kit/BusyCard.h"
+#include "ui/kit/AppSettings.h"
+#include "ui/kit/BusyOverlay.h"
 #include "ui/kit/FileDialog.h"
-#include "ui/kit/Folders.h"
 #include "ui/kit/LineIcon.h"
-#include "ui/kit/Memory.h"
+#include "ui/kit/StandardFolders.h"
 #include "ui/kit/Theme.h"
 #include "ui/lessoneditor/LessonEditor.h"
 #include "ui/people/AssignPage.h"
@@ -67,13 +67,13 @@
 #include "ui/presets/TrialCard.h"
 #include "ui/replay/ReplayBar.h"
 #include "ui/replay/TimeLine.h"
-#include "ui/scoring/Forecast.h"
+#include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/ScorePage.h"
-#include "ui/scoring/TalkPanel.h"
+#include "ui/scoring/ScorePredictionPage.h"
 #include "ui/settings/SettingsPage.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/text/LessonWords.h"
-#include "ui/text/PresetWords.h"
+#include "ui/text/LessonTexts.h"
+#include "ui/text/PresetTexts.h"
 #include "ui/tooth/ToothView.h"
 #include "ui/toothchooser/ToothChooser.h"
 #include "ui/window/AccountMenu.h"
@@ -134,7 +134,7 @@ std::optional<double> towardsIdeal(const core::terrain::ToothAnatomy& tooth, con
 
 }  // namespace
 
-MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
+MainWindow::MainWindow(core::session::UiChannels& links, QWidget* parent)
     : QMainWindow(parent), m_links(links), m_actions(new kit::Actions(this)),
       m_viewMenu(new practice::ViewMenu(*m_actions, this)), m_accountMenu(new AccountMenu(*m_actions, this)),
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
@@ -145,11 +145,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_history(new people::HistoryPage(*m_actions, m_pages)), m_classes(new people::ClassPage(*m_actions, m_pages)),
       m_assign(new people::AssignPage(*m_actions, m_pages)), m_admin(new admin::AdminPage(*m_actions, m_pages)),
       m_editor(new lessoneditor::LessonEditor(*m_actions, m_pages)),
-      m_forecast(new scoring::Forecast(*m_actions, m_pages)), m_presets(new presets::PresetsPage(*m_actions, m_pages)),
-      m_trialCard(new presets::TrialCard(m_room)), m_watch(new console::WatchPanel(m_parameters, m_room)),
+      m_forecast(new scoring::ScorePredictionPage(*m_actions, m_pages)),
+      m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
+      m_watch(new console::WatchPanel(m_parameters, m_room)),
       m_console(new console::Console(m_parameters, *m_watch, m_room)),
       m_devicesPage(new devices::DevicesPage(*m_actions, m_pages)), m_xray(new inside::XrayPage(*m_actions, m_pages)),
-      m_messages(new kit::MessageBar(m_pages)), m_busy(new kit::BusyCard(m_pages)),
+      m_messages(new kit::MessageBar(m_pages)), m_busy(new kit::BusyOverlay(m_pages)),
       m_help(new HelpOverlay(*m_actions, m_pages)),
       m_tour(new Tour(*m_actions, {*m_room, *m_lessonsPage, *m_classes, *m_admin}, m_pages)),
       m_stereoCard(new practice::StereoCard(m_room)), m_infractionCard(new practice::InfractionCard(m_room)),
@@ -197,22 +198,22 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, lesson] { emit lessonChosen(lesson); });
     });
     connect(m_lessonsPage, &catalog::LessonsPage::examAsked, this,
-            [this](const kit::QuestionCard::Question& card) { ask("examQuestion", card); });
-    connect(m_lessonsPage, &catalog::LessonsPage::resumeWanted, this, &MainWindow::resumeUnfinished);
-    connect(m_lessonsPage, &catalog::LessonsPage::feedbackWanted, this, &MainWindow::feedbackWanted);
-    connect(m_lessonsPage, &catalog::LessonsPage::discardWanted, this, &MainWindow::discardUnfinished);
-    connect(m_lessonsPage, &catalog::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
+            [this](const kit::ConfirmOverlay::Question& card) { ask("examQuestion", card); });
+    connect(m_lessonsPage, &catalog::LessonsPage::resumeRequested, this, &MainWindow::resumeUnfinished);
+    connect(m_lessonsPage, &catalog::LessonsPage::feedbackRequested, this, &MainWindow::feedbackRequested);
+    connect(m_lessonsPage, &catalog::LessonsPage::discardRequested, this, &MainWindow::discardUnfinished);
+    connect(m_lessonsPage, &catalog::LessonsPage::folderRequested, this, &MainWindow::lessonFolderRequested);
     connect(m_editor, &lessoneditor::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
-    connect(m_editor, &lessoneditor::LessonEditor::lessonSaved, this, &MainWindow::lessonsWanted);
+    connect(m_editor, &lessoneditor::LessonEditor::lessonSaved, this, &MainWindow::lessonsRequested);
     const auto workOn = [this] {
         m_room->section().setHeld({});
         if (std::exchange(m_infractionStopped, false))
             wishDrill(true);
         m_view->setFocus();
     };
-    connect(m_infractionCard, &practice::InfractionCard::goOnWanted, this, workOn);
-    connect(m_infractionCard, &practice::InfractionCard::takeBackWanted, this, [this, workOn] {
-        emit takeBackWanted(m_infractionTick);
+    connect(m_infractionCard, &practice::InfractionCard::goOnRequested, this, workOn);
+    connect(m_infractionCard, &practice::InfractionCard::takeBackRequested, this, [this, workOn] {
+        emit takeBackRequested(m_infractionTick);
         workOn();
     });
     m_room->setExercise(m_exerciseCard);
@@ -221,9 +222,9 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             [this](std::size_t pad, core::terrain::Material said) {
                 send(core::session::AddNote{core::grading::answerNote(pad, said)});
             });
-    connect(m_forecast, &scoring::Forecast::answered, this, &MainWindow::forecastGiven);
-    connect(m_scorePage, &scoring::ScorePage::momentWanted, this, &MainWindow::momentWanted);
-    connect(m_scorePage, &scoring::ScorePage::nextWanted, m_lessonsPage, &catalog::LessonsPage::startNext);
+    connect(m_forecast, &scoring::ScorePredictionPage::answered, this, &MainWindow::forecastGiven);
+    connect(m_scorePage, &scoring::ScorePage::momentRequested, this, &MainWindow::momentRequested);
+    connect(m_scorePage, &scoring::ScorePage::nextRequested, m_lessonsPage, &catalog::LessonsPage::startNext);
     connect(&m_room->lesson(), &practice::LessonStrip::stepShown, this, &MainWindow::markExercise);
     connect(&m_room->lesson(), &practice::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
@@ -259,13 +260,13 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     pulse->start(kSessionMs);
     qApp->installEventFilter(this);
     recallLayout();
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
     m_room->setHintVisible(m_view->isUsable());
     goTo(m_room);
 }
 
 /// What the pages cannot know themselves.
-void MainWindow::speak()
+void MainWindow::retranslateUi()
 {
     setAids(m_aids);
     setUsedUp(m_isUsedUp);
@@ -315,7 +316,7 @@ void MainWindow::connectActions()
     });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
-    on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
+    on(m_actions->fixture, [this] { emit fixtureRequested(m_actions->fixture->isChecked()); });
     for (int k = 0; k < m_actions->handpieces.size(); ++k)
         on(m_actions->handpieces[k], [this, k] { wishHandpiece(k); });
     connect(m_actions->otherHand, &QAction::toggled, this, [this](bool left) {
@@ -410,10 +411,10 @@ void MainWindow::connectActions()
     on(m_actions->back, [this] { goBack(); });
     on(m_actions->account, [this] { showAccount(); });
     on(m_actions->lock, [this] { changeAccount(); });
-    connect(m_accountMenu, &AccountMenu::passwordWanted, this, [this] { changePassword(); });
-    connect(m_login, &people::LoginPage::leaveWanted, this, &MainWindow::goBack);
-    on(m_actions->attempts, [this] { emit attemptsWanted(); });
-    on(m_actions->classes, [this] { emit classesWanted(); });
+    connect(m_accountMenu, &AccountMenu::passwordRequested, this, [this] { changePassword(); });
+    connect(m_login, &people::LoginPage::leaveRequested, this, &MainWindow::goBack);
+    on(m_actions->attempts, [this] { emit attemptsRequested(); });
+    on(m_actions->classes, [this] { emit classesRequested(); });
     on(m_actions->readAgain, [this] { readAgain(); });
     on(m_actions->quit, [this] { close(); });
 }
@@ -427,9 +428,9 @@ void MainWindow::startAgain()
         goTo(m_room);
         showMessage(tr("This exam is over but not graded yet. Press G to grade it."));
     } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
-        m_lessonsPage->begin(*m_assignment->lesson, [this] { emit attemptAgainWanted(); });
+        m_lessonsPage->begin(*m_assignment->lesson, [this] { emit attemptAgainRequested(); });
     } else if (m_isGraded) {
-        leaveWork([this] { emit attemptAgainWanted(); });
+        leaveWork([this] { emit attemptAgainRequested(); });
     } else {
         goTo(m_room);
         if (!send(core::session::Reload{}))
@@ -486,33 +487,33 @@ void MainWindow::connectDoor()
     });
     connect(m_admin, &admin::AdminPage::partOpened, this,
             [this] { m_messages->withdraw(kit::MessageBar::Topic::Page); });
-    connect(m_classes, &people::ClassPage::peopleWanted, this, [this] {
+    connect(m_classes, &people::ClassPage::peopleRequested, this, [this] {
         m_admin->show(admin::AdminPage::People);
         goTo(m_admin);
     });
-    connect(m_login, &LoginPage::loginWanted, this, &MainWindow::loginWanted);
-    connect(m_login, &LoginPage::codeWanted, this, &MainWindow::codeWanted);
-    connect(m_login, &LoginPage::schoolWanted, this, &MainWindow::schoolWanted);
-    connect(m_login, &LoginPage::guestWanted, this, &MainWindow::guestWanted);
-    connect(m_login, &LoginPage::passwordChangeWanted, this, &MainWindow::passwordChangeWanted);
-    connect(m_login, &LoginPage::againWanted, this, &MainWindow::openAgainWanted);
-    connect(m_login, &LoginPage::restoreWanted, this, &MainWindow::restoreWanted);
-    connect(m_scorePage, &scoring::ScorePage::keepWanted, this, &MainWindow::keepWanted);
+    connect(m_login, &LoginPage::loginRequested, this, &MainWindow::loginRequested);
+    connect(m_login, &LoginPage::codeRequested, this, &MainWindow::codeRequested);
+    connect(m_login, &LoginPage::schoolRequested, this, &MainWindow::schoolRequested);
+    connect(m_login, &LoginPage::guestRequested, this, &MainWindow::guestRequested);
+    connect(m_login, &LoginPage::passwordChangeRequested, this, &MainWindow::passwordChangeRequested);
+    connect(m_login, &LoginPage::againRequested, this, &MainWindow::openAgainRequested);
+    connect(m_login, &LoginPage::restoreRequested, this, &MainWindow::restoreRequested);
+    connect(m_scorePage, &scoring::ScorePage::keepRequested, this, &MainWindow::keepRequested);
     // The user's attempt is on the disk, and offered to them when they log in again.
-    connect(m_login, &LoginPage::otherWanted, this, [this] { leaveUnsaved([this] { emit logoutWanted(); }); });
+    connect(m_login, &LoginPage::otherRequested, this, [this] { leaveUnsaved([this] { emit logoutRequested(); }); });
 }
 
 void MainWindow::connectTour()
 {
     connect(m_actions->tour, &QAction::triggered, this, &MainWindow::beginTour);
-    connect(m_tour, &Tour::pageWanted, this, [this](Tour::Where where) {
+    connect(m_tour, &Tour::pageRequested, this, [this](Tour::Where where) {
         QWidget* const page = tourPage(where);
         if (m_pages->currentWidget() == page)
             return;
         if (page == m_lessonsPage)
-            emit lessonsWanted();
+            emit lessonsRequested();
         else if (page == m_classes)
-            emit classesWanted();
+            emit classesRequested();
         goTo(page);
     });
     connect(m_tour, &Tour::ended, this, [this] {
@@ -557,7 +558,7 @@ void MainWindow::lockIfIdle()
     if (!m_sinceTouch.hasExpired(m_idleLimit.count()))
         return;
     if (!m_who.isGuest() && (!isAtDoor() || m_mayLeaveDoor))
-        askWho(people::Door::Locked);
+        askWho(people::LoginMode::Locked);
     else if (m_login->keeps())  // whoever logs in after so long is somebody else
         m_login->offerToKeep({});
     else if (m_who.isGuest())
@@ -586,7 +587,7 @@ void MainWindow::changeAccount()
     if (isAtDoor() && m_who.isGuest())
         goBack();
     else if (m_who.isGuest() && m_isGraded && ownWork() == m_workGraded && m_pages->currentWidget() == m_scorePage)
-        emit keepWanted();  // the guest logs in to save this grade
+        emit keepRequested();  // the guest logs in to save this grade
     else if (m_who.isGuest())
         // Who logs in begins with a clean table.
         leaveWork([this] {
@@ -597,14 +598,14 @@ void MainWindow::changeAccount()
             });
         });
     else
-        askWho(people::Door::Locked);
+        askWho(people::LoginMode::Locked);
 }
 
 /// Who is in may leave it as it is.
 void MainWindow::changePassword()
 {
-    askWho(people::Door::OwnPassword);
-    m_login->ask(people::Door::OwnPassword, true);
+    askWho(people::LoginMode::OwnPassword);
+    m_login->ask(people::LoginMode::OwnPassword, true);
     m_mayLeaveDoor = true;
     enableActions();
 }
@@ -613,7 +614,7 @@ void MainWindow::changePassword()
 void MainWindow::closeAllOver()
 {
     m_afterSaving = {};
-    for (kit::QuestionCard* question : findChildren<kit::QuestionCard*>(QString(), Qt::FindDirectChildrenOnly)) {
+    for (kit::ConfirmOverlay* question : findChildren<kit::ConfirmOverlay*>(QString(), Qt::FindDirectChildrenOnly)) {
         question->hide();
         question->setObjectName({});
         question->deleteLater();  // it may be its answer that led here
@@ -623,7 +624,7 @@ void MainWindow::closeAllOver()
             one->close();
 }
 
-void MainWindow::askWho(people::Door door)
+void MainWindow::askWho(people::LoginMode door)
 {
     closeAllOver();
     if (!isAtDoor())
@@ -646,7 +647,7 @@ bool MainWindow::keepsOnLogin() const
     return m_login->keeps();
 }
 
-void MainWindow::setWho(const database::Session& who)
+void MainWindow::setWho(const database::Login& who)
 {
     if (who.person() != m_who.person())
         m_unsaved.discard();
@@ -702,7 +703,7 @@ void MainWindow::openAssign()
 
 void MainWindow::showOldScore(std::function<QString()> work, const lessons::ScoreSheet& sheet,
                               const QList<database::AttemptRecord>& history,
-                              const std::optional<scoring::Expectation>& expected,
+                              const std::optional<scoring::ScorePrediction>& expected,
                               const std::optional<scoring::ScoredWork>& scored)
 {
     m_isGuestGone = false;
@@ -741,7 +742,7 @@ void MainWindow::leaveAll()
     m_console->forget();
     m_room->panel().hand().reset();
     for (const auto topic :
-         {kit::MessageBar::Topic::Tooth, kit::MessageBar::Topic::Unfinished, kit::MessageBar::Topic::General,
+         {kit::MessageBar::Topic::Tooth, kit::MessageBar::Topic::ResumableAttempt, kit::MessageBar::Topic::General,
           kit::MessageBar::Topic::Keeping, kit::MessageBar::Topic::Journal, kit::MessageBar::Topic::Preset,
           kit::MessageBar::Topic::School, kit::MessageBar::Topic::Page})
         m_messages->withdraw(topic);
@@ -750,8 +751,8 @@ void MainWindow::leaveAll()
 void MainWindow::refuseLogin(const core::Error& error)
 {
     if (error.code == core::ErrorCode::NewPassword)
-        m_login->ask(people::Door::NewPassword);
-    else if (error.code == core::ErrorCode::WrongLogin && m_login->door() == people::Door::NewPassword)
+        m_login->ask(people::LoginMode::NewPassword);
+    else if (error.code == core::ErrorCode::WrongLogin && m_login->door() == people::LoginMode::NewPassword)
         m_login->refuse([] { return tr("The one-time code is no longer valid. Ask an admin for a new one."); });
     else if (error.code == core::ErrorCode::OutOfRange)
         m_login->refuseNewPassword([error] { return text::loginFault(error); });
@@ -775,8 +776,9 @@ void MainWindow::setUnreachable(const std::optional<core::Error>& error, const Q
 
 void MainWindow::tellUnreachable()
 {
-    m_login->setUnreachable(
-        m_unreachable ? text::errorText(*m_unreachable, text::Failed::KeepingGrades) + u'\n' + m_where : QString());
+    m_login->setUnreachable(m_unreachable ? text::errorText(*m_unreachable, text::FailedOperation::KeepingGrades) +
+                                                u'\n' + m_where
+                                          : QString());
 }
 
 void MainWindow::sayAtDoor(std::function<QString()> sentence)
@@ -787,42 +789,42 @@ void MainWindow::sayAtDoor(std::function<QString()> sentence)
 void MainWindow::connectPresets()
 {
     connect(m_actions->presets, &QAction::triggered, this, [this] {
-        emit presetsWanted();
+        emit presetsRequested();
         goTo(m_presets);
     });
     using presets::PresetsPage;
     using presets::TrialCard;
     connectConsole();
-    connect(m_presets, &PresetsPage::saveWanted, this, &MainWindow::presetSaveWanted);
-    connect(m_presets, &PresetsPage::useWanted, this, &MainWindow::presetUseWanted);
-    connect(m_presets, &PresetsPage::importWanted, this, [this] {
+    connect(m_presets, &PresetsPage::saveRequested, this, &MainWindow::presetSaveRequested);
+    connect(m_presets, &PresetsPage::useRequested, this, &MainWindow::presetUseRequested);
+    connect(m_presets, &PresetsPage::importRequested, this, [this] {
         askForFile(tr("Import a hardness preset"), FileKind::Preset,
-                   [this](const QString& path) { emit presetImportWanted(path); });
+                   [this](const QString& path) { emit presetImportRequested(path); });
     });
-    connect(m_presets, &PresetsPage::exportWanted, this, [this](const core::settings::FeelPreset& preset) {
+    connect(m_presets, &PresetsPage::exportRequested, this, [this](const core::settings::FeelPreset& preset) {
         askForFile(
             tr("Export the hardness preset"), FileKind::Preset,
-            [this, preset](const QString& path) { emit presetExportWanted(preset, path); },
+            [this, preset](const QString& path) { emit presetExportRequested(preset, path); },
             QStringLiteral("%1-v%2.%3")
                 .arg(QString::fromStdString(preset.name).replace(u'/', u'-'))
                 .arg(preset.version)
                 .arg(QLatin1String(lessons::kPresetSuffix)));
     });
-    connect(m_presets, &PresetsPage::tryWanted, this,
+    connect(m_presets, &PresetsPage::tryRequested, this,
             [this](const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset) {
                 leaveWork([this, base, preset] {
                     m_blindTrial.reset();
                     m_triedPreset.emplace(base, preset);
-                    emit presetTrialWanted(preset);
+                    emit presetTrialRequested(preset);
                 });
             });
-    connect(m_presets, &PresetsPage::retireWanted, this, &MainWindow::presetRetireWanted);
-    connect(m_presets, &PresetsPage::compareWanted, this,
+    connect(m_presets, &PresetsPage::retireRequested, this, &MainWindow::presetRetireRequested);
+    connect(m_presets, &PresetsPage::compareRequested, this,
             [this](const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials) {
                 leaveWork([this, first, second, trials] {
                     m_blindTrial.emplace(first, second, trials, QRandomGenerator::global()->generate64());
                     m_triedPreset.reset();
-                    emit presetTrialWanted(first);
+                    emit presetTrialRequested(first);
                 });
             });
     connect(m_trialCard, &TrialCard::felt, this, [this](const core::settings::FeelPreset& preset) {
@@ -830,14 +832,14 @@ void MainWindow::connectPresets()
         emit presetFelt(preset);
     });
     connect(m_trialCard, &TrialCard::blockChosen, this, &MainWindow::trialBlockChosen);
-    connect(m_trialCard, &TrialCard::freshBlockWanted, this, [this] { send(core::session::Reload{}); });
+    connect(m_trialCard, &TrialCard::freshBlockRequested, this, [this] { send(core::session::Reload{}); });
     connect(m_trialCard, &TrialCard::done, this, [this] {
         if (const auto tuned = m_trialCard->tuned())
             m_presets->setDraft(*tuned);
-        emit presetsWanted();
+        emit presetsRequested();
         goTo(m_presets);
     });
-    connect(m_trialCard, &TrialCard::csvWanted, this, [this](const QByteArray& csv) {
+    connect(m_trialCard, &TrialCard::csvRequested, this, [this](const QByteArray& csv) {
         askForFile(
             tr("Save the comparison"), FileKind::Table,
             [this, csv](const QString& path) {
@@ -878,7 +880,7 @@ void MainWindow::registerParameters()
             return console::Told{m_aids.depthGauge && !isBlindfolded(), !isBlindfolded()};
         });
     connect(m_watch, &console::WatchPanel::resized, this, &MainWindow::placeOverlays);
-    connect(m_console, &console::Console::closeWanted, m_actions->console, &QAction::trigger);
+    connect(m_console, &console::Console::closeRequested, m_actions->console, &QAction::trigger);
     connect(m_actions->console, &QAction::triggered, this, [this] {
         if (m_console->isVisible()) {
             m_console->hide();
@@ -910,7 +912,7 @@ void MainWindow::connectConsole()
             core::settings::FeelPreset preset = m_feel;
             preset.name = name.toStdString();
             preset.version = 0;
-            emit presetSaveWanted(preset);
+            emit presetSaveRequested(preset);
             return QString();
         },
         [this](const QString& name) {
@@ -954,7 +956,7 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& wanted)
             m_trialCard->tune(m_trialCard->base(), next);
         emit presetFelt(next);
     } else {
-        emit feelWanted(next);
+        emit feelRequested(next);
     }
     return {};
 }
@@ -983,7 +985,7 @@ void MainWindow::showPresetFault(const QString& sentence)
         m_console->say(sentence);
 }
 
-void MainWindow::setMayKeepPresets(const database::Session& who, bool may)
+void MainWindow::setMayKeepPresets(const database::Login& who, bool may)
 {
     m_presets->setMayKeep(may);
     m_presets->setMayRetire(may && !who.isGuest());
@@ -1019,7 +1021,7 @@ void MainWindow::editChosenLesson()
     if (entry->pack.isEmpty())
         editLesson(entry->read);
     else
-        emit unpackWanted(entry->pack, QFileInfo(entry->read.file).fileName());
+        emit unpackRequested(entry->pack, QFileInfo(entry->read.file).fileName());
 }
 
 void MainWindow::openHome()
@@ -1035,7 +1037,7 @@ void MainWindow::openHome()
 
 void MainWindow::openLessons()
 {
-    emit lessonsWanted();
+    emit lessonsRequested();
     goTo(m_lessonsPage);
 }
 
@@ -1047,7 +1049,7 @@ void MainWindow::editLesson(const lessons::ReadLesson& lesson)
         return;
     }
     m_editor->edit(lesson, lessons::teachersFolder());
-    emit knownAttemptsWanted(*lesson.lesson);
+    emit knownAttemptsRequested(*lesson.lesson);
     goTo(m_editor);
 }
 
@@ -1059,11 +1061,11 @@ void MainWindow::setKnownAttempts(std::vector<lessoneditor::MeasuredAttempt> att
 void MainWindow::connectReplay()
 {
     replay::ReplayBar& bar = m_room->replay();
-    connect(&bar, &replay::ReplayBar::stopWanted, this, &MainWindow::replayStopRequested);
+    connect(&bar, &replay::ReplayBar::stopRequested, this, &MainWindow::replayStopRequested);
     connect(&bar, &replay::ReplayBar::speedChosen, this, &MainWindow::replaySpeedChosen);
-    connect(&bar, &replay::ReplayBar::seekWanted, this, [this](double seconds) {
+    connect(&bar, &replay::ReplayBar::seekRequested, this, [this](double seconds) {
         m_messages->withdraw(kit::MessageBar::Topic::Tooth);  // it is at its end no longer
-        emit seekWanted(seconds);
+        emit seekRequested(seconds);
     });
     const auto hold = [this](bool paused) {
         showReplayPaused(paused);
@@ -1091,19 +1093,20 @@ void MainWindow::connectReplay()
     on(m_actions->beside, [this](bool wanted) {
         m_actions->beside->setChecked(m_beside != nullptr);
         if (!wanted)
-            emit besideCloseWanted();
+            emit besideCloseRequested();
         else if (m_who.isGuest())
             offerBeside({});
         else
-            emit besidesWanted(lessonShown() != nullptr ? lessonShown()->id : std::string(), m_tooth->name);
+            emit besidesRequested(lessonShown() != nullptr ? lessonShown()->id : std::string(), m_tooth->name);
     });
-    on(m_actions->expert, [this] { emit expertWanted(); });
-    on(m_actions->along, [this](bool wanted) { emit leadWanted(wanted); });
-    connect(&m_room->history(), &practice::HistoryPanel::momentWanted, this, [this](const core::session::GoTo& where) {
-        if (m_infractionCard->isVisible())
-            m_infractionCard->goOn();  // it is about a tooth that is another now
-        send(where);
-    });
+    on(m_actions->expert, [this] { emit expertRequested(); });
+    on(m_actions->along, [this](bool wanted) { emit leadRequested(wanted); });
+    connect(&m_room->history(), &practice::HistoryPanel::momentRequested, this,
+            [this](const core::session::GoTo& where) {
+                if (m_infractionCard->isVisible())
+                    m_infractionCard->goOn();  // it is about a tooth that is another now
+                send(where);
+            });
 }
 
 void MainWindow::setHistorySource(practice::HistorySource source)
@@ -1111,7 +1114,7 @@ void MainWindow::setHistorySource(practice::HistorySource source)
     m_room->history().setSource(std::move(source));
 }
 
-void MainWindow::showBeside(core::session::UiLinks& links,
+void MainWindow::showBeside(core::session::UiChannels& links,
                             const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth, std::uint64_t generation,
                             const core::grading::IdealTop& ideal, const QString& name)
 {
@@ -1139,7 +1142,7 @@ void MainWindow::offerBeside(const QList<kit::MessageBar::Choice>& attempts)
         return;
     const auto askForOne = [this] {
         askForFile(m_actions->beside->text(), FileKind::Recording,
-                   [this](const QString& path) { emit besideWanted(path); });
+                   [this](const QString& path) { emit besideRequested(path); });
     };
     if (attempts.isEmpty()) {
         askForOne();
@@ -1161,7 +1164,7 @@ void MainWindow::offerBeside(const QList<kit::MessageBar::Choice>& attempts)
     menu->popup(at->mapToGlobal(QPoint(0, -menu->sizeHint().height())));
 }
 
-void MainWindow::setBesideCourse(const replay::Course& course)
+void MainWindow::setBesideCourse(const replay::AttemptTimeline& course)
 {
     m_room->replay().setBeside(asMayBeTold(course));
     m_besideCourse = course;
@@ -1270,7 +1273,7 @@ void MainWindow::layExercise()
 /// The points of the recordings that are played, here and beside, each as it was at the same share of its time.
 std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> MainWindow::replayedPoints() const
 {
-    const auto pointsAt = [](const replay::Course& course, double seconds) {
+    const auto pointsAt = [](const replay::AttemptTimeline& course, double seconds) {
         std::vector<tooth::PointMark> points;
         for (const replay::TouchPoint& point : course.points)
             points.push_back({point.placeMm, point.reachMm, point.touchedAtS && *point.touchedAtS <= seconds});
@@ -1416,8 +1419,8 @@ void MainWindow::connectView()
     };
     connect(m_viewMenu, &practice::ViewMenu::chosen, this, take);
     take(m_viewMenu->settings());
-    connect(m_viewMenu, &practice::ViewMenu::sideWanted, m_view, &tooth::ToothView::lookFrom);
-    connect(m_viewMenu, &practice::ViewMenu::stereoPageWanted, this, [this] {
+    connect(m_viewMenu, &practice::ViewMenu::sideRequested, m_view, &tooth::ToothView::lookFrom);
+    connect(m_viewMenu, &practice::ViewMenu::stereoPageRequested, this, [this] {
         m_stereoCard->open(m_viewMenu->settings().presentation, m_viewMenu->stereoWay());
         placeOverlays();
     });
@@ -1668,7 +1671,7 @@ void MainWindow::goTo(QWidget* page)
     if (page != m_pages->currentWidget())
         m_messages->withdraw(kit::MessageBar::Topic::Page);
     if (page == m_lessonsPage) {
-        m_messages->withdraw(kit::MessageBar::Topic::Unfinished);  // it has a card for it
+        m_messages->withdraw(kit::MessageBar::Topic::ResumableAttempt);  // it has a card for it
         m_lessonsPage->setUnsaved(m_mayEdit ? m_editor->unsavedFiles() : QSet<QString>());
     }
     m_pages->setCurrentWidget(page);
@@ -1947,23 +1950,23 @@ void MainWindow::showBusy(const QString& what)
     placeOverlays();
 }
 
-void MainWindow::showError(const core::Error& error, text::Failed failed, const QString& file)
+void MainWindow::showError(const core::Error& error, text::FailedOperation failed, const QString& file)
 {
-    const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
-                         failed == text::Failed::OpeningRecording;
+    const bool ofTooth = failed == text::FailedOperation::OpeningScan || failed == text::FailedOperation::MakingTooth ||
+                         failed == text::FailedOperation::OpeningRecording;
     tellError(error, failed, file,
               ofTooth ? kit::MessageBar::Topic::Tooth
-              : failed == text::Failed::KeepingAttempt || failed == text::Failed::KeepingExam
+              : failed == text::FailedOperation::KeepingAttempt || failed == text::FailedOperation::KeepingExam
                   ? kit::MessageBar::Topic::Journal
-              : failed != text::Failed::ReadingSchool         ? kit::MessageBar::Topic::General
-              : error.code == core::ErrorCode::ConnectionLost ? kit::MessageBar::Topic::School
-                                                              : kit::MessageBar::Topic::Page);
+              : failed != text::FailedOperation::ReadingSchool ? kit::MessageBar::Topic::General
+              : error.code == core::ErrorCode::ConnectionLost  ? kit::MessageBar::Topic::School
+                                                               : kit::MessageBar::Topic::Page);
 }
 
 void MainWindow::showNotKept(const core::Error& error)
 {
     forgetNotKept();
-    tellError(error, text::Failed::KeepingGrade, {}, kit::MessageBar::Topic::Keeping);
+    tellError(error, text::FailedOperation::KeepingGrade, {}, kit::MessageBar::Topic::Keeping);
 }
 
 void MainWindow::setUnkeptGrades(int count)
@@ -2008,11 +2011,11 @@ void MainWindow::readAgain()
     else if (page == m_history)
         m_history->readAgain();
     else if (page == m_presets)
-        emit presetsWanted();
+        emit presetsRequested();
     else if (page == m_classes)
         m_classes->readAgain();
     else if (page == m_lessonsPage)
-        emit lessonsWanted();
+        emit lessonsRequested();
 }
 
 void MainWindow::readAttemptsAgain()
@@ -2031,7 +2034,7 @@ void MainWindow::forgetAttemptNotKept()
     m_messages->withdraw(kit::MessageBar::Topic::Journal);
 }
 
-void MainWindow::tellError(const core::Error& error, text::Failed failed, const QString& file,
+void MainWindow::tellError(const core::Error& error, text::FailedOperation failed, const QString& file,
                            kit::MessageBar::Topic topic)
 {
     m_busy->done();
@@ -2042,7 +2045,7 @@ void MainWindow::tellError(const core::Error& error, text::Failed failed, const 
     const QString name = QFileInfo(file).fileName();
     // Its teacher can mend it: the key is named, as on the page of lessons.
     const QString detail =
-        failed == text::Failed::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name;
+        failed == text::FailedOperation::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name;
     m_messages->say([=] {
         return kit::MessageBar::Message{
             kit::MessageBar::Kind::Error, text::errorText(error, failed), detail, {}, {}, topic, exact};
@@ -2082,7 +2085,7 @@ void MainWindow::offerUnfinished(const std::function<QString()>& tooth, const QD
     m_offerUnfinished = [this, tooth, begun] {
         kit::MessageBar::Message offer;
         offer.kind = kit::MessageBar::Kind::Warning;
-        offer.topic = kit::MessageBar::Topic::Unfinished;
+        offer.topic = kit::MessageBar::Topic::ResumableAttempt;
         //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
         offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth(), text::shortWhen(begun));
         offer.actionText = tr("Resume");
@@ -2096,7 +2099,7 @@ void MainWindow::offerUnfinished(const std::function<QString()>& tooth, const QD
 /// The page of lessons has a card for it.
 void MainWindow::tellUnfinished()
 {
-    m_messages->withdraw(kit::MessageBar::Topic::Unfinished);
+    m_messages->withdraw(kit::MessageBar::Topic::ResumableAttempt);
     if (m_pages->currentWidget() != m_lessonsPage)
         m_messages->say(m_offerUnfinished);
 }
@@ -2134,7 +2137,7 @@ void MainWindow::discardUnfinished()
 
 void MainWindow::forgetUnfinished()
 {
-    m_messages->withdraw(kit::MessageBar::Topic::Unfinished);
+    m_messages->withdraw(kit::MessageBar::Topic::ResumableAttempt);
     m_lessonsPage->setUnfinished({}, {});
 }
 
@@ -2151,7 +2154,7 @@ void MainWindow::offerToBringBack(const std::function<void()>& bringBack)
 }
 
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                           const std::optional<scoring::Expectation>& expected,
+                           const std::optional<scoring::ScorePrediction>& expected,
                            const std::optional<scoring::ScoredWork>& scored)
 {
     m_busy->done();
@@ -2199,13 +2202,13 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
         m_infractionStopped = m_actions->drill->isChecked();
     wishDrill(false);
     // A bur that ran in the air has done nothing to be looked at or taken back.
-    const bool didHarm = infraction.breach != core::grading::Breach::BurInAir;
+    const bool didHarm = infraction.breach != core::grading::RuleViolation::BurInAir;
     if (didHarm)
         m_room->section().setHeld(infraction.placeMm);
-    if (infraction.breach == core::grading::Breach::RidgeCut)
+    if (infraction.breach == core::grading::RuleViolation::RidgeCut)
         m_room->section().showAlong(0.0);
     // The card says that the section shows what is to be cut: the plane goes through the nearest of it.
-    if (infraction.breach == core::grading::Breach::WrongPlace && m_tooth && m_ideal)
+    if (infraction.breach == core::grading::RuleViolation::WrongPlace && m_tooth && m_ideal)
         if (const auto towards = towardsIdeal(*m_tooth, *m_ideal, infraction.placeMm))
             m_room->section().showAlong(*towards);
     // A bur that was left running may be noticed while another page is read: the card waits for who comes back.
@@ -2326,7 +2329,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     enableActions();
 }
 
-void MainWindow::setReplayCourse(const replay::Course& course)
+void MainWindow::setReplayCourse(const replay::AttemptTimeline& course)
 {
     std::vector<replay::Remark> remarks = std::move(m_replayCourse.remarks);
     m_replayCourse = course;
@@ -2363,7 +2366,7 @@ void MainWindow::showRemarks()
 }
 
 /// One's own attempt so far, saved and played, would tell what went wrong.
-replay::Course MainWindow::asMayBeTold(replay::Course course) const
+replay::AttemptTimeline MainWindow::asMayBeTold(replay::AttemptTimeline course) const
 {
     if (isExamRunning())
         course.infractions.clear();
@@ -2509,10 +2512,10 @@ void MainWindow::leaveGrades(const std::function<void()>& what)
                           what});
 }
 
-void MainWindow::ask(const char* name, const kit::QuestionCard::Question& question)
+void MainWindow::ask(const char* name, const kit::ConfirmOverlay::Question& question)
 {
     delete m_question;
-    m_question = new kit::QuestionCard(question, this);
+    m_question = new kit::ConfirmOverlay(question, this);
     m_question->setObjectName(QLatin1String(name));
 }
 

@@ -22,22 +22,22 @@
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/servo/ServoState.h"
-#include "core/session/Links.h"
+#include "core/session/SessionChannels.h"
 #include "core/settings/Parameters.h"
-#include "database/people.h"
-#include "database/records.h"
+#include "database/AttemptRecord.h"
+#include "database/Person.h"
 #include "lessons/Assignment.h"
 #include "ui/catalog/LessonsPage.h"
 #include "ui/console/Registration.h"
+#include "ui/kit/ConfirmOverlay.h"
 #include "ui/kit/MessageBar.h"
-#include "ui/kit/QuestionCard.h"
 #include "ui/kit/UnsavedChanges.h"
 #include "ui/lessoneditor/ToleranceSweep.h"
-#include "ui/people/Door.h"
+#include "ui/people/LoginMode.h"
 #include "ui/practice/HistoryPanel.h"
 #include "ui/presets/BlindTrial.h"
-#include "ui/replay/Course.h"
-#include "ui/scoring/Expectation.h"
+#include "ui/replay/AttemptTimeline.h"
+#include "ui/scoring/ScorePrediction.h"
 #include "ui/scoring/ScoredWork.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/ExerciseMarks.h"
@@ -48,7 +48,7 @@ class QStackedWidget;
 
 namespace ui::kit {
 class Actions;
-class BusyCard;
+class BusyOverlay;
 }  // namespace ui::kit
 namespace ui::lessoneditor {
 class LessonEditor;
@@ -60,7 +60,7 @@ class StereoCard;
 class ViewMenu;
 }  // namespace ui::practice
 namespace ui::scoring {
-class Forecast;
+class ScorePredictionPage;
 class ScorePage;
 }  // namespace ui::scoring
 namespace ui::toothchooser {
@@ -123,7 +123,7 @@ public:
     static QString recordingSuffix() { return "cusprec"; }
 
     /// @param links  must outlive the window
-    explicit MainWindow(core::session::UiLinks& links, QWidget* parent = nullptr);
+    explicit MainWindow(core::session::UiChannels& links, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     /// The size to begin with on a screen that has so much room for windows.
@@ -159,7 +159,7 @@ public slots:
     /// Work is going on. It ends with showTooth, showScore or showError.
     void showBusy(const QString& what);
     /// @param file  its path, where there is one
-    void showError(const core::Error& error, text::Failed failed, const QString& file = {});
+    void showError(const core::Error& error, text::FailedOperation failed, const QString& file = {});
     /// A grade could not be kept. That stands until forgetNotKept(), or until somebody closes it.
     void showNotKept(const core::Error& error);
     /// So many grades, of whomever, are not in the outbox yet: the disk refuses them.
@@ -200,7 +200,7 @@ public slots:
     /// @param expected  what the student had said when asked
     /// @param scored  what was marked, for the pictures of it
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                   const std::optional<scoring::Expectation>& expected = {},
+                   const std::optional<scoring::ScorePrediction>& expected = {},
                    const std::optional<scoring::ScoredWork>& scored = {});
     /// The attempt that showScore() was about is kept with its recording: as it was graded, nothing of it can be lost.
     void showWorkKept();
@@ -240,13 +240,13 @@ public slots:
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
     /// Who works here now, and whether he may keep presets and say which is in use; else he looks at them and tries
     /// them.
-    void setMayKeepPresets(const database::Session& who, bool may);
-    /// presetSaveWanted(), or a file that was imported, has become this version: shown on the page, and said.
+    void setMayKeepPresets(const database::Login& who, bool may);
+    /// presetSaveRequested(), or a file that was imported, has become this version: shown on the page, and said.
     /// @param note  what deserves a look all the same; may be empty
     void showPresetKept(const core::settings::FeelPreset& preset, const QString& note = {});
     /// What could not be done, on the page of presets.
     void showPresetFault(const QString& sentence);
-    /// The block that presetTrialWanted() asked for is on the table.
+    /// The block that presetTrialRequested() asked for is on the table.
     void beginTrial();
     /// What the tooth on the table feels like, and what it would if nobody had turned anything.
     void showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
@@ -264,16 +264,16 @@ public slots:
     void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {},
                       std::optional<lessons::Lesson> lesson = {}, const QString& whose = {});
     /// How the attempt went that is played, as far as it is known; again when more of it is.
-    void setReplayCourse(const replay::Course& course);
+    void setReplayCourse(const replay::AttemptTimeline& course);
     /// What people have remarked of its moments; again when that is another. A replay begins without.
     void setRemarks(std::vector<replay::Remark> remarks);
     /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
     /// @param links  must outlive it: until hideBeside()
-    void showBeside(core::session::UiLinks& links, const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth,
+    void showBeside(core::session::UiChannels& links, const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth,
                     std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
-    /// Answers besidesWanted(): attempts to choose from, beside a file; none: a file is asked for at once.
+    /// Answers besidesRequested(): attempts to choose from, beside a file; none: a file is asked for at once.
     void offerBeside(const QList<kit::MessageBar::Choice>& attempts);
-    void setBesideCourse(const replay::Course& course);
+    void setBesideCourse(const replay::AttemptTimeline& course);
     void hideBeside();
     /// The hand is led no longer: it has pushed, or the device is lost.
     void showLeadEnd(bool pushed);
@@ -285,9 +285,9 @@ public slots:
     void setHistorySource(practice::HistorySource source);
     /// Somebody is to log in, to create the school, or to come back. Nothing else can be done meanwhile but practising
     /// without a login where the door offers that.
-    void askWho(people::Door door);
+    void askWho(people::LoginMode door);
     /// Somebody is to log in; where nobody is entered yet, to create the school.
-    void askLogin() { askWho(m_isNewSchool ? people::Door::Welcome : people::Door::Login); }
+    void askLogin() { askWho(m_isNewSchool ? people::LoginMode::Welcome : people::LoginMode::Login); }
     /// The same where a guest's grade waits for who it is: he is told so, and may say that it is not his.
     void askLoginToKeep();
     [[nodiscard]] bool keepsOnLogin() const;
@@ -302,14 +302,14 @@ public slots:
     /// @param work  its lesson, or its tooth
     void showOldScore(std::function<QString()> work, const lessons::ScoreSheet& sheet,
                       const QList<database::AttemptRecord>& history,
-                      const std::optional<scoring::Expectation>& expected,
+                      const std::optional<scoring::ScorePrediction>& expected,
                       const std::optional<scoring::ScoredWork>& scored);
     /// The score card again that was left for its replay.
     void backToScore();
     /// To the list of attempts, as it was left.
     void backToHistory();
     /// Who works here now.
-    void setWho(const database::Session& who);
+    void setWho(const database::Login& who);
     /// Who is logged in and touches nothing for so long finds the place locked; the drill at work counts as a touch.
     void setIdleLimit(std::chrono::milliseconds limit);
     /// Somebody else will work here: nothing that was said to the one before stays to be read.
@@ -340,65 +340,65 @@ public slots:
     void setAids(const lessons::Aids& aids);
     /// No attempt at the lesson on the table is left after the one that was graded: it is not begun again.
     void setUsedUp(bool usedUp);
-    /// attemptAgainWanted() was followed.
+    /// attemptAgainRequested() was followed.
     void showBegunAnew();
 
 signals:
     /// The tour was seen, or skipped.
     void tourEnded();
-    void loginWanted(const QString& username, const QString& password);
-    void codeWanted(const QString& username, const QString& code, const QString& newPassword);
-    void schoolWanted(const database::NewPerson& admin, const QString& password);
+    void loginRequested(const QString& username, const QString& password);
+    void codeRequested(const QString& username, const QString& code, const QString& newPassword);
+    void schoolRequested(const database::NewPerson& admin, const QString& password);
     /// One's own attempts are to be seen.
-    void attemptsWanted();
-    void classesWanted();
+    void attemptsRequested();
+    void classesRequested();
     /// Who is logged in wants another password; setWho() or refuseLogin() answers.
-    void passwordChangeWanted(const QString& old, const QString& newPassword);
+    void passwordChangeRequested(const QString& old, const QString& newPassword);
     /// Practice without an account.
-    void guestWanted();
+    void guestRequested();
     /// The database that cannot be used is to be tried again, or its backup to be put in its place.
-    void openAgainWanted();
-    void restoreWanted();
+    void openAgainRequested();
+    void restoreRequested();
     /// The grade that is shown shall be kept as that of whoever logs in now.
-    void keepWanted();
+    void keepRequested();
     /// What was said of this attempt is to be read; 0: there are several.
-    void feedbackWanted(qint64 attempt);
+    void feedbackRequested(qint64 attempt);
     /// The user leaves for somebody else; they have been asked about what would be lost.
-    void logoutWanted();
+    void logoutRequested();
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
     /// The lesson on the table is to begin anew, as another attempt.
-    void attemptAgainWanted();
+    void attemptAgainRequested();
     /// The tooth is to be put back to before this tick of the attempt.
-    void takeBackWanted(std::uint64_t tick);
+    void takeBackRequested(std::uint64_t tick);
     /// The page of lessons opens: what it shows is to be brought up to date.
-    void lessonsWanted();
-    void lessonFolderWanted();
+    void lessonsRequested();
+    void lessonFolderRequested();
     /// The page of hardness presets opens: setPresets() is wanted.
-    void presetsWanted();
+    void presetsRequested();
     /// To be kept as another version of its name.
-    void presetSaveWanted(const core::settings::FeelPreset& preset);
-    void presetUseWanted(const core::settings::FeelPreset& preset);
-    void presetImportWanted(const QString& path);
-    void presetRetireWanted(const QString& name, bool isRetired);
-    void presetExportWanted(const core::settings::FeelPreset& preset, const QString& path);
+    void presetSaveRequested(const core::settings::FeelPreset& preset);
+    void presetUseRequested(const core::settings::FeelPreset& preset);
+    void presetImportRequested(const QString& path);
+    void presetRetireRequested(const QString& name, bool isRetired);
+    void presetExportRequested(const core::settings::FeelPreset& preset, const QString& path);
     /// A block to try this preset on is to be laid on the table; beginTrial() answers.
-    void presetTrialWanted(const core::settings::FeelPreset& preset);
+    void presetTrialRequested(const core::settings::FeelPreset& preset);
     /// What the block on which a preset is tried is made of from now on; presetFelt() follows.
     void trialBlockChosen(const core::settings::ToothKind& kind);
     /// What is on the table is to feel like this from now on, in the middle of whatever is done.
     void presetFelt(const core::settings::FeelPreset& preset);
     /// The same by hand, in the console or the settings: this tooth and those after it, but exams.
-    void feelWanted(const core::settings::FeelPreset& preset);
+    void feelRequested(const core::settings::FeelPreset& preset);
     /// A lesson of a pack is to be edited: the pack is to be unpacked into the teacher's folder, and the lesson of that
     /// name there given to editLesson().
-    void unpackWanted(const QString& pack, const QString& name);
+    void unpackRequested(const QString& pack, const QString& name);
     /// A lesson is edited: what is known of attempts at it is wanted, for setKnownAttempts().
-    void knownAttemptsWanted(const lessons::Lesson& lesson);
+    void knownAttemptsRequested(const lessons::Lesson& lesson);
     /// The attempt that was graded last is to be seen from this moment on, s since its beginning.
-    void momentWanted(double seconds);
+    void momentRequested(double seconds);
     /// @param worst  the criterion expected to cost most, by id; empty: none
-    void forecastGiven(const ui::scoring::Expectation& expected);
+    void forecastGiven(const ui::scoring::ScorePrediction& expected);
     void scanChosen(const QString& path);
     /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
     void scanUnitChosen(const QString& unit);
@@ -414,21 +414,21 @@ signals:
     /// This moment of what is played is seen in the practice room, s since its beginning.
     void replayShown(double seconds);
     /// Whether a force shall hold the hand within what is to be cut. Off with every new tooth.
-    void fixtureWanted(bool wanted);
+    void fixtureRequested(bool wanted);
     void replayPauseRequested(bool paused);
     /// So many times as fast as the recording was made, 0.1 to 16. Every replay begins with 1.
     void replaySpeedChosen(double times);
     /// The replay is to show this moment of the recording.
-    void seekWanted(double seconds);
+    void seekRequested(double seconds);
     /// Another attempt is to be put beside what is played: which there are.
     /// @param lesson  that it was made for; empty: practised freely
-    void besidesWanted(const std::string& lesson, const std::string& tooth);
-    void besideWanted(const QString& path);
-    void besideCloseWanted();
+    void besidesRequested(const std::string& lesson, const std::string& tooth);
+    void besideRequested(const QString& path);
+    void besideCloseRequested();
     /// The recording that the lesson names: to be played, or to be put beside what is played.
-    void expertWanted();
+    void expertRequested();
     /// The device is to lead the hand along what is played, or to let it go.
-    void leadWanted(bool on);
+    void leadRequested(bool on);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -448,9 +448,10 @@ private:
         QElapsedTimer since;
     };
 
-    void speak();
+    void retranslateUi();
     void sayTooth();
-    void tellError(const core::Error& error, text::Failed failed, const QString& file, kit::MessageBar::Topic topic);
+    void tellError(const core::Error& error, text::FailedOperation failed, const QString& file,
+                   kit::MessageBar::Topic topic);
     kit::MessageBar::Message noteOfScan(const QStringList& notes, bool unitInDoubt);
     void recallLayout();
     void connectActions();
@@ -492,7 +493,7 @@ private:
     void closeAllOver();
     /// Whether something is saved or discarded; cancelled, nothing happens.
     /// @param name  for tests
-    void ask(const char* name, const kit::QuestionCard::Question& question);
+    void ask(const char* name, const kit::ConfirmOverlay::Question& question);
     void askToSave();
     void connectReplay();
     void lookAlike();
@@ -513,7 +514,7 @@ private:
     void startAgain();
     void runClock();
     [[nodiscard]] bool isExam() const;
-    [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
+    [[nodiscard]] replay::AttemptTimeline asMayBeTold(replay::AttemptTimeline course) const;
     [[nodiscard]] std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> replayedPoints() const;
     void setDrillFor(lessons::Task task);
     void toggleXray();
@@ -530,7 +531,7 @@ private:
     [[nodiscard]] QString newFileName(const QString& suffix) const;
     void openFile(const QString& path);
 
-    core::session::UiLinks& m_links;
+    core::session::UiChannels& m_links;
     tooth::SightNotes m_sights{m_links};
     kit::Actions* m_actions;
     bool m_mayEdit = true;
@@ -542,17 +543,17 @@ private:
     toothchooser::ToothChooser* m_chooser;
     scoring::ScorePage* m_scorePage;
     catalog::LessonsPage* m_lessonsPage;
-    QPointer<kit::QuestionCard> m_question;
+    QPointer<kit::ConfirmOverlay> m_question;
     people::LoginPage* m_login;
     people::HistoryPage* m_history;
     people::ClassPage* m_classes;
     people::AssignPage* m_assign;
     admin::AdminPage* m_admin;
-    database::Session m_who;
+    database::Login m_who;
     std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
     QString m_where;                           ///< the database
     lessoneditor::LessonEditor* m_editor;
-    scoring::Forecast* m_forecast;
+    scoring::ScorePredictionPage* m_forecast;
     presets::PresetsPage* m_presets;
     presets::TrialCard* m_trialCard;
     core::settings::Parameters m_parameters;
@@ -566,7 +567,7 @@ private:
     core::servo::ServoState m_servo;         ///< of the last frame
     inside::XrayPage* m_xray;
     kit::MessageBar* m_messages;
-    kit::BusyCard* m_busy;
+    kit::BusyOverlay* m_busy;
     kit::UnsavedChanges m_unsaved;
     QString m_recoveryFolder;
     HelpOverlay* m_help;
@@ -589,9 +590,9 @@ private:
     core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
     std::optional<lessons::Lesson> m_replayLesson;     ///< that it was made for
     QString m_replayWhose;                             ///< who made it, and when
-    replay::Course m_replayCourse;
+    replay::AttemptTimeline m_replayCourse;
     std::vector<replay::Remark> m_remarked;  ///< of the moment that is shown
-    replay::Course m_besideCourse;           ///< of the one beside it
+    replay::AttemptTimeline m_besideCourse;  ///< of the one beside it
     /// The version, and what is made of it, for which a block has been asked.
     std::optional<std::pair<core::settings::FeelPreset, core::settings::FeelPreset>> m_triedPreset;
     std::optional<presets::BlindTrial> m_blindTrial;  ///< in place of it

@@ -11,7 +11,7 @@
 #include <QKeyEvent>
 #include <QPointer>
 
-#include "ui/kit/QuestionCard.h"
+#include "ui/kit/ConfirmOverlay.h"
 
 namespace ui::window {
 namespace {
@@ -124,7 +124,7 @@ bool closeByPad()
     const QWidget* const focus = QApplication::focusWidget();
     for (QWidget* parent = focus != nullptr ? focus->parentWidget() : nullptr; parent != nullptr;
          parent = parent->parentWidget())
-        if (auto* const question = qobject_cast<kit::QuestionCard*>(parent)) {
+        if (auto* const question = qobject_cast<kit::ConfirmOverlay*>(parent)) {
             sendKey(*question, Qt::Key_Escape);
             return true;
         }

@@ -17,7 +17,7 @@
 #include "ui/kit/FoldingBar.h"
 #include "ui/kit/LineIcon.h"
 #include "ui/kit/OffBur.h"
-#include "ui/kit/TabularLabel.h"
+#include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
 #include "ui/practice/HistoryPanel.h"
 #include "ui/practice/LessonStrip.h"
@@ -82,7 +82,7 @@ PracticeRoom::PracticeRoom(kit::Actions& actions, practice::ViewMenu& viewMenu, 
     m_history = new practice::HistoryPanel(this);
 
     m_hint = new QLabel(this);
-    text::inEveryLanguage(m_hint, [this] {
+    text::bindTranslation(m_hint, [this] {
         m_hint->setText(tr("Move the mouse over the tooth, press the left button to drill; right-drag turns the view; "
                            "F1 for keys"));
         if (isVisible())
@@ -108,7 +108,7 @@ PracticeRoom::PracticeRoom(kit::Actions& actions, practice::ViewMenu& viewMenu, 
         (*name)->setAttribute(Qt::WA_TransparentForMouseEvents);
         (*name)->hide();
     }
-    text::inEveryLanguage(m_ourName, [this] {
+    text::bindTranslation(m_ourName, [this] {
         m_ourName->setText(tr("This attempt"));
         if (m_beside != nullptr)
             placeOverlays();

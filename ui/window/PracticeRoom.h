@@ -15,7 +15,7 @@ class QVBoxLayout;
 namespace ui::kit {
 class Actions;
 class FoldingBar;
-class TabularLabel;
+class TabularDigitsLabel;
 }  // namespace ui::kit
 namespace ui::practice {
 class HistoryPanel;

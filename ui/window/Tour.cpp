@@ -17,8 +17,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/kit/Accessibility.h"
 #include "ui/kit/Actions.h"
-#include "ui/kit/Announce.h"
 #include "ui/kit/Theme.h"
 #include "ui/practice/SidePanel.h"
 #include "ui/text/EveryLanguage.h"
@@ -96,7 +96,7 @@ Tour::Tour(const kit::Actions& actions, const Pages& pages, QWidget* parent)
         if (!isHidden() && now != nullptr && parentWidget()->isAncestorOf(now) && !isAncestorOf(now))
             m_next->setFocus();
     });
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
 void Tour::add(Where where, QWidget* target, const char* title, const char* words)
@@ -226,16 +226,16 @@ void Tour::show(int step)
     if (QWidget* before = target())
         before->removeEventFilter(this);
     m_step = step;
-    emit pageWanted(m_steps[static_cast<std::size_t>(step)].where);
+    emit pageRequested(m_steps[static_cast<std::size_t>(step)].where);
     if (QWidget* now = target())
         now->installEventFilter(this);
-    speak();
+    retranslateUi();
     raise();
     m_next->setFocus();
     kit::announce(*m_words);
 }
 
-void Tour::speak()
+void Tour::retranslateUi()
 {
     setAccessibleName(tr("Tour"));
     m_skip->setText(tr("Skip the tour"));

@@ -60,7 +60,7 @@ public:
 
 signals:
     /// The next step is on this page.
-    void pageWanted(Tour::Where where);
+    void pageRequested(Tour::Where where);
     /// It was seen, or skipped.
     void ended();
 
@@ -86,7 +86,7 @@ private:
     void addDrilling(const char* title);
     [[nodiscard]] const QWidget& page(Where where) const;
     void show(int step);
-    void speak();
+    void retranslateUi();
     void place();
 
     const kit::Actions& m_actions;

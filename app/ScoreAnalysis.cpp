@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ScoreAnalysis.h"
+
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr double kShareAStep = 0.02;  ///< of progress: more often nobody sees it
+
+}  // namespace
+
+ScoreAnalysis::ScoreAnalysis(QObject* parent) : QObject(parent)
+{
+    m_pool.setMaxThreadCount(1);
+    m_pool.setThreadPriority(QThread::LowPriority);
+}
+
+ScoreAnalysis::~ScoreAnalysis()
+{
+    forget();
+    m_pool.waitForDone();
+}
+
+void ScoreAnalysis::forget()
+{
+    if (m_goOn)
+        m_goOn->store(false, std::memory_order_relaxed);
+    m_goOn.reset();
+    m_share = 0.0;
+    m_noise.reset();
+    m_moments.reset();
+}
+
+void ScoreAnalysis::explain(const lessons::Assignment& assignment, const core::recording::Recording& recording,
+                            std::shared_ptr<const core::terrain::Tooth> tooth, const lessons::Conduct& conduct)
+{
+    forget();
+    m_goOn = std::make_shared<std::atomic<bool>>(true);
+    emit momentsProgress(0.0);
+    // This outlives the pool's work, which waits in the destructor; whether the work is still wanted says goOn.
+    m_pool.start([this, goOn = m_goOn, assignment, recording, tooth = std::move(tooth), conduct] {
+        const auto tell = [this, goOn](auto what) {
+            QMetaObject::invokeMethod(
+                this,
+                [goOn, what = std::move(what)] {
+                    if (goOn->load(std::memory_order_relaxed))
+                        what();
+                },
+                Qt::QueuedConnection);
+        };
+        tell([this, noise = lessons::gridNoise(assignment, *tooth, conduct)] { takeNoise(noise); });
+        double told = 0.0;
+        auto found = lessons::momentsOf(assignment, recording, [&](double share) {
+            if (share >= told + kShareAStep) {
+                told = share;
+                tell([this, share] { emit momentsProgress(m_share = share); });
+            }
+            return goOn->load(std::memory_order_relaxed);
+        });
+        tell([this, found = std::move(found)] { takeMoments(found); });
+    });
+}
+
+void ScoreAnalysis::takeNoise(const core::Result<lessons::GridSensitivity>& found)
+{
+    if (found)
+        emit noiseFound(*(m_noise = *found));
+    else
+        emit failed(found.error());
+}
+
+void ScoreAnalysis::takeMoments(const core::Result<std::optional<lessons::PointLossTimeline>>& found)
+{
+    m_share = 1.0;
+    if (!found) {
+        emit failed(found.error());
+    } else if (*found) {
+        m_moments = **found;
+        emit momentsFound(*m_moments);
+    }
+}
+
+void ScoreAnalysis::tellAgain()
+{
+    if (m_noise)
+        emit noiseFound(*m_noise);
+    if (m_moments)
+        emit momentsFound(*m_moments);
+    else if (m_goOn && m_share < 1.0)
+        emit momentsProgress(m_share);
+}
+
+}  // namespace app

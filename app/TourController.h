@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "app/school/SchoolService.h"
+#include "database/Login.h"
+#include "ui/window/MainWindow.h"
+
+namespace app {
+
+/// Starts the tour at the first login of each user: their settings in the database tell whether they have seen it. A
+/// guest starts it themselves. Ui thread.
+class TourController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit TourController(ui::window::MainWindow& window);
+
+    /// A user has logged in, or a guest begins.
+    /// @param desk  reads and keeps the user's settings, outlives this; null for a guest
+    void welcome(SchoolService* desk, const database::Login& who);
+
+private:
+    void keep();
+
+    ui::window::MainWindow& m_window;
+    SchoolService* m_desk = nullptr;
+    database::Login m_who;
+};
+
+}  // namespace app

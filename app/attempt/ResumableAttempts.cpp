@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/attempt/ResumableAttempts.h"
+
+#include <utility>
+
+#include <QDir>
+#include <QFile>
+#include <QThread>
+
+#include "core/recording/Replay.h"
+#include "core/servo/ServoState.h"
+#include "database/sql/Attempts.h"
+#include "database/sql/Classes.h"
+#include "lessons/LessonReader.h"
+
+namespace app {
+namespace {
+
+// A program that was just killed may hold its journal for a moment more.
+constexpr int kLooksForJournal = 6;
+constexpr unsigned long kJournalRestMs = 500;
+constexpr int kNewestKept = 200;  ///< attempts, among which is what was graded here last
+
+bool isGradedNote(const core::servo::ServoEvent& event)
+{
+    return event.kind == core::servo::ServoEvent::Kind::Note && event.value == core::servo::kGradedNote;
+}
+
+/// Whether anything was cut after the last grade, or after these events. It takes as long as a replay.
+bool isCutOn(const core::recording::Recording& recording, std::uint64_t events = 0)
+{
+    auto servo = core::recording::Replayer::make(recording);
+    bool isCut = !servo;  // nobody knows
+    std::uint64_t played = 0;
+    if (servo)
+        recording.forEach([&](const core::servo::ServoEvent& event) {
+            const bool cuts = servo->play(event) && !servo->changed().isEmpty();
+            isCut = ++played > events && !isGradedNote(event) && (isCut || cuts);
+        });
+    return isCut;
+}
+
+/// An attempt that was graded and not gone on with is done: taken up again it would count twice. That a bur turned
+/// while the work was looked at is not to go on. An exam ends with its score, however the program ended.
+bool isDone(const core::recording::Recording& recording)
+{
+    using Kind = core::servo::ServoEvent::Kind;
+    bool isGraded = false;
+    bool drillOn = false;
+    bool mayBeCut = false;
+    recording.forEach([&](const core::servo::ServoEvent& event) {
+        isGraded = isGraded || isGradedNote(event);
+        if (event.kind == Kind::Drill || event.kind == Kind::Resume)
+            drillOn = event.kind == Kind::Drill && event.value != 0;
+        mayBeCut = !isGradedNote(event) && (mayBeCut || (event.kind == Kind::Tick && drillOn));
+    });
+    if (!isGraded || !mayBeCut)
+        return isGraded;
+    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
+    return (read.lesson && read.lesson->exam) || !isCutOn(recording);
+}
+
+/// Whether an attempt is kept; nothing: nobody says.
+std::optional<bool> isThere(const std::string& uid, const QString& outbox,
+                            const std::optional<std::set<std::string>>& kept)
+{
+    const QString letter = QString::fromStdString(uid) + QStringLiteral(".attempt");
+    for (const QString& folder : {outbox, outbox + QStringLiteral("/arrived")})
+        if (QFile::exists(QDir(folder).filePath(letter)))
+            return true;
+    return kept ? std::optional(kept->contains(uid)) : std::nullopt;
+}
+
+/// One journal of them: takes what is in it, or says why not. False: a program has it open.
+bool look(const std::filesystem::path& journal, const QString& outbox, const KnownAttempts& known,
+          FoundUnfinished& taken)
+{
+    auto found = core::recording::findAttempt(journal);
+    if (!found) {
+        taken.failure = found.error();
+        if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
+            core::recording::discardJournal(journal);
+        return true;
+    }
+    if (!*found)
+        return false;
+    const core::recording::Recording& recording = (*found)->recording;
+    const auto mark = gradedMark(journal);
+    const auto isKept = mark ? isThere(mark->uid, outbox, known.kept) : std::nullopt;
+    if (mark && !isKept) {  // nobody knows: it may become two attempts
+        taken.isUndecided = true;
+        return true;
+    }
+    const bool isOver = isDone(recording);
+    if (mark ? *isKept && (isOver || !isCutOn(recording, mark->events)) : isOver) {
+        core::recording::discardJournal(journal);
+        removeGradedMark(journal);
+    } else if (!known.usedUp.contains(limitedLessonOf(recording))) {
+        if (isOver)
+            taken.seen = mark;
+        taken.attempt = std::move(*found);
+    }
+    return true;
+}
+
+}  // namespace
+
+core::Result<KnownAttempts> knownAttempts(const database::sql::DatabaseContext& school, const database::Login& who)
+{
+    KnownAttempts known;
+    if (who.role() == database::Role::Student) {
+        const auto given = database::sql::listAssignments(school, who);
+        if (!given)
+            return tl::unexpected(given.error());
+        for (const database::ClassAssignment& one : *given) {
+            const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
+            if (!left)
+                return tl::unexpected(left.error());
+            if (*left && **left <= 0)
+                known.usedUp.insert(one.lessonId);
+        }
+    }
+    const auto newest = database::sql::history(school, who, who.person(), {"", "", kNewestKept});
+    if (!newest)
+        return tl::unexpected(newest.error());
+    known.kept.emplace();
+    for (const database::AttemptRecord& one : *newest)
+        known.kept->insert(one.uid);
+    return known;
+}
+
+FoundUnfinished findUnfinished(const std::filesystem::path& folder, const QString& outbox, const KnownAttempts& known,
+                               const std::set<std::filesystem::path>& toBeKept)
+{
+    FoundUnfinished found;
+    core::recording::tidyJournals(folder);
+    tidyGradedMarks(folder);
+    bool isInUse = true;
+    for (int k = 0; k < kLooksForJournal && isInUse && !found.attempt; ++k) {
+        QThread::msleep(k > 0 ? kJournalRestMs : 0);
+        isInUse = false;
+        for (const std::filesystem::path& journal : core::recording::journalsIn(folder)) {
+            if (toBeKept.contains(journal))
+                continue;
+            isInUse = !look(journal, outbox, known, found) || isInUse;
+            if (found.attempt)
+                break;
+        }
+    }
+    return found;
+}
+
+std::string limitedLessonOf(const core::recording::Recording& recording)
+{
+    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
+    return read.lesson && !read.lesson->exam ? read.lesson->id : std::string();
+}
+
+void endKept(const std::filesystem::path& journal, std::uint64_t events)
+{
+    const auto found = core::recording::findAttempt(journal);
+    if (found && *found && !isCutOn((*found)->recording, events))
+        core::recording::discardJournal(journal);
+}
+
+}  // namespace app

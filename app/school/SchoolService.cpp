@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/school/SchoolService.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+
+#include "database/sql/Attempts.h"
+#include "database/sql/Backups.h"
+#include "database/sql/Logins.h"
+#include "database/sql/StartedExams.h"
+
+namespace app {
+namespace {
+
+using core::ErrorCode;
+
+constexpr int kPatienceMs = 5000;  ///< until it is told that there is no answer
+
+/// Of what is no fault of the question: the same may be answered in a while.
+bool mayComeBack(ErrorCode code)
+{
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::OutcomeUnknown || code == ErrorCode::ServerRefuses ||
+           code == ErrorCode::Busy || code == ErrorCode::FileMissing;
+}
+
+/// Of a file, which is no better the next time.
+bool isDamage(ErrorCode code)
+{
+    return code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
+}
+
+}  // namespace
+
+core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file)
+{
+    using database::sql::DatabaseContext;
+    if (database::Outbox::isExam(file)) {
+        auto exam = letters.readExam(file);
+        if (!exam)
+            return tl::unexpected(exam.error());
+        const QString school = exam->school;
+        return LetterDelivery{{}, school, [exam = std::move(*exam)](const DatabaseContext& to) {
+                                  return database::sql::deliverExam(to, exam.personUid, exam.start);
+                              }};
+    }
+    auto letter = letters.read(file);
+    if (!letter)
+        return tl::unexpected(letter.error());
+    const std::string uid = letter->attempt.uid;
+    const QString school = letter->school;
+    return LetterDelivery{
+        uid, school, [letter = std::move(*letter)](const DatabaseContext& to) {
+            return database::sql::deliverAttempt(to, letter.attempt, letter.recording).map([](const auto&) {});
+        }};
+}
+
+SchoolService::SchoolService(database::Address address, QString folder, database::sql::Database::Options options,
+                             std::chrono::milliseconds retry)
+    : m_address(std::move(address)), m_folder(std::move(folder)), m_options(options)
+{
+    m_there.moveToThread(&m_thread);
+    m_thread.setObjectName(QStringLiteral("school"));
+    m_thread.start();
+    m_retry.setInterval(retry);
+    QObject::connect(&m_retry, &QTimer::timeout, this, &SchoolService::tryAgain);
+    m_retry.start();
+    m_patience.setInterval(kPatienceMs);
+    m_patience.setSingleShot(true);
+    QObject::connect(&m_patience, &QTimer::timeout, this, &SchoolService::unanswered);
+}
+
+SchoolService::~SchoolService()
+{
+    // After all that was asked, and where it was opened.
+    post([this] {
+        m_school.reset();
+        m_database.reset();
+        m_there.moveToThread(nullptr);
+        m_thread.quit();
+    });
+    m_thread.wait();
+}
+
+void SchoolService::post(std::function<void()> job)
+{
+    QMetaObject::invokeMethod(&m_there, std::move(job), Qt::QueuedConnection);
+}
+
+core::Result<database::StationKey> SchoolService::keyOf(const QString& folder)
+{
+    return database::StationKey::readOrMake(QDir(folder).filePath(QStringLiteral("station.key")));
+}
+
+core::Status SchoolService::openDatabase()
+{
+    // A drive that is not there, or a slip of the pen, does not begin a second school.
+    if (!m_address.isServer() && !QFileInfo(m_folder).isDir())
+        if (auto there = database::sql::checkPlace(m_address.file); !there)
+            return there;
+    if (!m_key) {
+        auto key = keyOf(m_folder);
+        if (!key)
+            return tl::unexpected(key.error());
+        m_key = std::move(*key);
+    }
+    database::sql::Database::Options options = m_options;
+    options.mayMigrate = !m_address.isServer();
+    auto opened = database::sql::Database::open(m_address, options);
+    m_isDamaged = !opened && isDamage(opened.error().code);
+    m_isReadOnly = !m_address.isServer() && database::sql::isReadOnly(m_address.file);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    if (auto same = expectSameSchool((*opened)->handle()); !same)
+        return same;
+    m_database = std::move(*opened);
+    m_allowsOthers = m_database->allowsOthers();
+    m_undeliverable.clear();
+    const QSqlDatabase db = m_database->handle();
+    m_school = std::make_unique<database::sql::DatabaseContext>(
+        database::sql::DatabaseContext{db, *m_key, database::sql::clockOf(db)});
+    return {};
+}
+
+/// Who logged in to one school is nobody in another that has been put into its place, a copy of it included.
+core::Status SchoolService::expectSameSchool(const QSqlDatabase& db)
+{
+    const auto school = database::sql::schoolOf(db);
+    if (school && m_known.empty())
+        m_known = *school;
+    if (!school || m_known == *school)  // what is damaged says so where it is read
+        return {};
+    QMetaObject::invokeMethod(
+        this, [this] { emit otherSchool(); }, Qt::QueuedConnection);
+    return core::unexpected(ErrorCode::OtherSchool, "database " + m_address.shown().toStdString() +
+                                                        ": another school has taken its place; log in again");
+}
+
+void SchoolService::takeOtherSchool()
+{
+    post([this] {
+        if (!m_database)
+            m_known.clear();
+    });
+}
+
+/// With a database that was away, or that could not be written: tries again.
+core::Status SchoolService::connect()
+{
+    if (!m_database)
+        return openDatabase();
+    if (m_isReadOnly && !database::sql::isReadOnly(m_address.file)) {
+        m_school.reset();
+        m_database.reset();
+        return openDatabase();
+    }
+    if (auto there = m_database->stillThere(); !there) {
+        if (there.error().code == ErrorCode::FileMissing)
+            return there;
+        m_school.reset();
+        m_database.reset();
+        return openDatabase();
+    }
+    // Nothing was asked of it yet, so that nothing can be done twice: nobody is told of a server that was only started
+    // anew.
+    if (std::exchange(m_isLost, false) || !m_database->answers()) {
+        if (auto again = m_database->reconnect(); !again) {
+            m_isLost = true;
+            return again;
+        }
+        if (auto same = expectSameSchool(m_database->handle()); !same) {
+            m_school.reset();
+            m_database.reset();
+            return same;
+        }
+        m_undeliverable.clear();  // it may know by now whose they are
+        m_school->nowUtc = database::sql::clockOf(m_database->handle());
+    }
+    return {};
+}
+
+void SchoolService::notice(const core::Error& error)
+{
+    m_isLost = m_isLost || error.code == ErrorCode::ConnectionLost;
+    if (error.code == ErrorCode::Disabled)
+        QMetaObject::invokeMethod(
+            this, [this] { emit disabled(); }, Qt::QueuedConnection);
+    if (error.code == ErrorCode::OtherSchool && m_database) {  // it was made in the place that had become empty
+        m_school.reset();
+        m_database.reset();
+        QMetaObject::invokeMethod(
+            this, [this] { emit otherSchool(); }, Qt::QueuedConnection);
+    }
+    if (error.code == ErrorCode::NotAllowed)
+        QMetaObject::invokeMethod(
+            this, [this] { emit refused(); }, Qt::QueuedConnection);
+}
+
+SchoolService::Opening SchoolService::tryToOpen()
+{
+    Opening opening;
+    opening.status = connect();
+    if (opening.status) {
+        opening.notice = m_database->notice();
+        const auto isNew = database::sql::Logins::isNew(*m_school);
+        opening.isNew = isNew.value_or(false);
+        if (!isNew) {
+            notice(isNew.error());
+            opening.status = tl::unexpected(isNew.error());
+        }
+    }
+    const bool mayBeRestored = opening.status ? opening.isNew : isDamage(opening.status.error().code);
+    if (mayBeRestored && m_key && !m_address.isServer())
+        opening.soundBackup = database::sql::newestSound(m_address.file);
+    return opening;
+}
+
+void SchoolService::open(QObject* owner, const Opened& done)
+{
+    post([this, guard = QPointer<QObject>(owner), done] {
+        const Opening opening = tryToOpen();
+        answer(guard, done, opening);
+        // What is not open now is tried by and by.
+        if (opening.status)
+            deliverAll();
+    });
+}
+
+core::Status SchoolService::mayRestore(const database::Login& session)
+{
+    if (*m_besides > 0)
+        return core::unexpected(ErrorCode::Busy,
+                                "database " + m_address.file.toStdString() +
+                                    ": a backup or a check of it goes on; try again when it has ended");
+    // Who is at a file that is damaged, gone or empty can be anybody: so can who has its folder.
+    if (!connect() || database::sql::Logins::isNew(*m_school).value_or(true))
+        return {};
+    return database::sql::mayRestore(*m_school, session);
+}
+
+void SchoolService::restore(QObject* owner, const database::Login& session, const QString& backup, const Opened& done)
+{
+    post([this, guard = QPointer<QObject>(owner), session, backup, done] {
+        if (const core::Status may = mayRestore(session); !may) {
+            Opening as = tryToOpen();
+            as.restored = may;
+            answer(guard, done, as);
+            return;
+        }
+        m_school.reset();
+        m_database.reset();
+        m_undeliverable.clear();
+        m_forOthers.clear();
+        // Before it: whatever comes in between, they are sent at the next start.
+        database::Outbox(outboxFolder(), m_key.value_or(database::StationKey::make()),
+                         database::Outbox::schoolAt(m_address, m_folder))
+            .sendAgain();
+        m_known.clear();  // a backup may be of the school that this one was copied from
+        const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
+        Opening opening = tryToOpen();
+        opening.replaced = replaced.value_or(QString());
+        if (!replaced)
+            opening.restored = tl::unexpected(replaced.error());
+        else if (opening.status)
+            opening.status = database::sql::noteRestored(*m_school, session, backup);
+        answer(guard, done, opening);
+        deliverAll();
+    });
+}
+
+void SchoolService::expectAlone(QObject* owner, const database::Login& session,
+                                const std::function<void(const core::Status&)>& done)
+{
+    post([this, guard = QPointer<QObject>(owner), session, done] {
+        core::Status alone = mayRestore(session);
+        if (alone) {
+            m_school.reset();
+            m_database.reset();
+            alone = database::sql::expectClosed(m_address.file);
+            static_cast<void>(connect());
+        }
+        answer(guard, done, alone);
+    });
+}
+
+QString SchoolService::outboxFolder() const
+{
+    return QDir(m_folder).filePath(QStringLiteral("outbox"));
+}
+
+database::Outbox SchoolService::outbox() const
+{
+    return {outboxFolder(), *m_key, database::Outbox::schoolAt(m_address, m_folder)};
+}
+
+core::Status SchoolService::putInto(const std::function<core::Status(database::Outbox)>& put)
+{
+    core::Status status;
+    if (!m_key)
+        status = connect();  // which reads the key, whether or not there is a server
+    return m_key ? put(outbox()) : status;
+}
+
+void SchoolService::keep(QObject* owner, const database::Login& session, const database::AttemptRecord& attempt,
+                         const core::recording::Recording& recording,
+                         const std::function<void(const core::Status&)>& kept)
+{
+    post([this, guard = QPointer<QObject>(owner), session, attempt, recording, kept] {
+        const core::Status status = putInto([&](database::Outbox letters) {
+            return letters.put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
+        });
+        answer(guard, kept, status);
+        deliverAll();
+    });
+}
+
+void SchoolService::keep(QObject* owner, const database::Login& session, const database::ExamStart& start,
+                         const std::function<void(const core::Status&)>& kept)
+{
+    post([this, guard = QPointer<QObject>(owner), session, start, kept] {
+        answer(guard, kept, putInto([&](database::Outbox letters) { return letters.put(session, start); }));
+        deliverAll();
+    });
+}
+
+void SchoolService::takeAnswer(const std::optional<core::ErrorCode>& fault)
+{
+    if (--m_asked == 0)
+        m_patience.stop();
+    else
+        m_patience.start();
+    m_wasAway = fault && mayComeBack(*fault);
+    if (!fault)
+        emit answered();
+}
+
+/// What waits, and whoever could not be answered.
+void SchoolService::tryAgain()
+{
+    deliver();
+    if (m_wasAway)
+        ask(
+            this, [](const database::sql::DatabaseContext&) -> core::Result<bool> { return true; },
+            [this](const core::Result<bool>& there) {
+                if (there)
+                    emit isBack();
+            });
+}
+
+void SchoolService::countWaiting(QObject* owner, const database::Login& session, const std::function<void(int)>& done)
+{
+    post([this, guard = QPointer<QObject>(owner), uid = session.uid(), done] {
+        int count = 0;
+        if (m_key) {
+            const database::Outbox letters = outbox();
+            for (const QString& file : letters.waiting())
+                if (!database::Outbox::isExam(file))
+                    if (const auto letter = letters.read(file); letter && letter->attempt.personUid == uid)
+                        ++count;
+        }
+        answer(guard, done, count);
+    });
+}
+
+void SchoolService::deliver()
+{
+    post([this] { deliverAll(); });
+}
+
+void SchoolService::deliverAll()
+{
+    // A damaged file is not tried again and again: a check of it takes its time.
+    if (!m_key || (!m_database && m_isDamaged))
+        return;
+    const database::Outbox letters = outbox();
+    const int before = static_cast<int>(m_undeliverable.size());
+    const int beforeForOthers = static_cast<int>(m_forOthers.size());
+    // What has failed goes last, and of several what failed last: a server may have limits that one letter always
+    // exceeds, whatever it calls them.
+    QStringList files = letters.waiting();
+    std::stable_sort(files.begin(), files.end(), [this](const QString& one, const QString& other) {
+        return m_hasFailed.value(one) < m_hasFailed.value(other);
+    });
+    for (const QString& file : std::as_const(files)) {
+        if (m_undeliverable.contains(file) || m_forOthers.contains(file))
+            continue;
+        if (!connect())
+            return;
+        const auto letter = readLetter(letters, file);
+        if (!letter) {
+            if (letter.error().code == ErrorCode::BadStructure)
+                setAside(letters, file, letter.error());
+            else if (letter.error().code != ErrorCode::FileMissing)  // another window has delivered it
+                m_undeliverable.insert(file);
+            continue;
+        }
+        if (isForAnother(*letter)) {
+            m_forOthers.insert(file);
+            m_otherSchools.insert(letter->school);
+            continue;
+        }
+        const core::Status done = letter->deliver(*m_school);
+        if (done) {
+            m_hasFailed.remove(file);
+            if (!letter->attempt.empty())
+                QMetaObject::invokeMethod(
+                    this, [this, uid = QString::fromStdString(letter->attempt)] { emit delivered(uid); },
+                    Qt::QueuedConnection);
+            // Of a server its administrator makes backups.
+            if (m_address.isServer())
+                letters.remove(file);
+            else
+                letters.keepArrived(file);
+        } else if (done.error().code == ErrorCode::UnknownName || done.error().code == ErrorCode::OutOfRange) {
+            // One computer may serve several schools from one folder, and a server's administrator may mend what is
+            // wrong there. Those behind it shall not wait for it.
+            m_undeliverable.insert(file);
+        } else {
+            m_hasFailed.insert(file, ++m_failures);
+            notice(done.error());
+            return;
+        }
+    }
+    if (const int now = static_cast<int>(m_undeliverable.size()); now > before)
+        QMetaObject::invokeMethod(
+            this, [this, now] { emit waitOn(now); }, Qt::QueuedConnection);
+    if (const int now = static_cast<int>(m_forOthers.size()); now > beforeForOthers) {
+        const QString schools = QStringList(m_otherSchools.values()).join(QStringLiteral(", "));
+        QMetaObject::invokeMethod(
+            this, [this, now, schools] { emit waitForOthers(now, schools); }, Qt::QueuedConnection);
+    }
+}
+
+bool SchoolService::isForAnother(const LetterDelivery& letter) const
+{
+    return !letter.school.isEmpty() && letter.school != database::Outbox::schoolAt(m_address, m_folder);
+}
+
+void SchoolService::setAside(const database::Outbox& outbox, const QString& file, const core::Error& why)
+{
+    outbox.setAside(file);
+    QMetaObject::invokeMethod(
+        this, [this, why] { emit damaged(why); }, Qt::QueuedConnection);
+}
+
+}  // namespace app

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/ext/vector_int2.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/bur/BurMask.h"
+#include "core/contact/Touch.h"
+#include "core/terrain/Tooth.h"
+
+namespace core::contact {
+
+/// The upright sides of uncut ground: the outer rim of a tooth, a step, a wall.
+///
+/// Columns say of such a side only between which two of them it lies, and a side that runs across the lattice is a
+/// stair: a bur that leans on it drops into every notch. So a side is a chain of points half-way between a high node
+/// and a low one, each moved onto the straight line that fits its neighbours where one does, and joined by chords that
+/// a bur which touches both ends cannot get behind. Ground that has been cut is its columns and no more, and so are the
+/// sides beside it.
+///
+/// Built with the tooth; afterwards read on the servo thread, without allocation.
+class VerticalWalls
+{
+public:
+    explicit VerticalWalls(const terrain::ToothAnatomy& anatomy);
+
+    /// What a bur let down over a point comes to stand on, if that is a side; else `below` again.
+    /// @param below  what is known to carry the bur there
+    [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const bur::BurMask& mask,
+                                const Touch& below) const noexcept;
+
+    /// Of the sides that stand beside a bur whose tip is at `tipMm` over a point, and not wholly above it, the one that
+    /// comes nearest to its axis; none if it is no isSide().
+    [[nodiscard]] Touch besideAt(glm::dvec2 pointMm, double tipMm, const terrain::Tooth& tooth,
+                                 const bur::BurMask& mask) const noexcept;
+
+private:
+    static constexpr int kBlock = 8;
+
+    /// A post that a bur may touch.
+    struct Node
+    {
+        glm::dvec2 place;
+        double top;
+        double bottom;
+        double apart;  ///< from the bur's axis, mm
+    };
+    /// Enough for both sides of a slot under the widest bur at 1024 nodes a side.
+    using Nodes = std::array<Node, 1280>;
+
+    /// How far around its axis a bur asks for posts, mm.
+    struct Reach
+    {
+        Reach(const terrain::Grid& grid, const bur::BurMask& mask);
+        double radius;
+        double chord;     ///< longest
+        double farthest;  ///< end of a chord that it may touch
+    };
+    struct Foot;
+
+    [[nodiscard]] std::size_t nodesNear(glm::dvec2 pointMm, const terrain::Tooth& tooth, const Reach& reach,
+                                        double aboveMm, Nodes& nodes) const noexcept;
+    [[nodiscard]] static bool footBetween(glm::dvec2 pointMm, const Node& one, const Node& other, double longest,
+                                          Foot& foot) noexcept;
+    template <class Take, class MayCount>
+    static void eachFoot(glm::dvec2 pointMm, const Reach& reach, std::span<const Node> nodes, Take&& take,
+                         MayCount&& mayCount) noexcept;
+    [[nodiscard]] static Touch touchOf(glm::dvec2 pointMm, const bur::BurMask& mask, const Foot& foot) noexcept;
+
+    /// A point of a side.
+    struct Post
+    {
+        glm::vec2 placeMm;
+        glm::ivec2 high;  ///< the node that stands behind it
+    };
+
+    /// The fall of the ground from one node to the next, before it is straightened.
+    struct Fall
+    {
+        glm::dvec2 middle;  ///< lattice
+        glm::dvec2 outwards;
+        glm::ivec2 high;
+    };
+    [[nodiscard]] static std::vector<Fall> fallsOf(const terrain::ToothAnatomy& anatomy);
+    [[nodiscard]] static glm::dvec2 straightened(const Fall& fall, const std::vector<Fall>& all,
+                                                 const std::vector<std::vector<std::size_t>>& byBlock, int blockSide);
+
+    [[nodiscard]] static bool isUncut(glm::ivec2 node, const terrain::Tooth& tooth) noexcept;
+    /// True if no side can be met over a place on the lattice.
+    [[nodiscard]] bool isFar(glm::dvec2 lattice) const noexcept;
+
+    int m_side = 0;
+    int m_blockSide = 0;
+    std::vector<std::uint8_t> m_hasNear;  ///< blocks within reach of whose nodes there are posts, 1 each
+    std::vector<std::uint32_t> m_first;   ///< of a block's posts, and one more at the end
+    std::vector<Post> m_posts;            ///< block by block
+};
+
+}  // namespace core::contact

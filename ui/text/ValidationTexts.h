@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "core/base/LocalizableText.h"
+#include "lessons/ValidationIssue.h"
+
+/// What is wrong with the file of a lesson or of a hardness preset, in the user's language.
+namespace ui::text {
+
+/// "is missing; name the preparation".
+[[nodiscard]] QString faultWords(const core::LocalizableText& what);
+/// With file and key: "deep-36.lesson.json, ideal.kind: is missing; name the preparation".
+[[nodiscard]] QString faultWords(const lessons::ValidationIssue& fault);
+
+}  // namespace ui::text
