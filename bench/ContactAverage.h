@@ -39,7 +39,7 @@ private:
 };
 
 inline constexpr double kChartStiffnessNPerMm = 2.0;
-/// What a hand just notices, 0.1 N, through that spring (haptics.md section 7).
+/// What a hand just notices, 0.1 N, through that spring (docs/facts/haptics.md, section 7).
 inline constexpr double kNoticedUm = 1000.0 * 0.1 / kChartStiffnessNPerMm;
 
 }  // namespace bench

@@ -169,7 +169,7 @@ core::Result<Figures> tickSuite(const Context& context)
 {
     constexpr double kSeconds = 30.0;
     constexpr std::array kSides{150, 300, 600, 1024};
-    // What the issue of the session asks of the 99th percentile, us.
+    // Limits for the 99th percentile, us.
     constexpr double kContactUs = 5.0;
     constexpr double kCuttingUs = 15.0;
     constexpr double kFinestUs = 100.0;

@@ -8,7 +8,7 @@
 
 #include "cli/parts/ExitCode.h"
 
-/// The program without its window (design, section 6). Commands need no display; figures go to
+/// The program without its window. Commands need no display; figures go to
 /// stdout, errors to stderr in one sentence.
 namespace cli {
 

@@ -38,7 +38,7 @@ QJsonArray toJson(const glm::dvec3& v)
     return {v.x, v.y, v.z};
 }
 
-/// The keys that tools rely on are those of design section 6; what else is known stands beside them.
+/// Tools rely on these keys: no key is renamed or removed, new keys may be added.
 QJsonObject toJson(const ToothReport& report)
 {
     QJsonObject layers;

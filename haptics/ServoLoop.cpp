@@ -22,8 +22,8 @@ constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::ter
 static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
 constexpr std::size_t kMostEventsPerCommand = 7;
 
-/// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does (haptics.md 2.2: the
-/// limit falls as one over the delay).
+/// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does: the limit falls as
+/// one over the delay (docs/facts/haptics.md, section 2.2).
 constexpr float kHeldDelayS = 0.002F;
 /// A device later than this has been lost; it says nothing of the spring that holds once it is back.
 constexpr float kLongestDelayS = 0.02F;

@@ -10,7 +10,7 @@
 
 namespace lab {
 
-/// What the pipeline of 2011 (Hunt; haptics.md section 1, items 2, 4 and 6) leaves open.
+/// What the pipeline of 2011 (docs/facts/haptics.md, section 1, items 2, 4 and 6) leaves open.
 ///
 /// The thesis does not give its constants; these are the best that it can have. Swept at 1 kHz: the stiffest spring
 /// that holds a light hand (stiffnessLimit(), 0 / 1 / 2 / 4 ms of delay, N/mm), and what trembles in the hand when a

@@ -16,7 +16,7 @@
 namespace lab {
 
 /// A surface, a bur, a path of the hand, and where geometry puts the bur at each tick of it: the point of the offset
-/// surface that a bur without friction slides to (haptics.md 8.4, 1). Tooth frame, mm.
+/// surface that a bur without friction slides to (docs/facts/haptics.md, section 8.4, item 1). Tooth frame, mm.
 struct ContactScene
 {
     std::string family;  ///< the row of the table it belongs to: "plane 27"
@@ -50,7 +50,7 @@ struct ContactFamily
 {
     std::string name;
     std::vector<ContactScene> scenes;
-    double reachRmsUm = 0.0;  ///< what issue and haptics.md ask of a method
+    double reachRmsUm = 0.0;  ///< limits that a good method stays below
     double reachMostUm = 0.0;
     double reachJumpN = 0.0;
     double rateHz = 1000.0;  ///< ticks a second

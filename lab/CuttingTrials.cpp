@@ -21,7 +21,7 @@ constexpr double kWallDepthMm = 1.0;
 constexpr double kOffWallMm = 0.02;
 constexpr glm::dvec2 kLie(0.13, 0.37);  ///< of the lattice: no feed runs along a row of nodes
 
-/// The firm hand of haptics.md section 6 and the device's moving mass and friction (section 5) in one.
+/// The firm hand and the device's moving mass and friction in one (docs/facts/haptics.md, sections 5 and 6).
 constexpr double kHandKg = 0.4;
 constexpr double kHandNSPerMm = 0.0088;
 constexpr double kHandNPerMm = 0.7;

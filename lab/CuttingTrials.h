@@ -38,7 +38,7 @@ enum class Feeder {
 
 struct Ripple
 {
-    double rmsN;   ///< of the force on the hand from 20 to 300 Hz, all axes together (haptics.md 8.4)
+    double rmsN;   ///< of the force on the hand from 20 to 300 Hz, all axes (docs/facts/haptics.md, section 8.4)
     double meanN;  ///< of that force
 };
 

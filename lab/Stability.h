@@ -29,7 +29,8 @@ inline constexpr double kLeakUj = 1.0;
 /// Of a bare spring by the trapezium rule, whose own error over the steps of a lattice is 0.7 uJ.
 inline constexpr double kSpringLeakUj = 2.0;
 
-/// What haptics.md section 4 asks of a scene beyond holding; the figures of StabilityResult may be this large.
+/// Limits of a scene beyond holding (docs/facts/haptics.md, section 4); the figures of StabilityResult may be this
+/// large.
 struct StabilityBars
 {
     double buzzN = 0.05;  ///< above it the outcome is Buzzes
@@ -45,10 +46,10 @@ struct StabilityBars
     double mmPerS = 1.0e9;
 };
 
-/// One of the scenes of haptics.md section 4, or a variant of it.
+/// One of the scenes of docs/facts/haptics.md, section 4, or a variant of it.
 struct StabilitySceneName
 {
-    int number = 0;  ///< its row in the table there; 0: "slope", which section 3.3 asks for
+    int number = 0;  ///< its row in the table there; 0: "slope", the case of section 3.3
     std::string_view name;
     StabilityBars bars;
 };
@@ -83,7 +84,7 @@ struct StabilityResult
                               ///< within 0.05 mm of where it ends; 0 while the drill is on
     int bounces = 0;          ///< times that the bur left the tooth
     /// "loops": energy that a round of the worst circle gave the hand beyond what it took, uJ; negative: it took
-    /// (haptics.md 2.5). Of the loop as it is, force held from tick to tick;
+    /// (docs/facts/haptics.md, section 2.5). Of the loop as it is, force held from tick to tick;
     double leakUj = 0.0;
     double springLeakUj = 0.0;  ///< and of the method alone: bare spring, trapezium rule
     double depthMm = 0.0;       ///< deepest that was removed

@@ -259,7 +259,7 @@ private:
             StabilityScene& scene = add(12, name, m_plate, [](double t, double mmPerN) {
                 return glm::dvec3(0.0, 0.0, leaning(t, 0.3, mmPerN, 2.0));
             });
-            scene.countShare = um / 48.0;  // of the real count sideways (haptics.md section 5)
+            scene.countShare = um / 48.0;  // of the real count sideways (docs/facts/haptics.md, section 5)
             scene.dryN = dryN;
         }
         StabilityScene& tremor = add(12, "tremor", m_plate, [](double t, double mmPerN) {

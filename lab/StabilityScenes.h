@@ -18,7 +18,8 @@ inline constexpr double kNever = 1.0e9;
 /// At the end of every scene the hand holds still this long.
 inline constexpr double kStillS = 0.6;
 
-/// What a hand does in a scene of haptics.md section 4, and on what. Tooth frame, mm; the bur is round No. 2.
+/// What a hand does in a scene of docs/facts/haptics.md, section 4, and on what. Tooth frame, mm; the bur is round
+/// No. 2.
 struct StabilityScene
 {
     int number = 0;

@@ -24,9 +24,10 @@ inline constexpr double kStiffestNPerMm = 40.0;
 /// tooth; to 2 %, by steps of a fifth and then by bisection. kStiffestNPerMm if even that holds, 0 if kSoftestNPerMm
 /// does not.
 ///
-/// As haptics.md 2.2: the hand throws the bur at the tooth with 50 mm/s from 2 mm above and leans on it with 2 N; at
-/// rest is a grip that moves less than 0.15 mm from peak to peak along every axis in the last 0.5 s of 2 s. The drill
-/// is off, and the hand neither trembles nor drifts. The device does not tell its delay: no loop softens its spring.
+/// As docs/facts/haptics.md, section 2.2: the hand throws the bur at the tooth with 50 mm/s from 2 mm above and leans
+/// on it with 2 N; at rest is a grip that moves less than 0.15 mm from peak to peak along every axis in the last 0.5 s
+/// of 2 s. The drill is off, and the hand neither trembles nor drifts. The device does not tell its delay: no loop
+/// softens its spring.
 [[nodiscard]] core::Result<double> stiffnessLimit(const ClosedLoop& loop);
 
 }  // namespace lab

@@ -12,7 +12,7 @@ enum class Sweep { Trench, Arc, Plunge };
 /// "trench", "arc" or "plunge".
 [[nodiscard]] std::string_view nameOf(Sweep sweep);
 
-/// What a sweep took away beside what geometry says it takes (haptics.md 8.4, item 5).
+/// What a sweep took away beside what geometry says it takes (docs/facts/haptics.md, section 8.4, item 5).
 struct SweepErrors
 {
     double volumePercent;  ///< of the mean over the lies of the lattice, signed

@@ -6,7 +6,8 @@
 
 namespace lessons {
 
-/// Of fewer people nobody is told how the others did: one could make out who did what (courseware.md 3.4, 6.6).
+/// Of fewer people nobody is told how the others did: one could make out who did what (docs/facts/teaching.md, section
+/// 6).
 inline constexpr int kFewestPeople = 5;
 
 /// Where a result stands among those of a class.

@@ -13,7 +13,7 @@ namespace lessons {
 /// On which side of its target a measure can be wrong.
 enum class Side { Over, Under, Both };
 
-/// How the points of a rubric add up. Schools know two ways (teeth.md section 7).
+/// How the points of a rubric add up. Schools know two ways (docs/facts/teaching.md, section 4).
 enum class Verdict {
     SumOfErrors,  ///< every criterion takes its share of its weight
     WorstError    ///< the worst criterion alone decides, with its share of 100 points

@@ -49,7 +49,8 @@ struct Error
     LocalizableText words{};  ///< the same for a window, where it can say it in its language; else empty
 };
 
-/// Expected failure as a value (style guide, section 6). C++23's std::expected has the same member names.
+/// Expected failure as a value, as opposed to a mistake of ours, which is an assertion. C++23's std::expected has the
+/// same member names.
 template <class T>
 using Result = tl::expected<T, Error>;
 using Status = Result<void>;

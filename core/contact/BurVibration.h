@@ -12,7 +12,7 @@
 namespace core::contact {
 
 /// What a bur that runs free is felt by: noise across its axis, most of it at 150 to 350 Hz (the 5 kHz of a real one
-/// cannot be shown at 1 kHz), of slowly changing strength (haptics.md section 7).
+/// cannot be shown at 1 kHz), of slowly changing strength (docs/facts/haptics.md, section 7).
 ///
 /// n(k) - n(k-2) of uniform random numbers, one a millisecond, or one a tick where ticks are longer: at 1 kHz nothing
 /// at 0 and at 500 Hz, most at 250 Hz; and a sum

@@ -47,7 +47,7 @@ public:
 /// penalty     no memory: the force acts along the surface normal under the device, by the depth along it.
 /// lattice     CEDS 2011: the anchor walks on lattice points, one of 26 steps a tick, to the free one nearest to hand.
 /// lattice16   the same with up to sixteen steps a tick.
-/// continuous  design section 2: search for the nearest free point over the clearance field.
+/// continuous  search for the nearest free point over the clearance field.
 [[nodiscard]] Result<std::unique_ptr<ContactMethod>> makeContactMethod(std::string_view name);
 
 }  // namespace core::contact

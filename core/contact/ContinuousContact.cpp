@@ -305,12 +305,12 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
     m_revision = tooth.revision();
     if (m_blockedTicks == 0)
         m_askedFrom = device;
-    const bool needsHelp = m_blockedTicks > kPatienceTicks && distance2(device, m_askedFrom) > kAskMm * kAskMm;
-    if (needsHelp)
+    const bool isStuck = m_blockedTicks > kPatienceTicks && distance2(device, m_askedFrom) > kAskMm * kAskMm;
+    if (isStuck)
         m_askedFrom = device;
     if (underRoof || inNotch) {
         const glm::dvec3 before = m_anchor;
-        searchAround(tooth, device, std::sqrt(glm::dot(moved, moved)), {inNotch, needsHelp}, m_anchor);
+        searchAround(tooth, device, std::sqrt(glm::dot(moved, moved)), {inNotch, isStuck}, m_anchor);
         const bool isBehind = distance2(m_anchor, device) > kBehindMm * kBehindMm;
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
@@ -320,7 +320,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         left *= kShorterShare;
     const bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);
     m_blockedTicks = isBlocked ? m_blockedTicks + 1 : 0;
-    if (isBlocked && needsHelp)
+    if (isBlocked && isStuck)
         searchAround(tooth, device, std::sqrt(glm::dot(moved, moved)), {false, true, kStuckClimb}, m_anchor);
     else if (edges == Edges::Sides)
         m_known = {&tooth, tooth.revision(), glm::dvec2(m_anchor), ground};

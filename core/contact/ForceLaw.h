@@ -11,14 +11,15 @@ namespace core::contact {
 /// What turns the distance between hand and anchor into a force.
 struct ForceSettings
 {
-    /// Spring of the virtual coupling, one for the whole tooth: hardness acts on removal (haptics.md 3).
+    /// Spring of the virtual coupling, one for the whole tooth: hardness acts on removal
+    /// (docs/facts/haptics.md, section 3).
     double stiffnessNPerMm = 2.0;
     /// Its damper, on the speed at which it is stretched: for slow motion, where the device's dry friction holds what
     /// sampling and delay feed, and where every count of the encoders would be felt through more.
     double dampingNSPerM = 3.0;
     /// What the damper has more where the length of the spring changes much faster than ForceLaw::kFastMmPerS, which
-    /// dry friction does not hold (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large). For a
-    /// spring stiffer than 3 N/mm so much more, as often as it is stiffer, on a pace that is known sooner.
+    /// dry friction does not hold: small motions come to rest and large ones grow (docs/facts/haptics.md, section 2.1).
+    /// For a spring stiffer than 3 N/mm so much more, as often as it is stiffer, on a pace that is known sooner.
     double fastDampingNSPerM = 30.0;
     double brakeN = 0.5;    ///< most that passivity control takes out of fast motion; 0 is none
     double friction = 0.1;  ///< Coulomb coefficient of the bur sliding on the tooth
@@ -33,8 +34,9 @@ struct ForceSettings
     /// (WorkArea).
     double workAreaMm = 0.0;
     double vibrationN = 0.0;  ///< rms of what a bur that runs free is felt by (BurVibration); 0: nothing
-    /// Fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3). A spring stiffer than 2.5
-    /// N/mm may change its force faster in proportion: it is the pace of the hand that is limited.
+    /// Fastest change of force; below 1000 the filter itself destabilises (docs/facts/haptics.md, section 2.3). A
+    /// spring stiffer than 2.5 N/mm may change its force faster in proportion: it is the pace of the hand that is
+    /// limited.
     double slewNPerS = 2000.0;
     bool operator==(const ForceSettings&) const = default;
 };

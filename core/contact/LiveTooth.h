@@ -29,7 +29,7 @@ enum class Edges { Columns, Sides };
 ///     C(p) = max over |q - p| <= R of (H(q) - b(|q - p|)),   the tip (p, z) is free above if z >= C(p)
 ///
 /// and its mirror image from below, D(p) = min (bottom(q) - u(|q - p|)), free beneath if z <= D(p)
-/// (design section 2; inverse tool offset of CAM, tip dilation of Villarrubia 1997).
+/// (inverse tool offset of CAM, tip dilation of Villarrubia 1997: docs/facts/haptics.md, section 3).
 ///
 /// Built outside the servo thread (it allocates); afterwards owned by the servo thread alone, and no member below
 /// allocates.
@@ -59,8 +59,8 @@ public:
     ///
     /// The maximum over the columns, and from the highest of them over the surface around it: whole ground is a plane
     /// between any three of its nodes, and a ball let down on a plane finds its own place between the columns, which
-    /// alone are a bed of spikes (haptics.md 3.1). Cut ground is its columns and no more: a pocket must be as wide as
-    /// the bur that made it.
+    /// alone are a bed of spikes (docs/facts/haptics.md, section 3.1). Cut ground is its columns and no more: a pocket
+    /// must be as wide as the bur that made it.
     /// @param enough  any answer above this may be given as any other above it (lets the search stop early)
     [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, double enough = 1.0e9, Edges edges = Edges::Columns) noexcept;
     /// The upright side that stands beside a tip at `tipMm`, not beneath its rounded end, and nearest to its axis;

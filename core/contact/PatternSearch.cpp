@@ -74,10 +74,10 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
     // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels. One that is
     // stuck behind a column goes round it in steps that are wider than a column, and no wider than half the bur.
     const double reach = movedMm + cell / 32.0;
-    const bool needsHelp = limits.needsHelp;
-    double step = needsHelp ? std::min(kWideCells * cell, 0.5 * static_cast<double>(tooth.mask().radiusMm)) : cell;
+    const bool isStuck = limits.isStuck;
+    double step = isStuck ? std::min(kWideCells * cell, 0.5 * static_cast<double>(tooth.mask().radiusMm)) : cell;
     int level = 0;
-    while (!needsHelp && level < kFinestLevel - 1 && step > 2.0 * reach) {
+    while (!isStuck && level < kFinestLevel - 1 && step > 2.0 * reach) {
         step *= 0.5;
         ++level;
     }
@@ -98,7 +98,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
         best = distance2(anchor, device);
         return true;
     };
-    if (needsHelp) {
+    if (isStuck) {
         // First the nodes around: with its axis over a node a bur gets past columns that it does not between them.
         const terrain::Grid& grid = tooth.grid();
         const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(anchor));
@@ -119,7 +119,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
     int streak = 0;
     while (level <= kFinestLevel && looks < kMaxLooks) {
         bool found = false;
-        const std::size_t turns = 1 + (needsHelp || level == kFinestLevel ? kDirections.size() : kAlong);
+        const std::size_t turns = 1 + (isStuck || level == kFinestLevel ? kDirections.size() : kAlong);
         for (std::size_t turn = 0; turn < turns && !found; ++turn) {
             const std::size_t now = turn == 0 ? heading : turn - 1;
             if (turn > 0 && now == heading)

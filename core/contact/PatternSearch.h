@@ -9,9 +9,9 @@ namespace core::contact {
 
 struct SearchLimits
 {
-    bool inNotch = false;    ///< the anchor has some columns beneath it and others above
-    bool needsHelp = false;  ///< it has found no way for some ticks: begins with wider steps, in all directions
-    double steepest = 4.0;   ///< climb or sinking of one step, cells a cell (haptics.md 3.2)
+    bool inNotch = false;   ///< the anchor has some columns beneath it and others above
+    bool isStuck = false;   ///< it has found no way for some ticks: begins with wider steps, in all directions
+    double steepest = 4.0;  ///< climb or sinking of one step, cells a cell (docs/facts/haptics.md, section 3.2)
 };
 
 /// Moves an anchor that has tooth above it nearer to the device: beneath an overhang along its underside, and in a

@@ -6,7 +6,7 @@
 namespace core::contact {
 
 /// Force along the surface normal under the device: the first method of 2011, dropped there as erratic in corners and
-/// pits (haptics.md 3.3 says where and why). Kept for the charts and for the tests that show it failing.
+/// pits (docs/facts/haptics.md, section 3.3). Kept for the charts and for the tests that show it failing.
 class PenaltyContact final : public ContactMethod
 {
 public:

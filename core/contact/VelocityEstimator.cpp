@@ -9,8 +9,8 @@
 namespace core::contact {
 namespace {
 
-/// A count of the Falcon, 0.048 mm sideways and 0.028 along its axis (haptics.md section 5): no less, or a device that
-/// rests on the edge of one would seem to move at 30 mm/s.
+/// A count of the Falcon, 0.048 mm sideways and 0.028 along its axis (docs/facts/haptics.md, section 5): no less, or a
+/// device that rests on the edge of one would seem to move at 30 mm/s.
 constexpr double kCountMm = 0.05;
 /// 1 / n: of the distance to the n-th place back, for a tick.
 constexpr auto kShares = [] {

@@ -13,7 +13,8 @@ namespace core::contact {
 /// The pace is that of the longest straight line back in time which all places since lie within a count of: long at
 /// rest, where a count more or less says nothing, and a tick or two where the point is fast (first-order adaptive
 /// windowing, Janabi-Sharifi, Hayward, Chen 2000); then one pole, against the jumps from one window to another. A
-/// backward difference instead has a step of 30 to 50 mm/s (haptics.md 2.6). Servo thread; no allocation.
+/// backward difference instead has a step of 30 to 50 mm/s (docs/facts/haptics.md, section 2.6). Servo thread; no
+/// allocation.
 class VelocityEstimator
 {
 public:

@@ -17,7 +17,8 @@ constexpr double kSpringNPerMm = 0.2;
 constexpr double kDamperNSPerMm = 0.012;
 constexpr double kStrideS = 0.02;  ///< of the damper's low-pass: no turn of the way and no count is felt through it
 constexpr double kArrivedMm = 0.5;
-constexpr double kMostLeadN = 1.8;  ///< spring and damper together: under the 2 N of haptics.md 4, scene 13
+/// Spring and damper together stay under 2 N (docs/facts/haptics.md, section 4, scene 13).
+constexpr double kMostLeadN = 1.8;
 /// A hand that lets itself be led takes little more than the device's friction, 0.25 N; from this share of kLeadN on it
 /// holds back.
 constexpr double kHeldBackShare = 0.95;

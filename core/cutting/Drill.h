@@ -12,8 +12,8 @@
 
 namespace core::cutting {
 
-/// Tangential over normal force of a bur that cuts: 0.24 to 1.77 N over 0.60 to 2.93 N in glass ceramic (teeth.md
-/// section 5), 0.3 assumed in haptics.md 8.1.
+/// Tangential over normal force of a bur that cuts: 0.24 to 1.77 N over 0.60 to 2.93 N in glass ceramic
+/// (docs/facts/haptics.md, section 8.5).
 inline constexpr double kCuttingFriction = 0.4;
 
 /// Speed of the surface for which the rates of a preset hold, in rpm mm of radius: a 330 in the turbine that is pressed
@@ -53,7 +53,7 @@ struct Cut
     CutRect changed;  ///< columns that were lowered
 };
 
-/// Removes material under the bur, paced by volume (design section 3).
+/// Removes material under the bur, paced by volume (docs/facts/haptics.md, section 8.1).
 ///
 /// A tick grants dt seconds. Material m comes away at rate_m = S_m * max(0, F - F0_m) * direction * speed mm3/s, with
 /// the speed of the bur's surface over the reference: the load F brakes it, until it stalls. A load beyond the full

@@ -59,7 +59,7 @@ struct PieceError
     bool operator==(const PieceError&) const = default;
 };
 
-/// Depth of the floor against the ideal (teeth.md section 7: floor depth; courseware.md 3.3: depth error).
+/// Depth of the floor against the ideal (docs/teeth.md, "Ideal preparations": depth of the floor).
 /// The error of a column is its height less the ideal one: negative is too deep.
 struct DepthError
 {
@@ -80,9 +80,9 @@ struct DepthError
 /// The roughness of a wall is measured against the mean of a stretch of the same wall of this length, mm.
 inline constexpr double kRoughStretchMm = 2.0;
 
-/// Distance between the outline cut and the ideal one, seen from above (courseware.md 3.3: outline deviation; teeth.md
-/// section 7: a wall 0.5 mm over-extended is a moderate error). Each point of either outline is asked how far the other
-/// is, so that an arm which is missing and one that is too much both count; weighted by length.
+/// Distance between the outline cut and the ideal one, seen from above. A wall 0.5 mm over-extended is a moderate error
+/// (docs/facts/teaching.md, section 4). Each point of either outline is asked how far the other is, so that an arm
+/// which is missing and one that is too much both count; weighted by length.
 struct OutlineDeviation
 {
     double meanMm = 0.0;    ///< of the distance's size
@@ -96,14 +96,14 @@ struct OutlineDeviation
     bool operator==(const OutlineDeviation&) const = default;
 };
 
-/// A floor as such: what is left when the form that the ideal gives to it has been taken off (teeth.md section 7: flat,
-/// parallel to the occlusal plane, step under 0.25 mm).
+/// A floor as such: what is left when the form that the ideal gives to it has been taken off. It is to
+/// be flat, parallel to the occlusal plane, with steps under 0.25 mm (docs/teeth.md, "Ideal preparations").
 struct FloorForm
 {
     double flatnessMm = 0.0;  ///< root mean square distance, along z, from the plane that fits the depth error best
     double slopeDeg = 0.0;    ///< of most of the floor: a gouge or a step does not tilt it
     Placed stepMm;            ///< largest change of the rest within kStepRunMm along x or y
-    /// Mean depth of the floor below the enamel-dentin junction, mm (teeth.md section 7: into dentine); negative in
+    /// Mean depth of the floor below the enamel-dentin junction, mm (0.1 to 0.5 is ideal: docs/teeth.md); negative in
     /// enamel. Where there is a pulpal floor, the gingival floor of a box does not count. Nothing where the floor lies
     /// over no junction.
     std::optional<double> intoDentinMm;
@@ -117,11 +117,11 @@ enum class Side { MinusX, PlusX, MinusY, PlusY };
 struct Form
 {
     /// mm, the shortest run of cut across the isthmus of the preparation, 0 where the cut is interrupted there
-    /// (teeth.md section 7: isthmus width). Nothing for a preparation without an isthmus, and without any cut.
+    /// (docs/teeth.md, "Ideal preparations"). Nothing for a preparation without an isthmus, and without any cut.
     std::optional<Placed> isthmusMm;
     /// mm, least distance along x from the edge of the cut to the mesial and distal outline of the tooth, over the
-    /// middle half of the tooth's rows, between the cusps (teeth.md section 7: marginal ridge left, from the bur's
-    /// outer edge to the proximal surface). Only for a tooth of which it is known where mesial is, and with a cut
+    /// middle half of the tooth's rows, between the cusps: the marginal ridge that is left
+    /// (docs/teeth.md, "Ideal preparations"). Only for a tooth of which it is known where mesial is, and with a cut
     /// there.
     std::optional<Placed> ridgeMesialMm;
     std::optional<Placed> ridgeDistalMm;
@@ -134,7 +134,7 @@ struct Form
     /// the crest itself is cut. Nothing where no cut is near on one of the sides.
     std::optional<Placed> obliqueRidgeMm;
     /// Degrees from upright, positive where the wall opens towards the occlusal, of the walls that stand on each side
-    /// of the cut, by Side (teeth.md section 7: wall angles); the node is one on it.
+    /// of the cut, by Side (docs/teeth.md, "Ideal preparations"); the node is one on it.
     ///
     /// Between 2 and 75 % of the depth, so that neither a bevel nor the fillet of a round-ended bur counts. A column on
     /// the slope of a wall is an exact point of it: how the columns of a short stretch of wall recede with their depth
@@ -155,10 +155,10 @@ struct Leeway
     bool operator==(const Leeway&) const = default;
 };
 
-/// The zones of the practice pad (teeth.md section 7, training shapes; courseware.md 3.1). Target: what the ideal takes
-/// away. Leeway bottom: what lies below the target, down to Leeway::bottomMm. Leeway sides: columns beside the target
-/// within Leeway::sidesMm of its edge, down to where the leeway bottom of the nearest target column ends. Container:
-/// all the rest; its bottom lies below target or leeway sides, its sides beside them.
+/// The zones of the practice pad (docs/facts/teaching.md, section 5). Target: what the ideal takes away. Leeway bottom:
+/// what lies below the target, down to Leeway::bottomMm. Leeway sides: columns beside the target within Leeway::sidesMm
+/// of its edge, down to where the leeway bottom of the nearest target column ends. Container: all the rest; its bottom
+/// lies below target or leeway sides, its sides beside them.
 struct Zones
 {
     double targetMm3 = 0.0;
@@ -181,7 +181,7 @@ struct Deviation
     double overcutBesideMm3 = 0.0;  ///< taken away from columns that the ideal keeps
     double overcutBelowMm3 = 0.0;   ///< taken away below the ideal
     double undercutMm3 = 0.0;       ///< of the ideal, still there: under-cut, not a retentive undercut
-    /// 2 |A and B| / (|A| + |B|) and |A and B| / |A or B| of removed and ideal volume (courseware.md 3.3). Nothing
+    /// 2 |A and B| / (|A| + |B|) and |A and B| / |A or B| of removed and ideal volume. Nothing
     /// where neither is anything.
     std::optional<double> dice;
     std::optional<double> iou;
@@ -200,7 +200,7 @@ struct Deviation
     std::optional<FloorForm> floor;  ///< nothing unless three columns of the Floor, not in a row, are cut
     Form form;                       ///< of the cut
     Form idealForm;                  ///< of the ideal, measured the same way
-    /// mm3 of enamel that has lost its dentin (teeth.md section 7: cavosurface; it breaks away under load), and where
+    /// mm3 of enamel that has lost its dentin (it breaks away: docs/teeth.md, "Ideal preparations"), and where
     /// its height is greatest. Counted is enamel still there of which one of these is true:
     ///  - decay is left straight below it;
     ///  - its rod was cut through on the way down to the enamel-dentin junction, or stands there on decay that is left.

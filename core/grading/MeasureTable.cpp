@@ -12,14 +12,14 @@ using Value = std::optional<double>;
 using Node = std::optional<std::size_t>;
 using terrain::Material;
 
-constexpr std::string_view kMetrics = "courseware.md 3.3";
+constexpr std::string_view kMetrics = "docs/facts/teaching.md, section 3";
 constexpr std::string_view kSturdevant = "Sturdevant's Art and Science of Operative Dentistry";
 constexpr std::string_view kZones = "International Caries Consensus Collaboration (Schwendicke 2016)";
-constexpr std::string_view kForms = "teeth.md 7, ideal values of a Class I preparation";
-constexpr std::string_view kPad = "teeth.md 7, training shapes; courseware.md 3.1 (Simodont)";
+constexpr std::string_view kForms = "docs/teeth.md, Ideal preparations";
+constexpr std::string_view kPad = "docs/facts/teaching.md, section 5 (Simodont)";
 constexpr std::string_view kFirstMinutes = "ours: the first five minutes at the device";
-constexpr std::string_view kFirstForce = "ours: the first five minutes at the device; courseware.md 3.3 (force)";
-constexpr std::string_view kHapTel = "courseware.md 3.1 (hapTEL), 3.3";
+constexpr std::string_view kStrokes = "docs/facts/teaching.md, section 1 (Ioannou 2010)";
+constexpr std::string_view kHapTel = "docs/facts/teaching.md, section 1 (hapTEL)";
 
 double removed(const Measured& m, Material material)
 {
@@ -333,7 +333,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      },
      nullptr},
     {"sound_overcut_mm3", "mm3", "Sound enamel and dentin removed beside the lesion or below it.",
-     "courseware.md 3.1 (Osnes 2021), 3.3", [](const Measured& m) -> Value { return m.measures.overcutMm3; },
+     "docs/facts/teaching.md, section 1 (Osnes 2021)", [](const Measured& m) -> Value { return m.measures.overcutMm3; },
      [](const Measured& m) -> Node { return m.measures.overcutNode; }},
     {"enamel_removed_mm3", "mm3", "Enamel that was removed.", kMetrics,
      [](const Measured& m) -> Value { return removed(m, Material::Enamel); }, nullptr},
@@ -353,7 +353,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Node { return m.measures.deepestCutNode; }},
     {"remaining_over_pulp_mm", "mm",
      "Shortest distance in any direction from a cut surface to the pulp; 5 stands for all beyond.",
-     "teeth.md 7 (2.0 ideal, 0.5 the limit: Murray 2003)",
+     "docs/teeth.md, Ideal preparations (Murray 2003)",
      [](const Measured& m) -> Value {
          return m.measures.hasRemainingOverPulp ? Value(m.measures.remainingOverPulpMm) : std::nullopt;
      },
@@ -610,7 +610,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      },
      nullptr},
     {"unsupported_enamel_mm3", "mm3", "Enamel left above decay, or whose rods stand on dentin that was cut away.",
-     "teeth.md 7 (cavosurface), courseware.md 3.3",
+     kForms,
      [](const Measured& m) -> Value {
          return ofPart<Value>(m, &Deviation::unsupportedEnamelMm3, [](const Placed& u) { return u.value; });
      },
@@ -664,21 +664,21 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.cuttingS; }); }, nullptr},
     {"longest_pause_s", "s", "Longest time without cutting between two strokes.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.longestPauseS; }); }, nullptr},
-    {"path_mm", "mm", "Way of the bur's tip.", "courseware.md 3.1 (endodontic VR), 3.3",
+    {"path_mm", "mm", "Way of the bur's tip.", "docs/facts/teaching.md, section 1 (Suebnukarn 2014)",
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.pathMm; }); }, nullptr},
     {"path_cutting_mm", "mm", "Way of the bur's tip in strokes.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.cuttingPathMm; }); }, nullptr},
     {"strokes", "", "Number of strokes: stretches of cutting without a pause of 150 ms.",
-     "courseware.md 3.1 (Ioannou 2010), 3.3",
+     kStrokes,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.strokes; }); }, nullptr},
-    {"stroke_length_mean_mm", "mm", "Mean way of the bur's tip in a stroke.", "courseware.md 3.1 (Ioannou 2010)",
+    {"stroke_length_mean_mm", "mm", "Mean way of the bur's tip in a stroke.", kStrokes,
      [](const Measured& m) -> Value { return m.process ? m.process->strokeMm : std::nullopt; }, nullptr},
-    {"stroke_time_mean_s", "s", "Mean time of a stroke.", "courseware.md 3.1 (Ioannou 2010)",
+    {"stroke_time_mean_s", "s", "Mean time of a stroke.", kStrokes,
      [](const Measured& m) -> Value { return m.process ? m.process->strokeS : std::nullopt; }, nullptr},
     {"lift_offs", "", "Times that a bur which has cut left the tooth for 50 ms or longer.",
-     "courseware.md 3.1 (Ioannou 2010)",
+     kStrokes,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.liftOffs; }); }, nullptr},
-    {"force_mean_n", "N", "Mean force on the hand in contact.", "courseware.md 3.1 (force), 3.3; teeth.md 5",
+    {"force_mean_n", "N", "Mean force on the hand in contact.", "docs/facts/haptics.md, section 8.5",
      [](const Measured& m) -> Value {
          return m.process && m.process->force ? Value(m.process->force->meanN) : std::nullopt;
      },
@@ -693,7 +693,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
          return m.process && m.process->force ? Value(m.process->force->p95N) : std::nullopt;
      },
      nullptr},
-    {"force_largest_n", "N", "Largest force on the hand in contact.", "courseware.md 3.1 (force), 3.3; teeth.md 5",
+    {"force_largest_n", "N", "Largest force on the hand in contact.", "docs/facts/haptics.md, section 8.5",
      [](const Measured& m) -> Value {
          return m.process && m.process->force ? Value(m.process->force->largestN) : std::nullopt;
      },
@@ -701,7 +701,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
     {"force_over_limit_s", "s", "Time in contact with more force than the limit of the lesson.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.overLimitS; }); }, nullptr},
     {"jerk_rms_mm_s3", "mm/s3", "Root mean square jerk of the hand while the drill is on, up to about 5 Hz.",
-     "courseware.md 3.3; Hogan and Sternad 2009",
+     "docs/facts/teaching.md, section 3 (Hogan and Sternad 2009)",
      [](const Measured& m) -> Value { return m.process ? m.process->jerkMmPerS3 : std::nullopt; }, nullptr},
     {"drill_in_air_s", "s", "Time with the drill on and no contact.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.drillInAirS; }); }, nullptr},
@@ -726,15 +726,15 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      nullptr},
     {"time_to_touch_all_s", "s", "Time until the last of the points was touched; not measured before all are.",
      kFirstMinutes, [](const Measured& m) -> Value { return ofExercise<Touched>(m, allTouchedS); }, nullptr},
-    {"hold_longest_s", "s", "Longest time at a stretch that the force was held, up to the time asked for.", kFirstForce,
+    {"hold_longest_s", "s", "Longest time at a stretch that the force was held, up to the time asked for.", kFirstMinutes,
      [](const Measured& m) -> Value { return ofExercise<Held>(m, [](const Held& h) { return h.longestS; }); }, nullptr},
     {"hold_within_percent", "percent", "Share of the time in contact, once the force was right, that it was held.",
-     kFirstForce,
+     kFirstMinutes,
      [](const Measured& m) -> Value {
          return ofExercise<Held>(m, [](const Held& h) { return percent(h.heldS, h.pressedS); });
      },
      nullptr},
-    {"hold_error_n", "N", "Mean distance from the force asked for in contact, once it was right.", kFirstForce,
+    {"hold_error_n", "N", "Mean distance from the force asked for in contact, once it was right.", kFirstMinutes,
      [](const Measured& m) -> Value {
          return ofExercise<Held>(m, [](const Held& h) { return h.pressedS > 0.0 ? Value(h.meanErrorN) : std::nullopt; });
      },

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t kStrokeGapUs = 150'000;  ///< as in the servo loop, where a stroke is an undo step
 constexpr std::int64_t kLiftUs = 50'000;
 constexpr std::int64_t kBlockUs = 50'000;
-constexpr double kLeastWayMm = 0.1;  ///< two counts of the Falcon's encoders (haptics.md section 5)
+constexpr double kLeastWayMm = 0.1;  ///< two counts of the Falcon's encoders (docs/facts/haptics.md, section 5)
 
 double seconds(std::int64_t micros)
 {

@@ -13,7 +13,8 @@
 
 namespace core::grading {
 
-/// How an attempt went (courseware.md 3.3: process). Times in seconds, of the ticks' own steps and not of a clock.
+/// How an attempt went (docs/facts/teaching.md, section 3). Times in seconds, of the ticks' own steps and not of a
+/// clock.
 struct Process
 {
     double totalS = 0.0;
@@ -35,7 +36,7 @@ struct Process
     double longestPauseS = 0.0;  ///< longest time without cutting between two strokes
 
     /// Force on the hand while the bur touches the tooth, N, over time. Nothing without contact. The percentile is from
-    /// a histogram of 0.02 N (courseware.md 3.1: 0.1 to 4.9 N in crown preparations).
+    /// a histogram of 0.02 N (crown preparations take 0.1 to 4.9 N: docs/facts/haptics.md, section 8.5).
     struct Force
     {
         double meanN = 0.0;

@@ -19,7 +19,8 @@ namespace core::guidance {
 class Fixture
 {
 public:
-    static constexpr double kNPerMm = 1.0;   ///< sideways, beside the spring of contact (haptics.md 2.2)
+    /// Sideways; it adds to the spring of contact (docs/facts/haptics.md, section 2.2).
+    static constexpr double kNPerMm = 1.0;
     static constexpr double kMostN = 1.5;    ///< so it can be overcome with two fingers
     static constexpr double kHoldsMm = 2.0;  ///< beside the outline; it is gone 1 mm farther out
 

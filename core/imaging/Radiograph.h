@@ -17,8 +17,8 @@
 /// Primary beam only. Scatter, the beam's hardening, the blur of the focal spot, bone and gums are not modelled.
 namespace core::imaging {
 
-/// Linear attenuation of decay, enamel, dentin and pulp, 1/mm: the 40 keV column of docs/teeth.md, which
-/// agrees with film densitometry at 70 kVp (enamel 2.97 +- 0.71, dentin 2.12 +- 0.92 1/cm measured). Decay is taken as
+/// Linear attenuation of decay, enamel, dentin and pulp, 1/mm: the values at 40 keV of docs/teeth.md, which
+/// agree with film densitometry at 70 kVp (enamel 2.97 +- 0.71, dentin 2.12 +- 0.92 1/cm measured). Decay is taken as
 /// half the mineral of sound dentin.
 inline constexpr terrain::PerMaterial kAttenuationPerMm{0.10, 0.28, 0.16, 0.028};
 

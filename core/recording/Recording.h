@@ -29,7 +29,7 @@ inline constexpr std::size_t kMaxLessonBytes = std::size_t{1} * 1024 * 1024;
 [[nodiscard]] Status checkLesson(std::string_view lesson);
 
 /// One attempt: the tooth it began with and everything that happened to the servo since. Replaying it gives the
-/// bit-identical tooth (design section 5).
+/// bit-identical tooth, on every machine and in every build.
 ///
 /// Events are packed as they come, 4096 at a time (device positions as exclusive-or with the one before, split into
 /// byte planes, Zstandard), so an attempt holds about half a megabyte a minute. Any one thread at a time.

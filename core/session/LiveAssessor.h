@@ -15,7 +15,7 @@
 namespace core::session {
 
 /// Time over so much force is counted where a lesson sets no limit, N: the largest that six prosthodontists and six
-/// students used on crowns was 4.9 (teeth.md section 5), their means below 1.8.
+/// students used on crowns was 4.9, their means below 1.8 (docs/facts/haptics.md, section 8.5).
 inline constexpr double kUsualForceLimitN = 3.0;
 
 /// What an examiner looks at.

@@ -11,8 +11,8 @@ constexpr std::size_t kShownHash = 8;
 
 using Field = NumberField<FeelPreset>;
 
-// Damping: what CHAI3D lets a Falcon have (haptics.md section 5). Beyond it, and beyond 60 for fast motion, the damper
-// itself swings when the device answers late (StabilityBound.h).
+// Damping: what CHAI3D lets a Falcon have (docs/facts/haptics.md, section 5). Beyond it, and beyond 60 for fast motion,
+// the damper itself swings when the device answers late (StabilityBound.h).
 const std::array<Field, kCuttingFields + 5> kFields{{
     {"soft_caries.rate_mm3_per_ns", "rate of soft caries", kRateUnit, &FeelPreset::softCariesRate, kMinRateMm3PerNs,
      kMaxRateMm3PerNs},

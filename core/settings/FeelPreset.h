@@ -31,7 +31,7 @@ struct FeelPreset
     // As MaterialHardness: mm³/(N s) pushing sideways, and the force up to which nothing comes away, N.
     double softCariesRate = 5.0;
     double softCariesFromN = 0.05;
-    double firmCariesRate = 3.2;  ///< discoloured and firm: between dentin and what is soft (teeth.md section 5)
+    double firmCariesRate = 3.2;  ///< between dentin and soft decay (docs/facts/haptics.md, section 8.1)
     double firmCariesFromN = 0.08;
     double enamelRate = 0.7;
     double enamelFromN = 0.15;

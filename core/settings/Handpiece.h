@@ -9,8 +9,9 @@
 
 namespace core::settings {
 
-/// What turns the bur. Its torque falls in a straight line from stall to free speed (Dyson & Darvell 1999, teeth.md
-/// section 5), so that a load of T N mm leaves (1 - T / stall) of the speed. Default: the air turbine.
+/// What turns the bur. Its torque falls in a straight line from stall to free speed (Dyson & Darvell 1999,
+/// docs/facts/haptics.md, section 8.6), so that a load of T N mm leaves (1 - T / stall) of the speed. Default: the air
+/// turbine.
 struct Handpiece
 {
     std::string name = "turbine";
@@ -22,11 +23,10 @@ struct Handpiece
     [[nodiscard]] double rpmUnder(double torqueNmm) const noexcept;
 };
 
-/// Those that are shipped. Figures with the certainty teeth.md section 5 gives them (S read in a source, T textbook, W
-/// weak):
-/// turbine    320,000 rpm, 1.1 N mm: its worked example; 300,000 to 450,000 and up to 2.33 N mm measured [S]
+/// The handpieces that are shipped (docs/facts/haptics.md, section 8.6; S read in a source, T textbook, A assumed):
+/// turbine    320,000 rpm, 1.1 N mm [T]; 300,000 to 450,000 and up to 2.33 N mm measured [S]
 /// electric   1:5, 200,000 rpm, 3 N mm [T]: holds its speed
-/// low-speed  1:1, 20,000 rpm [T], 20 N mm [W]: for caries
+/// low-speed  1:1, 20,000 rpm [T], 20 N mm [A]: for caries
 [[nodiscard]] std::span<const Handpiece> handpieces();
 
 /// By name, or UnknownName naming those there are.

@@ -7,9 +7,9 @@
 
 namespace core::settings {
 
-/// What stands at the other end of the spring: a device in a hand. The Falcon of haptics.md section 5 in the light hand
-/// of section 6, which damps least and is the hardest to keep still. Drilling only damps (haptics.md 8.2), so the wall
-/// without a cut is the worst case.
+/// What stands at the other end of the spring: a device in a hand. A simulated Falcon in a light hand, which
+/// damps least and is the hardest to keep still (docs/facts/haptics.md, sections 5 and 6). Drilling only damps (section
+/// 8.2), so the wall without a cut is the worst case.
 struct LoopFigures
 {
     double massKg = 0.27;        ///< device and hand
@@ -36,9 +36,9 @@ struct StabilityBound
 /// Up to which stiffness a preset's dampers hold the bur on the tooth.
 ///
 /// Damping: `K < 0.598 (b + B(v) + fc / v) / t`, `t = T/2 + delay + lag`, at v = 50 mm/s, with `B(v) = B + Bf v² / (v²
-/// + v0²)` (Gil 2009 and haptics.md 2.1; 0.598 is what a unilateral wall is short of it by). Lateness: `K < 0.27 m /
-/// t²`. Buzz: `K < 2 fc / D` (Abbott & Okamura 2005). The factors are the least of what lab::stiffnessLimit measures of
-/// this force law over the whole range of both dampers (tests/lab/tst_stability_bound).
+/// + v0²)` (Gil 2009, docs/facts/haptics.md, section 2.1; 0.598 is what a unilateral wall is short of it by). Lateness:
+/// `K < 0.27 m / t²`. Buzz: `K < 2 fc / D` (Abbott & Okamura 2005). The factors are the least of what
+/// lab::stiffnessLimit measures of this force law over the whole range of both dampers (tests/lab/tst_stability_bound).
 /// @param periodS  of the servo
 [[nodiscard]] StabilityBound stabilityBound(const FeelPreset& preset, const LoopFigures& loop = {},
                                             double periodS = 0.001);

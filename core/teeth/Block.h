@@ -14,7 +14,7 @@
 #include "core/mesh/TriangleMesh.h"
 #include "core/terrain/Tooth.h"
 
-/// Practice blocks, after the boards that schools use before the first tooth (teeth.md section 7, "Training shapes"): a
+/// Practice blocks, after the boards that schools use before the first tooth (docs/facts/teaching.md, section 5): a
 /// flat slab of "enamel" on "dentin" with a shape to be cut into it.
 namespace core::teeth {
 
@@ -32,7 +32,7 @@ enum class BlockShape : std::uint8_t {
     Junction  ///< a window in enamel of uneven thickness; its floor is the enamel-dentin junction
 };
 
-/// A block and the shape in its middle. No source gives sizes of such shapes but "1.5 to 2 mm deep" [W in teeth.md]:
+/// A block and the shape in its middle. No source gives sizes of such shapes (docs/facts/teaching.md, section 5):
 /// every number is the teacher's to set.
 struct BlockDesign
 {

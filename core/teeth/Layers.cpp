@@ -132,7 +132,7 @@ private:
 };
 
 /// The most enamel that a place near a fissure may have: 1.2 below its mouth and 0.25 below its base
-/// (a cavity 1.5 mm deep has its floor in dentin, section 7), growing with the distance. kNoValue far from any.
+/// (a cavity 1.5 mm deep has its floor in dentin), growing with the distance. kNoValue far from any.
 std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Grid& grid, std::span<const float> top,
                                        std::uint64_t seed)
 {

@@ -10,7 +10,7 @@
 
 namespace haptics {
 
-/// A Novint Falcon as the servo meets it (haptics.md section 5). Certainty: R read in a source, M measured, K known
+/// A Novint Falcon as the servo meets it (docs/facts/haptics.md, section 5). Certainty: R read in a source, K known
 /// from literature, A assumed until there is a device to measure. Geometry and encoders [R] are in falcon/Kinematics.h.
 struct FalconFigures
 {
@@ -24,8 +24,9 @@ struct FalconFigures
     double countShare = 1.0;      ///< step of the encoders, in those of the real device; 0 reads exactly
 };
 
-/// A hand at the grip: a mass that moves with it, spring and damper to where the hand wants to be (haptics.md section
-/// 6). All figures are assumed within the range of the literature [A], but the shape and the bands of the tremor [R].
+/// A hand at the grip: a mass that moves with it, spring and damper to where the hand wants to be
+/// (docs/facts/haptics.md, section 6). All figures are assumed within the range of the literature [A], but the bands of
+/// the tremor [R].
 struct HandFigures
 {
     std::string_view name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many stations at once, a station that is killed while it saves, a server that goes away: each station is this program
-// in a process of its own. CUSP_STATIONS and CUSP_KILLS make it as many as the figures of the issue want.
+// in a process of its own. CUSP_STATIONS and CUSP_KILLS set how many.
 #include <algorithm>
 #include <atomic>
 #include <csignal>

@@ -395,7 +395,7 @@ private slots:
     void latticeSticksOnSlopes()
     {
         // On a slope that is not 0, 45 or 90 degrees no single lattice step both improves and is free, so the anchor
-        // stays behind by far more than a cell (haptics.md 3.3).
+        // stays behind by far more than a cell (docs/facts/haptics.md, section 3.3).
         QVERIFY(worstOnPlaneUm("lattice", 0.0) < 120.0);
         QVERIFY(between(worstOnPlaneUm("lattice", 27.0), 100.0, 1.0e9));
     }

@@ -101,7 +101,8 @@ private slots:
 
     void rateIsLinearInForce()
     {
-        // About 1 N: the torque of the load bends the line by less than one can feel (force, 7 to 10 %: haptics.md 7).
+        // About 1 N: the torque of the load bends the line by less than one can feel, 7 to 10 % of the force
+        // (docs/facts/haptics.md, section 7).
         const std::vector<double> newtons{0.5, 0.75, 1.0, 1.25, 1.5};
         std::vector<double> rates;
         double meanRate = 0.0;
@@ -159,7 +160,8 @@ private slots:
 
     void loadSlowsTheBurToAStall()
     {
-        // omega = omega0 (1 - T / Tstall), T = 0.4 F r (teeth.md 5). A round bur in the turbine stalls at 1.1 / 0.2 N.
+        // omega = omega0 (1 - T / Tstall), T = 0.4 F r (docs/facts/haptics.md, section 8.6). A round bur in the turbine
+        // stalls at 1.1 / 0.2 N.
         const auto rpmAt = [](double newtons) {
             const Bench bench(blockTooth({}), "2");
             bench.step({0.0, 0.0, 1.0});

@@ -145,7 +145,7 @@ private slots:
 
     void groundThatVanishesIsFeltOverMilliseconds()
     {
-        // haptics.md section 4, scene 8: pressed on with 2 N, then the support is gone in a tick.
+        // docs/facts/haptics.md, section 4, scene 8: pressed on with 2 N, then the support is gone in a tick.
         contact::ForceLaw law({});
         const glm::dvec3 hand(0.0, 0.0, -1.0);
         glm::dvec3 force = rested(law, hand);

@@ -181,7 +181,7 @@ struct ScanPoint
     glm::dvec3 normal{0.0};
 };
 
-/// Vertices and normals of a scan in mm (10.5 mm per unit, SOURCES.md), axes turned to the tooth frame's.
+/// Vertices and normals of a scan in mm (10.5 mm per unit), axes turned to the tooth frame's.
 std::vector<ScanPoint> readScan(const std::string& path, int fdi)
 {
     const TriangleMesh mesh = core::mesh::readMesh(std::filesystem::path(path)).value().mesh;

@@ -671,7 +671,7 @@ private slots:
     }
 
     /// A hand that leans out of the groove through a simulated device comes to rest: no cycle, no buzz
-    /// (haptics.md 2.2).
+    /// (docs/facts/haptics.md, section 2.2).
     void everyHandIsHeldSteadily()
     {
         for (const haptics::HandFigures& hand : haptics::kHands) {

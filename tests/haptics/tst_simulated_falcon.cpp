@@ -52,7 +52,8 @@ void run(SimulatedFalcon& falcon, int ticks, const glm::dvec3& forceN = glm::dve
 }
 
 /// One axis of a hand that leans on a wall with 2 N: thrown at it with 50 mm/s from 2 mm away, does it come to rest?
-/// (haptics.md 2.2: less than 0.15 mm from peak to peak in the last 0.5 s of 2 s; its motors answer at once.)
+/// (docs/facts/haptics.md, section 2.2: less than 0.15 mm from peak to peak in the last 0.5 s of 2 s; its motors answer
+/// at once.)
 bool comesToRest(double stiffnessNPerMm, double dampingNSPerM, double coulombN, const HandFigures& hand, double delayS)
 {
     FalconFigures figures = bare();
@@ -233,7 +234,7 @@ private slots:
             most = std::max(most, error);
         }
         const double rmsUm = 1000.0 * std::sqrt(sum / kTicks / 3.0);
-        QVERIFY2(rmsUm > 8.0 && rmsUm < 16.0, qPrintable(QString::number(rmsUm)));  // an axis; haptics.md 5
+        QVERIFY2(rmsUm > 8.0 && rmsUm < 16.0, qPrintable(QString::number(rmsUm)));  // an axis; docs/facts/haptics.md, 5
         QVERIFY2(most < 0.06, qPrintable(QString::number(most)));
     }
 
@@ -309,8 +310,8 @@ private slots:
         QCOMPARE(support::locksOnThisThread() - locks, 0L);
     }
 
-    /// haptics.md 2.2, rows without a virtual damper, as a simulation written apart from this one found them: the limit
-    /// lies within 15 % of them.
+    /// The limit lies within 15 % of the table of docs/facts/haptics.md, section 2.2, which a simulation written apart
+    /// from this one found.
     void stiffestWallsAreThoseOfTheTable_data()
     {
         support::columns<double, int, double, double, double>("coulombN", "hand", "dampingNSPerM", "delayMs", "nPerMm");

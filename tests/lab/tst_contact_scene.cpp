@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accuracy of contact over surfaces whose offset is known. The figures are those of haptics.md 3.2 and 8.4.
+// Accuracy of contact over surfaces whose offset is known. The figures are those of docs/facts/haptics.md, section 8.4.
 #include <QTest>
 
 #include <algorithm>
@@ -59,7 +59,8 @@ private slots:
 
     void latticeFailsWhereTheorySaysSo()
     {
-        // haptics.md 3.3: one step a tick is 70 mm/s; candidates that improve are not free on a slope.
+        // docs/facts/haptics.md, section 3.3: one step a tick is 70 mm/s; candidates that improve are not free on a
+        // slope.
         for (const char* name : {"plane 0", "plane 27", "groove 30"}) {
             const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "lattice", kStiffnessNPerMm);
             QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));

@@ -109,7 +109,8 @@ private slots:
         }
     }
 
-    /// It diverged before the damper grew with speed: dry friction holds 68 mm/s there (haptics.md 2.1).
+    /// It diverged before the damper grew with speed: dry friction holds 68 mm/s there (docs/facts/haptics.md,
+    /// section 2.1).
     void hardImpactsHoldAtThreeNewtonsAMillimetre()
     {
         for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand) {
@@ -153,11 +154,11 @@ private slots:
         }
     }
 
-    /// Where haptics.md 3.3 and the table of its section 4 say that a method fails, and how.
+    /// How methods fail (docs/facts/haptics.md, section 3.3).
     ///
-    /// Not seen: "27: 0.14 N steps" at the wall. They are there (jump), but a hand that goes 2.5 mm/s makes no tremble
-    /// of them: 36 a second. And the lattice with sixteen steps jumps no ridge: each step goes from where the last
-    /// ended.
+    /// Not seen: the lattice's steps of 0.14 N at the wall. They are there (jump), but a hand that goes 2.5 mm/s makes
+    /// no tremble of them: 36 a second. And the lattice with sixteen steps jumps no ridge: each step goes from where
+    /// the last ended.
     void failuresAreSeen_data()
     {
         support::columns<QString, QString, std::size_t, double, int, QString>("method", "scene", "hand", "delayMs",
@@ -230,7 +231,8 @@ private slots:
         }
     }
 
-    /// haptics.md 2.5. Damping and friction of the force law hide what the method makes: the bare spring shows it.
+    /// Damping and friction of the force law hide the energy that the method makes; the bare spring shows it
+    /// (docs/facts/haptics.md, section 2.5).
     void penaltyMakesEnergyAtARidge()
     {
         for (const lab::StabilitySceneName& scene : lab::stabilityScenesAndBars()) {

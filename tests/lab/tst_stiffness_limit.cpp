@@ -39,7 +39,8 @@ class TestStiffnessLimit : public QObject
 {
     Q_OBJECT
 private slots:
-    /// haptics.md 2.2 has one axis and motors that answer at once; our whole servo over three axes agrees.
+    /// docs/facts/haptics.md, section 2.2, has one axis and motors that answer at once; our whole servo over three axes
+    /// agrees.
     void flatToothIsTheOneAxisWall_data()
     {
         support::columns<std::size_t, double, double>("hand", "delayMs", "nPerMm");

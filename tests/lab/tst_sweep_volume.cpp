@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volume that a swept bur takes away, against closed form (haptics.md 8.4, item 5).
+// Volume that a swept bur takes away, against closed form (docs/facts/haptics.md, section 8.4, item 5).
 #include <QTest>
 
 #include <cmath>
@@ -22,8 +22,8 @@ class TestSweepVolume : public QObject
 private slots:
     void closedFormIsThatOfTheCapsule()
     {
-        // haptics.md 8.4: a ball along a line, A = R^2 acos(1 - d/R) - (R - d) sqrt(2 R d - d^2), and a cap of the
-        // ball.
+        // A ball along a line, A = R^2 acos(1 - d/R) - (R - d) sqrt(2 R d - d^2), and a cap of the ball
+        // (docs/facts/haptics.md, section 8.4, item 5).
         const std::size_t ball = core::bur::findBur("2").value();
         constexpr double kRadius = 0.5;
         constexpr double kDeep = 0.3;

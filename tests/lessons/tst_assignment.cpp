@@ -322,8 +322,8 @@ private slots:
         }
     }
 
-    /// Over 1.0 mm too deep or too wide fails (teeth.md section 7), as does who cuts through side or bottom of a block,
-    /// however well the rest is done.
+    /// Over 1.0 mm too deep or too wide fails (docs/facts/teaching.md, section 4), as does who cuts through side or
+    /// bottom of a block (section 5), however well the rest is done.
     void whatNoInstructorPassesFails()
     {
         QFETCH(QString, id);
@@ -333,7 +333,7 @@ private slots:
         QVERIFY2(!marked.sheet.passed(), qPrintable(QString::number(0.1 * marked.sheet.totalTenths)));
     }
 
-    /// The box is cut through where the tooth bulges over it, and the last shell goes last (teeth.md section 7).
+    /// The box is cut through where the tooth bulges over it, and the last shell goes last (docs/teeth.md).
     void aShellLeftBeforeTheNeighbourIsNoHole()
     {
         const Assignment assignment = assigned("class2-36-distal");

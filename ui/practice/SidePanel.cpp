@@ -41,7 +41,8 @@ constexpr qint64 kWordsEveryMs = 80;
 constexpr double kSidewaysFromN = 0.15;
 /// In the air, less than this is the tremble of the bur (core::contact::BurVibration), and no push.
 constexpr double kTrembleN = 0.2;
-/// Distance to the pulp: less than this wants a lining, and less than that harms the pulp (teeth.md, section 7).
+/// Distance to the pulp: less than this wants a lining, and less than that harms the pulp (docs/teeth.md, "Ideal
+/// preparations").
 constexpr double kThinMm = 1.0;
 constexpr double kHarmfulMm = 0.5;
 
