@@ -7,7 +7,7 @@
 namespace haptics {
 
 /// A real device that gives a force: found, started and watched on a thread of its own. Each kind of device is one
-/// class and one row in app/DeviceController.
+/// class and one row in app/devices/DeviceController.
 ///
 /// The functions here are for the ui thread. They return at once.
 class ForceDevice : public HapticDevice

@@ -90,9 +90,9 @@ struct Bur
     [[nodiscard]] double upperSideMm(double radiusMm) const;
 };
 
-/// The burs that exist: those of core/bur/burs.txt, in its order, and the user's own behind them. The order is part
-/// of the format of recordings, which name a bur by its index: new burs are appended to the file, and none is moved or
-/// removed (docs/dev/formats.md).
+/// The burs that exist: those of core/bur/burs.txt, in its order, and the user's own behind them. The order is
+/// part of the format of recordings, which name a bur by its index: new burs are appended to the file, and none is
+/// moved or removed (docs/dev/formats.md).
 [[nodiscard]] std::span<const Bur> burs();
 
 /// Index into burs() by id, or UnknownName naming those there are.

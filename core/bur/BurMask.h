@@ -13,7 +13,7 @@ namespace core::bur {
 ///
 /// Its underside is a flat disc with a rounded rim, from which a cone may go on, computed; its upper side, which is
 /// seldom met, a table over the squared radius. Contact and cutting must agree on both to the bit, or the bur would
-/// rest on a column that it does not cut: both take them from core/contact/Head.h.
+/// rest on a column that it does not cut: both take them from core/contact/BurHead.h.
 struct BurMask
 {
     static constexpr int kTableSteps = 4096;

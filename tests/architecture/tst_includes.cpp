@@ -319,10 +319,10 @@ private slots:
         plant("haptics/A.cpp", {"\"core/rt/SpscQueue.h\""},
               {"<QObject>", "\"ui/text/Texts.h\"", "\"lab/StiffnessLimit.h\""});
         plant("lab/A.cpp", {"\"haptics/HapticDevice.h\""}, {"<QObject>"});
-        plant("lessons/A.cpp", {"<QJsonDocument>"}, {"<QImage>", "\"database/records.h\""});
+        plant("lessons/A.cpp", {"<QJsonDocument>"}, {"<QImage>", "\"database/AttemptRecord.h\""});
         plant("database/sql/A.cpp", {"<QSqlQuery>"}, {"<QMessageBox>"});
         plant("database/sql/A.h", {"\"lessons/ScoreSheet.h\""}, {"\"ui/text/Texts.h\""});
-        plant("ui/people/A.cpp", {"<QOpenGLWidget>", "\"database/records.h\"", "\"A.moc\""},
+        plant("ui/people/A.cpp", {"<QOpenGLWidget>", "\"database/AttemptRecord.h\"", "\"A.moc\""},
               {"\"database/sql/Attempts.h\"", "<QSqlQuery>", "\"haptics/HapticDevice.h\"", "\"cli/Commands.h\"",
                "\"B.moc\""});
         plant("ui/render/A.cpp", {"<QOpenGLBuffer>"}, {"<QWidget>", "<QOpenGLWidget>", "\"ui/tooth/Camera.h\""});

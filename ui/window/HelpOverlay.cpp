@@ -56,7 +56,7 @@ QList<Gesture> gestures()
     };
 }
 
-/// The same of ui/people/ListTable.
+/// The same of ui/kit/ListTable.
 QList<Gesture> inLists()
 {
     return {
