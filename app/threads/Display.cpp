@@ -8,8 +8,6 @@
 namespace app {
 namespace {
 
-constexpr int kLongestMs = 120'000;
-
 /// Asked for by scripts that want no window; neither can draw with OpenGL.
 bool isBlind(const QString& platform)
 {
@@ -44,7 +42,7 @@ int runOnDisplay(const QStringList& arguments, bool quiet)
     if (!quiet)
         process.setProcessChannelMode(QProcess::ForwardedChannels);
     process.start(program, all);
-    if (!process.waitForFinished(kLongestMs) || process.exitStatus() != QProcess::NormalExit)
+    if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
         return -1;
     return process.exitCode();
 }

@@ -9,10 +9,10 @@ namespace app {
 /// of its own.
 [[nodiscard]] bool hasDisplay();
 
-/// Runs this very program with other arguments on the display there is, or on one of its own from xvfb-run, and waits
-/// for it. Needs a QCoreApplication.
-/// @param quiet  what it says is kept from the user
-/// @return its exit code; -1 if it could not be run, crashed or took longer than two minutes
+/// Runs this program with other arguments on the available display, or on one of its own from xvfb-run, and waits until
+/// it ends: on a busy machine a picture may take minutes. Needs a QCoreApplication.
+/// @param quiet  its output is not shown
+/// @return its exit code; -1 if it could not be started or crashed
 [[nodiscard]] int runOnDisplay(const QStringList& arguments, bool quiet);
 
 }  // namespace app
