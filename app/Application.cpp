@@ -73,7 +73,8 @@ constexpr int kJournalWatchMs = 500;
 constexpr int kBackupWatchMs = 3'600'000;
 constexpr int kSettleMs = 20;
 constexpr int kMostTakeUpLooks = 250;
-constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
+constexpr std::size_t kCommandsOfATooth = 16;  ///< another tooth comes with its bur, its aids and more
+constexpr int kSettledLooks = 3;               ///< in a row that find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
 constexpr int kLongestLookMs = 1500;   ///< for what a page shows of the school
 constexpr int kLongestCheckMs = 6000;  ///< for whether an attempt is left: a busy computer answers late
@@ -1188,19 +1189,16 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
                assignment.lesson ? QString::fromStdString(assignment.lesson->id) : QString());
         return;
     }
+    if (!m_window->canSend(kCommandsOfATooth))
+        return;
     lay(assignment, settings, notes, unitInDoubt);
     // A block on which a preset is tried is nobody's work.
     if (m_tried && m_journal)
         m_journal->leaveOut(m_ownGeneration);
     m_window->showFeel(preset, usual);
-    auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
-    auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
-    if (m_links.commands.tryPush(
-            core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get(), servo->get()})) {
-        static_cast<void>(tooth.release());  // the session owns them now
-        static_cast<void>(lesson.release());
-        static_cast<void>(servo->release());
-    }
+    m_window->send(core::session::ReplaceTooth{std::make_unique<core::terrain::Tooth>(m_assignment.anatomy),
+                                               m_ownGeneration, m_assignment.lesson ? m_assignment.lesson->json : "",
+                                               std::move(*servo)});
 }
 
 /// For what makes or reads a tooth beside the window: how it is drawn is worked out there too, and not while the window
@@ -1212,7 +1210,7 @@ std::function<void(const AnatomyPointer&)> Application::surfaceWorker() const
     };
 }
 
-/// Lays another tooth on the table. The session is still to be told.
+/// Shows another tooth. The session loop is given it afterwards.
 void Application::lay(const lessons::Assignment& assignment, const core::servo::ServoSettings& settings,
                       const std::function<QStringList()>& notes, bool unitInDoubt)
 {
@@ -1410,8 +1408,7 @@ void Application::holdHand(bool wanted)
     std::unique_ptr<const core::guidance::Fixture> fixture;
     if (ideal)
         fixture = std::make_unique<const core::guidance::Fixture>(*m_assignment.anatomy, *ideal);
-    if (m_links.commands.tryPush(core::servo::SetFixture{fixture.get()}))
-        static_cast<void>(fixture.release());  // the session owns it now
+    m_window->send(core::session::SetFixture{std::move(fixture)});
 }
 
 /// To the last moment before a tick, on the way that led here.
@@ -2188,6 +2185,8 @@ void Application::takeUp(std::unique_ptr<core::session::ResumableAttempt> attemp
         m_window->showError(assignment.error(), FailedOperation::ResumingAttempt);
         return;
     }
+    if (!m_window->canSend(kCommandsOfATooth))
+        return;  // it is still offered
     lay(*assignment, attempt->recording.settings(), {}, false);
     m_tried.reset();
     const core::settings::FeelPreset felt =
@@ -2207,8 +2206,7 @@ void Application::takeUp(std::unique_ptr<core::session::ResumableAttempt> attemp
     m_unfinished.reset();
     m_window->forgetUnfinished();  // it is offered again where the list of lessons was read meanwhile
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);
-    if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
-        static_cast<void>(attempt.release());  // the session owns it now
+    m_window->send(core::session::ResumeAttempt{std::move(attempt), m_ownGeneration});
     m_window->takeInHand(bur, handpiece);
     m_seenBefore = std::exchange(m_seenOfUnfinished, {});
     if (m_seenBefore) {

@@ -45,13 +45,13 @@ public:
           m_servo(m_hand, makeServoTick({}).value(), *m_servoLinks, m_uiLinks->servo, 1ms),
           m_middle(anatomy->grid.middleMm())
     {
-        send(ReplaceTooth{new core::terrain::Tooth(anatomy), 1});
+        send(ReplaceTooth{std::make_unique<core::terrain::Tooth>(anatomy), 1});
         send(SetBur{1});
         send(SetDrill{true});
         beatSession();
     }
 
-    void send(const SessionCommand& command) { static_cast<void>(m_uiLinks->commands.tryPush(command)); }
+    void send(SessionCommand command) { static_cast<void>(m_uiLinks->commands.tryPush(std::move(command))); }
 
     /// Microseconds of processor time.
     double beatSession()

@@ -175,8 +175,8 @@ core::Result<Figures> liveSuite(const Context& context)
     haptics::ServoLoop servo(device, std::move(*tick), *servoLinks, uiLinks->servo, kServoPeriod);
     LiveAssessmentLoop follower(session);
     follower.watch(1, lessons::examinationOf(*assignment));
-    const auto send = [&](const SessionCommand& command) { static_cast<void>(uiLinks->commands.tryPush(command)); };
-    send(ReplaceTooth{new core::terrain::Tooth(assignment->anatomy), 1});
+    const auto send = [&](SessionCommand command) { static_cast<void>(uiLinks->commands.tryPush(std::move(command))); };
+    send(ReplaceTooth{std::make_unique<core::terrain::Tooth>(assignment->anatomy), 1});
     send(SetBur{1});
     send(SetDrill{true});
 

@@ -177,8 +177,8 @@ core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::Too
     SessionLoop session(*servoLinks, *uiLinks, settings, {false, 0});
     haptics::ServoLoop servo(hand, std::move(*tick), *servoLinks, uiLinks->servo, kPeriod);
     const auto timed = std::make_unique<TimedLoop>(servo);
-    const auto send = [&](const SessionCommand& command) { static_cast<void>(uiLinks->commands.tryPush(command)); };
-    send(ReplaceTooth{new core::terrain::Tooth(anatomy), 1});
+    const auto send = [&](SessionCommand command) { static_cast<void>(uiLinks->commands.tryPush(std::move(command))); };
+    send(ReplaceTooth{std::make_unique<core::terrain::Tooth>(anatomy), 1});
     send(SetBur{1});
     send(SetDrill{true});
     {

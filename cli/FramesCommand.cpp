@@ -96,7 +96,7 @@ struct Work
         using namespace core::servo;
         static_cast<void>(links.commands.tryPush(SetBur{1}));
         static_cast<void>(links.commands.tryPush(SetDrill{true}));
-        static_cast<void>(links.commands.tryPush(ReplaceTooth{new core::terrain::Tooth(anatomy), 1}));
+        static_cast<void>(links.commands.tryPush(ReplaceTooth{std::make_unique<core::terrain::Tooth>(anatomy), 1}));
         session.tick(10ms);
     }
     void moveHand(double seconds, bool pushes)

@@ -5,29 +5,40 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace core::rt {
 
+/// Whether elements of a queue may own heap memory. An element that a real-time thread pushes or pops must not.
+enum class Elements { Plain, MayOwn };
+
 /// Queue of fixed capacity from one producer thread to one consumer thread: all arrive, in order, nobody waits.
 /// Storage is allocated once, in the constructor. Capacity must be a power of two.
-template <class T, std::size_t Capacity>
+template <class T, std::size_t Capacity, Elements Kind = Elements::Plain>
 class SpscQueue
 {
     static_assert((Capacity & (Capacity - 1)) == 0 && Capacity > 0);
-    static_assert(std::is_trivially_copyable_v<T>, "no hidden heap may cross a real-time boundary");
+    static_assert(Kind == Elements::MayOwn || std::is_trivially_copyable_v<T>,
+                  "no hidden heap may cross a real-time boundary");
+    static_assert(std::is_nothrow_move_assignable_v<T>);
 
 public:
     SpscQueue() : m_slots(std::make_unique<T[]>(Capacity)) {}
 
-    /// Producer: false when full, and nothing is stored.
-    [[nodiscard]] bool tryPush(const T& value) noexcept
+    /// Producer: false when full; then nothing is stored, and `value` is untouched.
+    [[nodiscard]] bool tryPush(T&& value) noexcept
     {
         const std::size_t tail = m_tail.load(std::memory_order_relaxed);
         if (tail - m_head.load(std::memory_order_acquire) == Capacity)
             return false;
-        m_slots[tail & (Capacity - 1)] = value;
+        m_slots[tail & (Capacity - 1)] = std::move(value);
         m_tail.store(tail + 1, std::memory_order_release);
         return true;
+    }
+
+    [[nodiscard]] bool tryPush(const T& value) noexcept requires std::is_trivially_copyable_v<T>
+    {
+        return tryPush(T(value));
     }
 
     /// Consumer: false when empty, and `value` is untouched.
@@ -36,7 +47,7 @@ public:
         const std::size_t head = m_head.load(std::memory_order_relaxed);
         if (head == m_tail.load(std::memory_order_acquire))
             return false;
-        value = m_slots[head & (Capacity - 1)];
+        value = std::move(m_slots[head & (Capacity - 1)]);
         m_head.store(head + 1, std::memory_order_release);
         return true;
     }

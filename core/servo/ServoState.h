@@ -135,7 +135,8 @@ struct SetParameter
     std::uint8_t index = 0;
     float value = 0.0F;
 };
-/// Holds the hand within an outline from now on, or does not: until this comes again. Ownership goes to the session.
+/// Holds the hand within an outline until this command comes again. The pointer owns; it comes back by
+/// ServoChannels::retiredFixtures.
 struct SetFixture
 {
     const guidance::Fixture* fixture = nullptr;  ///< null: none

@@ -2,20 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
-#include <type_traits>
 #include <variant>
 
 #include "core/audio/SoundState.h"
+#include "core/guidance/Fixture.h"
 #include "core/history/MomentId.h"
 #include "core/rt/SpscQueue.h"
 #include "core/rt/TripleBuffer.h"
 #include "core/servo/ServoState.h"
+#include "core/servo/ServoTick.h"
+#include "core/session/ResumableAttempt.h"
 #include "core/terrain/Tooth.h"
-
-namespace core::servo {
-class ServoTick;
-}
 
 /// The commands of the ui to the session (about 100 Hz), the state of the session, and the channels between the ui and
 /// the loops.
@@ -34,21 +33,25 @@ struct GoTo
 {
     history::MomentId id{};
 };
-/// A new tooth; ownership of `tooth`, `lesson` and `servo` goes to the session with the command.
+/// A new tooth.
 struct ReplaceTooth
 {
-    terrain::Tooth* tooth = nullptr;
-    std::uint64_t generation = 0;         ///< the number that states and patches of this tooth will carry
-    const std::string* lesson = nullptr;  ///< what the attempt is made for (recording::checkLesson); null: nothing
-    /// What computes the attempt, new; null: as the one before, or as the session was set up.
-    servo::ServoTick* servo = nullptr;
+    std::unique_ptr<terrain::Tooth> tooth;
+    std::uint64_t generation = 0;  ///< the number that states and patches of this tooth will carry
+    std::string lesson = {};       ///< for which the attempt is made (recording::checkLesson); empty: none
+    /// Computes the attempt; new. Null: the servo loop keeps the one it has.
+    std::unique_ptr<servo::ServoTick> servo = {};
 };
-struct ResumableAttempt;
-/// An attempt that the program did not live to see finished, taken up again; ownership goes to the session.
+/// Continues an attempt that was not finished when the program ended.
 struct ResumeAttempt
 {
-    ResumableAttempt* attempt = nullptr;
+    std::unique_ptr<ResumableAttempt> attempt;
     std::uint64_t generation = 0;  ///< as of ReplaceTooth
+};
+/// Holds the hand within an outline until this command comes again.
+struct SetFixture
+{
+    std::unique_ptr<const guidance::Fixture> fixture;  ///< null: none
 };
 /// The aids that are in use from now on: goes on the recording.
 struct SetAids
@@ -60,10 +63,10 @@ struct AddNote
 {
     std::uint64_t code = 0;
 };
+/// A command owns what it carries: one that is refused or never carried out frees it.
 using SessionCommand =
-    std::variant<Undo, Redo, Reload, ReplaceTooth, servo::SetBur, servo::SetDrill, servo::SetHandpiece,
-                 servo::SetFixture, servo::BringHome, GoTo, ResumeAttempt, SetAids, AddNote, servo::SetParameter>;
-static_assert(std::is_trivially_copyable_v<SessionCommand>);
+    std::variant<Undo, Redo, Reload, ReplaceTooth, servo::SetBur, servo::SetDrill, servo::SetHandpiece, SetFixture,
+                 servo::BringHome, GoTo, ResumeAttempt, SetAids, AddNote, servo::SetParameter>;
 
 /// Newest state of the session. Session thread writes, ui reads.
 struct SessionState
@@ -83,12 +86,12 @@ struct SessionState
 /// The channels between ui and the loops, owned by the application, handed by reference.
 struct UiChannels
 {
-    rt::TripleBuffer<servo::ServoState> servo;      ///< servo -> ui
-    rt::TripleBuffer<SessionState> session;         ///< session -> ui
-    rt::SpscQueue<servo::TilePatch, 512> patches;   ///< session -> ui
-    rt::SpscQueue<SessionCommand, 64> commands;     ///< ui -> session
-    rt::TripleBuffer<servo::PointerInput> pointer;  ///< ui -> pointer device
-    rt::TripleBuffer<audio::SoundState> sound;      ///< servo, or a replay -> sound
+    rt::TripleBuffer<servo::ServoState> servo;                         ///< servo -> ui
+    rt::TripleBuffer<SessionState> session;                            ///< session -> ui
+    rt::SpscQueue<servo::TilePatch, 512> patches;                      ///< session -> ui
+    rt::SpscQueue<SessionCommand, 64, rt::Elements::MayOwn> commands;  ///< ui -> session
+    rt::TripleBuffer<servo::PointerInput> pointer;                     ///< ui -> pointer device
+    rt::TripleBuffer<audio::SoundState> sound;                         ///< servo, or a replay -> sound
 };
 
 }  // namespace core::session

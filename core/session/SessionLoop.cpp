@@ -5,6 +5,7 @@
 #include "core/session/SessionChannels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/guidance/Fixture.h"
 
@@ -13,20 +14,6 @@ namespace {
 
 /// Restored moments that are kept for whoever follows the attempt; one that falls behind more begins anew.
 constexpr std::size_t kRestoredKept = 256;
-
-/// Frees what a command owns that nobody will carry out.
-void discard(const SessionCommand& command)
-{
-    if (const auto* replace = std::get_if<ReplaceTooth>(&command)) {
-        delete replace->tooth;
-        delete replace->lesson;
-        delete replace->servo;
-    } else if (const auto* resume = std::get_if<ResumeAttempt>(&command)) {
-        delete resume->attempt;
-    } else if (const auto* held = std::get_if<servo::SetFixture>(&command)) {
-        delete held->fixture;
-    }
-}
 
 }  // namespace
 
@@ -39,8 +26,6 @@ SessionLoop::SessionLoop(servo::ServoChannels& servo, UiChannels& ui, servo::Ser
 SessionLoop::~SessionLoop()
 {
     freeRetired();
-    for (SessionCommand command; m_ui.commands.tryPop(command);)
-        discard(command);
 }
 
 void SessionLoop::tick(std::chrono::microseconds)
@@ -144,7 +129,7 @@ void SessionLoop::takeCommands()
 {
     // A command may hand a tooth to the servo: it is taken only when there is room for that.
     for (SessionCommand command; m_servo.commands.space() > 0 && m_ui.commands.tryPop(command);)
-        std::visit([this](const auto& known) { apply(known); }, command);
+        std::visit([this](auto&& known) { apply(std::forward<decltype(known)>(known)); }, std::move(command));
 }
 
 /// Goes to another moment, if `go` finds one. What has been cut since the last is one of its own.
@@ -188,27 +173,23 @@ void SessionLoop::apply(const Reload&)
     });
 }
 
-void SessionLoop::apply(const ReplaceTooth& replace)
+void SessionLoop::apply(ReplaceTooth&& replace)
 {
-    const std::unique_ptr<terrain::Tooth> tooth(replace.tooth);
-    const std::unique_ptr<const std::string> lesson(replace.lesson);
-    std::unique_ptr<servo::ServoTick> servo(replace.servo);
-    if (servo)
-        m_settings = servo->settings();
-    const history::TiledHeights uncut(tooth->anatomy->grid, tooth->anatomy->top);
+    if (replace.servo)
+        m_settings = replace.servo->settings();
+    const std::shared_ptr<const terrain::ToothAnatomy>& anatomy = replace.tooth->anatomy;
+    const history::TiledHeights uncut(anatomy->grid, anatomy->top);
     history::UndoTree history(m_undoBytes);
     history.restart({uncut, 0, 0.0, {}});
-    take({recording::Recording(m_settings, tooth->anatomy, lesson ? *lesson : std::string()), uncut, std::move(history),
-          0, nullptr},
-         replace.generation, false, std::move(servo));
+    take({recording::Recording(m_settings, anatomy, replace.lesson), uncut, std::move(history), 0, nullptr},
+         replace.generation, false, std::move(replace.servo));
 }
 
-void SessionLoop::apply(const ResumeAttempt& resume)
+void SessionLoop::apply(ResumeAttempt&& resume)
 {
-    const std::unique_ptr<ResumableAttempt> attempt(resume.attempt);
-    std::unique_ptr<servo::ServoTick> servo = std::move(attempt->servo);
-    m_settings = attempt->recording.settings();
-    take(std::move(*attempt), resume.generation, true, std::move(servo));
+    std::unique_ptr<servo::ServoTick> servo = std::move(resume.attempt->servo);
+    m_settings = resume.attempt->recording.settings();
+    take(std::move(*resume.attempt), resume.generation, true, std::move(servo));
 }
 
 /// Begins with an attempt, or goes on with it.
@@ -286,9 +267,10 @@ void SessionLoop::apply(const servo::SetParameter& number)
     static_cast<void>(m_servo.commands.tryPush(number));
 }
 
-void SessionLoop::apply(const servo::SetFixture& fixture)
+void SessionLoop::apply(SetFixture&& held)
 {
-    static_cast<void>(m_servo.commands.tryPush(fixture));
+    if (m_servo.commands.tryPush(servo::SetFixture{held.fixture.get()}))
+        static_cast<void>(held.fixture.release());  // comes back by retiredFixtures
 }
 
 void SessionLoop::apply(const servo::BringHome& home)

@@ -81,8 +81,8 @@ private:
     void apply(const Undo&);
     void apply(const Redo&);
     void apply(const Reload&);
-    void apply(const ReplaceTooth& replace);
-    void apply(const ResumeAttempt& resume);
+    void apply(ReplaceTooth&& replace);
+    void apply(ResumeAttempt&& resume);
     void apply(const SetAids& aids);
     void apply(const AddNote& note);
     void note(const servo::ServoEvent& event);
@@ -91,7 +91,7 @@ private:
     void apply(const servo::SetBur& bur);
     void apply(const servo::SetDrill& drill);
     void apply(const servo::SetHandpiece& handpiece);
-    void apply(const servo::SetFixture& fixture);
+    void apply(SetFixture&& held);
     void apply(const servo::BringHome& home);
     void apply(const servo::SetParameter& number);
     void apply(const GoTo& where);

@@ -45,7 +45,7 @@ core::Result<SimulationOutcome> simulate(
     bool drill = false;
     static_cast<void>(uiLinks->commands.tryPush(SetBur{static_cast<std::uint8_t>(options.burIndex)}));
     static_cast<void>(
-        uiLinks->commands.tryPush(ReplaceTooth{new core::terrain::Tooth(anatomy), 1, new std::string(options.lesson)}));
+        uiLinks->commands.tryPush(ReplaceTooth{std::make_unique<core::terrain::Tooth>(anatomy), 1, options.lesson}));
     session.tick(period);
 
     auto tickTimes = std::make_unique<TickTimes>();

@@ -101,6 +101,14 @@ session::SessionCommand undoOrRedo(Rng& rng)
     return session::Redo{};
 }
 
+template <class... Commands>
+std::vector<session::SessionCommand> commands(Commands&&... each)
+{
+    std::vector<session::SessionCommand> all;
+    (all.emplace_back(std::forward<Commands>(each)), ...);
+    return all;
+}
+
 /// Returns random commands, valid and invalid. In most ticks there are none.
 std::vector<session::SessionCommand> anything(Rng& rng, const core::servo::ServoSettings& settings,
                                               const std::shared_ptr<const terrain::ToothAnatomy>& anatomy,
@@ -108,40 +116,42 @@ std::vector<session::SessionCommand> anything(Rng& rng, const core::servo::Servo
 {
     switch (rng.below(250)) {
     case 0:
-        return {session::Redo{}};
+        return commands(session::Redo{});
     case 1:
-        return {session::Reload{}};
+        return commands(session::Reload{});
     case 2:
-        return {core::servo::SetBur{static_cast<std::uint8_t>(rng.below(4))}};
+        return commands(core::servo::SetBur{static_cast<std::uint8_t>(rng.below(4))});
     case 3:
-        return {core::servo::SetDrill{rng.below(4) != 0}};
+        return commands(core::servo::SetDrill{rng.below(4) != 0});
     case 4:
     case 5:
     case 6:
-        return {session::Undo{}};
+        return commands(session::Undo{});
     case 7:
         // Often more than one at once, and between the session's beats.
-        return {undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng)};
+        return commands(undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng));
     case 8:
         if (rng.below(8) == 0)
-            return {session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation}};
+            return commands(session::ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy), ++generation});
         return {};
     case 9:
-        return {core::servo::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))}};  // 3: there is none
+        return commands(core::servo::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))});  // 3: there is none
     case 10:
         // Another tooth with another servo: softer, and with one handpiece less.
         if (rng.below(8) == 0) {
             core::servo::ServoSettings other = settings;
             other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
             other.handpieces.resize(1 + static_cast<std::size_t>(rng.below(3)));
-            return {session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
-                                          core::servo::makeServoTick(other).value().release()}};
+            return commands(session::ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy),
+                                                  ++generation,
+                                                  {},
+                                                  core::servo::makeServoTick(other).value()});
         }
         return {};
     case 11:
     case 12:
-        return {core::servo::SetParameter{static_cast<std::uint8_t>(rng.below(core::servo::kServoNumbers + 2)),
-                                          static_cast<float>(rng.below(400)) * 0.01F}};
+        return commands(core::servo::SetParameter{static_cast<std::uint8_t>(rng.below(core::servo::kServoNumbers + 2)),
+                                                  static_cast<float>(rng.below(400)) * 0.01F});
     default:
         return {};
     }
@@ -284,13 +294,13 @@ private slots:
         rig.lean(0.0, 0.0, 2.0, 100);
         rig.lift();
         const std::uint64_t cut = rig.liveHash();
-        for (const auto& [command, hash] : {std::pair(session::SessionCommand(session::Undo{}), uncut),
-                                            {session::Redo{}, cut},
-                                            {session::Reload{}, uncut}}) {
-            rig.send(command);
+        std::vector<session::SessionCommand> steps = commands(session::Undo{}, session::Redo{}, session::Reload{});
+        const std::array hashes{uncut, cut, uncut};
+        for (std::size_t k = 0; k < hashes.size(); ++k) {
+            rig.send(std::move(steps[k]));
             rig.settle();
             rig.servo->tick(rig.period);  // takes the restored tooth
-            QCOMPARE(rig.liveHash(), hash);
+            QCOMPARE(rig.liveHash(), hashes[k]);
             compareWithLive(rig);
         }
     }
@@ -337,8 +347,8 @@ private slots:
             rig.device.tipMm = hand.next();
             rig.device.present = rng.below(100) != 0;
             rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
-            for (const session::SessionCommand& command : anything(rng, settings, anatomy, generation))
-                rig.send(command);
+            for (session::SessionCommand& command : anything(rng, settings, anatomy, generation))
+                rig.send(std::move(command));
             if (n % 500 == 499)
                 compareWithLive(rig);
         }
@@ -413,7 +423,7 @@ private slots:
         const std::uint64_t before = rig.session->recordingSoFar()->ticks();
         // The session has opened the tooth anew, the servo has not heard of it yet: the attempt so far is still the old
         // one, and nothing is said about it that belongs to the new one.
-        rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), 2});
+        rig.send(session::ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy), 2});
         rig.settle();
         const Recording between = rig.session->recordingSoFar().value();
         QCOMPARE(between.ticks(), before);

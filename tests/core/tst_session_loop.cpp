@@ -45,7 +45,7 @@ const SessionState& state(support::Rig& rig)
 
 ReplaceTooth anotherBlock(std::uint64_t generation)
 {
-    return {new terrain::Tooth(support::smallBlock()), generation};
+    return {std::make_unique<terrain::Tooth>(support::smallBlock()), generation};
 }
 
 std::uint64_t uncutHash()
@@ -302,8 +302,10 @@ private slots:
     void commandsWithoutAToothDoNothing()
     {
         support::Rig rig;
-        for (const SessionCommand& command : {SessionCommand{Undo{}}, {Redo{}}, {Reload{}}, {SetBur{2}}})
-            rig.send(command);
+        rig.send(Undo{});
+        rig.send(Redo{});
+        rig.send(Reload{});
+        rig.send(SetBur{2});
         rig.run(30);
         QVERIFY(!rig.session->toothSoFar().has_value());
         QVERIFY(!rig.session->recordingSoFar().has_value());
@@ -443,7 +445,7 @@ private slots:
         rig.open(support::smallBlock());
         rig.run(30);
         // Sent together with the next attempt, they belong to it, though its servo has not begun yet.
-        rig.send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 2, new std::string("lesson é")});
+        rig.send(ReplaceTooth{std::make_unique<terrain::Tooth>(support::smallBlock()), 2, "lesson é"});
         rig.send(SetAids{kRadiographAid | kMirrorAid});
         rig.send(AddNote{1});
         rig.run(30);
@@ -492,8 +494,8 @@ private slots:
         softer.hardness = settings::findHardnessPreset("typodont").value();
         softer.handpieces.push_back(settings::findHandpiece("low-speed").value());
         ReplaceTooth withServo = anotherBlock(2);
-        withServo.servo = makeServoTick(softer).value().release();
-        rig.give(withServo);
+        withServo.servo = makeServoTick(softer).value();
+        rig.give(std::move(withServo));
         // Bur and drill stay as they were in the hand.
         QCOMPARE(int{rig.servo->state().burIndex}, 2);
         QVERIFY(rig.servo->state().drillOn);
@@ -520,8 +522,8 @@ private slots:
         QVERIFY(recording::replay(usualRig.session->recordingSoFar().value())->agreesWithWitness);
         // And one that nobody takes is freed.
         withServo = anotherBlock(4);
-        withServo.servo = makeServoTick({}).value().release();
-        rig.send(withServo);
+        withServo.servo = makeServoTick({}).value();
+        rig.send(std::move(withServo));
     }
 
     void anAttemptIsTakenUpAgain()
@@ -654,7 +656,7 @@ private slots:
         stroke(first, -1.0);
         stroke(first, 1.0);
         const auto resume = [&](std::uint64_t generation) {
-            return ResumeAttempt{rebuild(first.session->recordingSoFar().value()).value().release(), generation};
+            return ResumeAttempt{rebuild(first.session->recordingSoFar().value()).value(), generation};
         };
         support::Rig second;
         second.send(resume(3));

@@ -91,7 +91,7 @@ void say(const char* line)
     SessionLoop session(*servoLinks, *uiLinks, {});
     haptics::ServoLoop servo(device, makeServoTick({}).value(), *servoLinks, uiLinks->servo, 1ms);
     JournalLoop journal(session, folder);
-    const auto send = [&](const SessionCommand& command) { static_cast<void>(uiLinks->commands.tryPush(command)); };
+    const auto send = [&](SessionCommand command) { static_cast<void>(uiLinks->commands.tryPush(std::move(command))); };
 
     std::atomic<std::int64_t> atUs{0};
     std::atomic<std::int64_t> cutUs{-1};
@@ -101,9 +101,9 @@ void say(const char* line)
         cutUs = 0;
         auto attempt = rebuild(found->recording).value();
         journal.takeUp(1, std::move(*found));
-        send(ResumeAttempt{attempt.release(), 1});
+        send(ResumeAttempt{std::move(attempt), 1});
     } else {
-        send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 1, new std::string("lesson")});
+        send(ReplaceTooth{std::make_unique<terrain::Tooth>(support::smallBlock()), 1, "lesson"});
     }
     send(SetDrill{true});
 

@@ -39,7 +39,7 @@ private slots:
         support::Rig rig;
         const QTemporaryDir folder;
         JournalLoop journal(*rig.session, folder.path().toStdString());
-        rig.send(ReplaceTooth{new terrain::Tooth(anatomy), 1});
+        rig.send(ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy), 1});
         rig.send(SetDrill{true});
 
         std::atomic<bool> stop{false};
@@ -129,12 +129,9 @@ private slots:
             else if (what == 11)
                 static_cast<void>(journal.failure());
             else if (what == 12 && generation < 4) {
-                auto* tooth = new terrain::Tooth(anatomy);
-                sent = rig.uiLinks->commands.tryPush(ReplaceTooth{tooth, generation + 1});
-                if (sent)
-                    ++generation;
-                else
-                    delete tooth;
+                sent = rig.uiLinks->commands.tryPush(
+                    ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy), generation + 1});
+                generation += sent ? 1 : 0;
             }
             QVERIFY(sent);
             rest(5ms);

@@ -50,23 +50,22 @@ Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat, const Sess
                                                  period))
 {}
 
-void Rig::send(const SessionCommand& command)
+void Rig::send(SessionCommand command)
 {
-    if (!uiLinks->commands.tryPush(command))
+    if (!uiLinks->commands.tryPush(std::move(command)))
         std::abort();  // a test that sends more than the queue holds is wrong
 }
 
 void Rig::open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation,
                const std::string& lesson)
 {
-    send(ReplaceTooth{new core::terrain::Tooth(anatomy), generation,
-                      lesson.empty() ? nullptr : new const std::string(lesson)});
+    send(ReplaceTooth{std::make_unique<core::terrain::Tooth>(anatomy), generation, lesson});
     begin(*this);
 }
 
 void Rig::resume(const core::recording::Recording& recording, std::uint64_t generation)
 {
-    send(ResumeAttempt{rebuild(recording).value().release(), generation});
+    send(ResumeAttempt{rebuild(recording).value(), generation});
     begin(*this);
 }
 
@@ -77,9 +76,9 @@ void Rig::drill(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatom
     send(SetDrill{true});
 }
 
-void Rig::give(const SessionCommand& command)
+void Rig::give(SessionCommand command)
 {
-    send(command);
+    send(std::move(command));
     run(20);
 }
 

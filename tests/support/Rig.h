@@ -55,9 +55,9 @@ struct Rig
                const std::string& lesson = {});
     /// Goes on with an attempt made elsewhere; as open() otherwise.
     void resume(const core::recording::Recording& recording, std::uint64_t generation = 1);
-    void send(const core::session::SessionCommand& command);
+    void send(core::session::SessionCommand command);
     /// Sends it and beats until both loops have done it.
-    void give(const core::session::SessionCommand& command);
+    void give(core::session::SessionCommand command);
     /// Beats the servo, and the session after every tenth beat, as in the program.
     void run(int ticks, std::chrono::microseconds dt = std::chrono::milliseconds(1));
     /// Leans straight down at (x, y) with about so many newtons against the spring for some ticks.

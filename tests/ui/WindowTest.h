@@ -270,18 +270,18 @@ protected:
     }
 
     /// All commands since the last call.
-    [[nodiscard]] QList<core::session::SessionCommand> allSent() const
+    [[nodiscard]] std::vector<core::session::SessionCommand> allSent() const
     {
-        QList<core::session::SessionCommand> all;
+        std::vector<core::session::SessionCommand> all;
         for (core::session::SessionCommand c; m_links->commands.tryPop(c);)
-            all << c;
+            all.push_back(std::move(c));
         return all;
     }
     /// Those that the user asked for: the window notes aids and rests by itself.
-    [[nodiscard]] QList<core::session::SessionCommand> sent() const
+    [[nodiscard]] std::vector<core::session::SessionCommand> sent() const
     {
-        QList<core::session::SessionCommand> all = allSent();
-        all.removeIf([](const core::session::SessionCommand& c) {
+        std::vector<core::session::SessionCommand> all = allSent();
+        std::erase_if(all, [](const core::session::SessionCommand& c) {
             return std::holds_alternative<core::session::SetAids>(c) || isRest(c);
         });
         return all;

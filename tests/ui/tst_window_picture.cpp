@@ -316,8 +316,8 @@ private slots:
         enamel->setFocus();
         QTest::keyClick(enamel, Qt::Key_Space);
         QTest::mouseClick(dentin, Qt::LeftButton);
-        const QList<SessionCommand> answers = sent();
-        QCOMPARE(answers.size(), 2);
+        const std::vector<SessionCommand> answers = sent();
+        QCOMPARE(answers.size(), std::size_t{2});
         QCOMPARE(std::get<AddNote>(answers[0]).code, core::grading::answerNote(0, Material::Enamel));
         QCOMPARE(std::get<AddNote>(answers[1]).code, core::grading::answerNote(0, Material::Dentin));
         QVERIFY(dentin->isChecked() && !enamel->isChecked());

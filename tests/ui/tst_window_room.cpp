@@ -53,7 +53,7 @@ private slots:
                                             {"R", Reload{}}}) {
             press(QKeySequence(keys));
             const auto got = sent();
-            QCOMPARE(got.size(), 1);
+            QCOMPARE(got.size(), std::size_t{1});
             QVERIFY2(got[0].index() == command.index(), keys);
             if (const auto* drill = std::get_if<SetDrill>(&command))
                 QCOMPARE(std::get<SetDrill>(got[0]).on, drill->on);
@@ -87,7 +87,7 @@ private slots:
         take(servo, {});
         QTRY_VERIFY(actions().drill->isChecked());
         QTRY_VERIFY(actions().burs[2]->isChecked());
-        QVERIFY2(sent().isEmpty(), "what the servo says is shown, not sent back");
+        QVERIFY2(sent().empty(), "what the servo says is shown, not sent back");
         // A wish that the servo does not follow is given up.
         press(Qt::Key_D);
         QVERIFY(!actions().drill->isChecked());
@@ -99,7 +99,7 @@ private slots:
         take({}, {});
         QVERIFY(!actions().undo->isEnabled() && !actions().redo->isEnabled());
         press(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(sent().isEmpty());
+        QVERIFY(sent().empty());
     }
 
     void gradeIsAskedFor()
@@ -116,7 +116,7 @@ private slots:
         grade->setFocus(Qt::TabFocusReason);
         press(Qt::Key_Space);
         QCOMPARE(asked.size(), 2);
-        QVERIFY(sent().isEmpty());
+        QVERIFY(sent().empty());
         // Not once more: the grade is already there.
         m_window->showScore(support::sheet(0, 0, 0), {});
         press(Qt::Key_G);
@@ -131,7 +131,7 @@ private slots:
         m_window->offerHome(true);
         press(Qt::Key_C);
         const auto commands = sent();
-        QCOMPARE(commands.size(), 1);
+        QCOMPARE(commands.size(), std::size_t{1});
         QVERIFY(std::holds_alternative<BringHome>(commands.front()));
         m_window->setReplaying(true);
         press(Qt::Key_C);
@@ -410,7 +410,7 @@ private slots:
             QTest::keyClick(search, Qt::Key_Return);
             QTRY_VERIFY(!picker->isVisible());
             const auto commands = sent();
-            QCOMPARE(commands.size(), 1);
+            QCOMPARE(commands.size(), std::size_t{1});
             if (index)
                 QCOMPARE(std::size_t{std::get<SetBur>(commands.front()).index}, *index);
         }
@@ -472,7 +472,7 @@ private slots:
         QTest::keyClick(search, Qt::Key_Return);
         QTRY_VERIFY(!picker->isVisible());
         const auto commands = sent();
-        QCOMPARE(commands.size(), 1);
+        QCOMPARE(commands.size(), std::size_t{1});
         QCOMPARE(std::size_t{std::get<SetBur>(commands.front()).index}, index);
         // What is in hand is in the panel, also if it is none of the favourites.
         const auto inPanel = [&] {
@@ -497,7 +497,7 @@ private slots:
         spoil();
         press(Qt::Key_2);
         const auto commands = sent();
-        QCOMPARE(commands.size(), 1);
+        QCOMPARE(commands.size(), std::size_t{1});
         QCOMPARE(int{std::get<SetBur>(commands.front()).index}, 27);
         // A star takes one in and out; with four, no fifth.
         press(Qt::Key_0);
@@ -627,11 +627,11 @@ private slots:
     void theMessageButtonDoesWhatItSays()
     {
         press(Qt::Key_R);
-        QCOMPARE(sent().size(), 1);
+        QCOMPARE(sent().size(), std::size_t{1});
         QVERIFY(message().contains("was reset"));
         QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
         const auto commands = sent();
-        QCOMPARE(commands.size(), 1);
+        QCOMPARE(commands.size(), std::size_t{1});
         QVERIFY(std::holds_alternative<Undo>(commands.front()));
         QVERIFY(message().isEmpty());
     }
@@ -744,7 +744,7 @@ private slots:
         QVERIFY(message().isEmpty());
         press(Qt::Key_Escape);
         QVERIFY(m_window->isVisible());
-        QVERIFY2(sent().isEmpty(), "going back never touches the work");
+        QVERIFY2(sent().empty(), "going back never touches the work");
     }
 
     void theConsoleTakesKeysAndLeavesTheView()
@@ -756,7 +756,7 @@ private slots:
         const auto* line = child<QLineEdit>("consoleLine");
         QCOMPARE(QApplication::focusWidget(), line);
         QTest::keyClicks(QApplication::focusWidget(), "d1r ");  // which would drill, take a bur and begin again
-        QVERIFY(sent().isEmpty());
+        QVERIFY(sent().empty());
         QCOMPARE(line->text(), QString("d1r "));
         // The mouse drills beneath it.
         auto& view = m_window->view();

@@ -146,7 +146,7 @@ private slots:
             static_cast<void>(sent());
             press(Qt::Key_R);
             QCOMPARE(again.size(), 1);
-            QVERIFY(sent().isEmpty());
+            QVERIFY(sent().empty());
             QVERIFY2(message().isEmpty(), "the school may still refuse it");
             m_window->showBegunAnew();
             QVERIFY2(message().contains("starts again"), qPrintable(message()));
@@ -658,7 +658,7 @@ private slots:
         for (const Qt::Key key : {Qt::Key_D, Qt::Key_R, Qt::Key_2})
             press(key);
         press(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(sent().isEmpty());
+        QVERIFY(sent().empty());
         m_window->showReplayEnd();
         QVERIFY(!message().isEmpty());
         press(Qt::Key_Escape);
@@ -667,7 +667,7 @@ private slots:
         show();
         QVERIFY2(message().isEmpty(), "what was said about the replay went with it");
         press(Qt::Key_D);
-        QCOMPARE(sent().size(), 1);
+        QCOMPARE(sent().size(), std::size_t{1});
     }
 
     void aReplayTellsItsTimeAndPauses()
@@ -682,11 +682,11 @@ private slots:
             QCOMPARE(actions().pauseReplay->text().startsWith("Resume"), pauses);
             QCOMPARE(pause.takeLast().front().toBool(), pauses);
         }
-        QVERIFY2(sent().isEmpty(), "the drill is not meant");
+        QVERIFY2(sent().empty(), "the drill is not meant");
         m_window->setReplaying(false);
         QVERIFY2(actions().pauseReplay->text().startsWith("Pause"), "the next replay begins by running");
         press(Qt::Key_Space);
-        QCOMPARE(sent().size(), 1);
+        QCOMPARE(sent().size(), std::size_t{1});
     }
 
     void aReplayHasEightSpeeds()

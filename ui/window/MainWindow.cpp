@@ -1589,9 +1589,15 @@ void MainWindow::tellHarm(const core::session::SessionState& now)
         m_room->hideNotice();
 }
 
-bool MainWindow::send(const core::session::SessionCommand& command)
+bool MainWindow::send(core::session::SessionCommand command)
 {
-    if (m_links.commands.tryPush(command))
+    return canSend(1) && m_links.commands.tryPush(std::move(command));
+}
+
+bool MainWindow::canSend(std::size_t commands)
+{
+    // Only this thread sends: the room in the queue does not get less meanwhile.
+    if (m_links.commands.space() >= commands)
         return true;
     m_messages->say(
         {kit::MessageBar::Kind::Warning, tr("Cusp was still busy and did not do that. Try again."), {}, {}, {}});

@@ -122,6 +122,11 @@ public:
     static QStringList scanSuffixes() { return {"obj", "stl", "ply"}; }
     static QString recordingSuffix() { return "cusprec"; }
 
+    /// Sends a command to the session loop. If its queue is full, shows that nothing was done, and returns false.
+    bool send(core::session::SessionCommand command);
+    /// Whether send() will succeed so many times in a row. Otherwise shows that nothing was done.
+    [[nodiscard]] bool canSend(std::size_t commands);
+
     /// @param links  must outlive the window
     explicit MainWindow(core::session::UiChannels& links, QWidget* parent = nullptr);
     ~MainWindow() override;
@@ -462,7 +467,6 @@ private:
     void tellRest();
     void guide(const core::servo::ServoState& servo);
     void tellHarm(const core::session::SessionState& now);
-    bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
     void wishBur(int index);
     void wishHandpiece(int shipped);
