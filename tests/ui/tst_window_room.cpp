@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main window in the practice room: its keys, its figures, and its messages.
 #include <QApplication>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSet>
 #include <QSlider>
+#include <QStringList>
 #include <QToolButton>
 
 #include "core/bur/Bur.h"
@@ -33,6 +36,19 @@ using namespace ui::window;
 using core::terrain::Material;
 using ui::inside::SectionView;
 using ui::text::FailedOperation;
+
+namespace {
+
+/// Returns the texts of the labels that are direct children of `widget`, in their order.
+QStringList labelTexts(const QWidget& widget)
+{
+    QStringList texts;
+    for (const QLabel* label : widget.findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
+        texts << label->text();
+    return texts;
+}
+
+}  // namespace
 
 class TestWindowRoom : public support::WindowTest
 {
@@ -696,6 +712,38 @@ private slots:
         }
         press(Qt::Key_F1);
         QVERIFY(!help->isVisible());
+    }
+
+    /// The tables of keys in docs/user-guide.md have the rows of F1, no more and no less.
+    void userGuideHasTheKeysOfHelp()
+    {
+        QFile file(CUSP_SOURCE_DIR "/docs/user-guide.md");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString guide = QString::fromUtf8(file.readAll()).section("\n## Keys\n", 1).section("\n## ", 0, 0);
+        QSet<QString> burNames;
+        for (const QAction* bur : actions().burs)
+            burNames << bur->text();
+        QSet<QWidget*> rows;
+        for (const QLabel* label : child<HelpOverlay>()->findChildren<QLabel*>())
+            if (label->property("kind") == "key")
+                rows << label->parentWidget();
+        qsizetype others = 0;
+        for (const QWidget* row : std::as_const(rows)) {
+            QStringList words = labelTexts(*row);
+            const QString name = words.takeFirst();
+            if (burNames.contains(name))  // the guide has one row for the burs at hand
+                continue;
+            ++others;
+            words.replaceInStrings(QRegularExpression("^,$"), "comma");
+            words.replaceInStrings(QRegularExpression("^\\.$"), "full stop");
+            const QString group = labelTexts(*row->parentWidget()).first();
+            const QString table = guide.section("### " + group + '\n', 1).section("\n### ", 0, 0);
+            const QString line = "\n| " + name + " | " + words.join(", ") + " |";
+            QVERIFY2(table.contains(line), qPrintable(group + ':' + line));
+        }
+        QVERIFY(others > 50);
+        static const QRegularExpression entry("\n\\| (?!action)");
+        QCOMPARE(guide.count(entry), others + 1);
     }
 
     void everyActionIsFitToBeRead()
