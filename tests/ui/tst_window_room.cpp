@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main window in the practice room: its keys, its figures, and its messages.
+#include <utility>
+
 #include <QApplication>
 #include <QFile>
 #include <QLabel>
