@@ -350,10 +350,10 @@ core::session::Examination examinationOf(const Assignment& assignment)
     watched.forceLimitN = rules.forceLimitN;
     watched.airLimitS = rules.airLimitS;
     if (!assignment.lesson->burs.empty())
-        watched.allowedBurs = 0;
+        watched.allowedBurs.reset();
     for (const std::string& bur : assignment.lesson->burs)
         if (const auto index = core::bur::findBur(bur))
-            watched.allowedBurs |= std::uint64_t{1} << *index;
+            watched.allowedBurs.set(*index);
     return examination;
 }
 

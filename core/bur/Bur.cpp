@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "core/bur/BurFile.h"
 #include "core/bur/BurTable.h"
@@ -33,10 +36,21 @@ double heightOn(const Bur::Point& a, const Bur::Point& b, double radiusMm)
     return span == 0.0 ? a.heightMm : a.heightMm + (b.heightMm - a.heightMm) * (radiusMm - a.radiusMm) / span;
 }
 
+/// The burs that are compiled in. An entry that cannot be read ends the program with a sentence that names its line.
+std::vector<Bur> compiledIn()
+{
+    auto burs = parseBurs(kBurTable);
+    if (!burs) {
+        std::fprintf(stderr, "core/drilling/burs.txt: %s\n", burs.error().detail.c_str());
+        std::abort();
+    }
+    return std::move(*burs);
+}
+
 /// Those of the program, and how many they are without the user's own.
 struct Table
 {
-    std::vector<Bur> burs = parseBurs(kBurTable).value();
+    std::vector<Bur> burs = compiledIn();
     std::size_t own = burs.size();
 
     Table() { burs.reserve(own + 1); }
@@ -53,6 +67,12 @@ Table& table()
 std::string_view shapeWord(BurShape shape)
 {
     return kShapeWords.at(static_cast<std::size_t>(shape));
+}
+
+bool Bur::isCrosscut() const
+{
+    return shape == BurShape::StraightCrosscut || shape == BurShape::DomedCrosscut ||
+           shape == BurShape::TaperedCrosscut;
 }
 
 std::string Bur::isoSize() const
@@ -91,17 +111,22 @@ std::span<const Bur> burs()
     return table().burs;
 }
 
+std::string burIds()
+{
+    std::string ids;
+    for (const Bur& bur : burs())
+        ids += (ids.empty() ? "" : ", ") + bur.id;
+    return ids;
+}
+
 Result<std::size_t> findBur(std::string_view id)
 {
     const auto all = burs();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Bur& bur) { return bur.id == id; });
     if (found != all.end())
         return static_cast<std::size_t>(found - all.begin());
-    std::string known;
-    for (const Bur& bur : all)
-        known += (known.empty() ? "" : ", ") + bur.id;
-    return unexpected(ErrorCode::UnknownName, LocalizableText{"There is no bur '%1'; choose one of %2.",
-                                                              {noted(std::string(id)), noted(std::move(known))}});
+    return unexpected(ErrorCode::UnknownName,
+                      LocalizableText{"There is no bur '%1'; choose one of %2.", {noted(std::string(id)), noted(burIds())}});
 }
 
 bool isOwnBur(std::size_t index)

@@ -27,6 +27,9 @@ inline constexpr double kChuckMm = 8.0;
 /// Number of burs, from the first of burs(), that the panel shows by default. Benchmarks measure these.
 inline constexpr std::size_t kCommonBurs = 4;
 
+/// Commands, recordings and the servo's state name a bur by its index in one byte.
+inline constexpr std::size_t kMostBurs = 256;
+
 /// Shape of a bur, for display.
 enum class BurShape {
     Round,
@@ -76,6 +79,8 @@ struct Bur
 
     [[nodiscard]] bool hasCone() const { return coneSlope > 0.0; }
     [[nodiscard]] bool isDiamond() const { return grit != 0; }
+    /// True if notches run across the blades.
+    [[nodiscard]] bool isCrosscut() const;
     /// ISO size: the largest diameter in tenths of a millimetre, three digits.
     [[nodiscard]] std::string isoSize() const;
     /// Radius of the flat disc.
@@ -94,6 +99,9 @@ struct Bur
 /// part of the format of recordings, which name a bur by its index: new burs are appended to the file, and none is
 /// moved or removed (docs/dev/formats.md).
 [[nodiscard]] std::span<const Bur> burs();
+
+/// "2, 330, 245": the ids of burs(), in their order.
+[[nodiscard]] std::string burIds();
 
 /// Index into burs() by id, or UnknownName naming those there are.
 [[nodiscard]] Result<std::size_t> findBur(std::string_view id);

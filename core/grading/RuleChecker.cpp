@@ -113,8 +113,7 @@ std::vector<Infraction> RuleChecker::look(const servo::ServoState& state, const 
     else if (m_inAir.count() == 0)
         standing(RuleViolation::BurInAir) = false;
 
-    const bool isAllowed = state.burIndex >= 64 || ((m_rules.allowedBurs >> state.burIndex) & 1U) != 0;
-    if (isAllowed)
+    if (m_rules.allowedBurs[state.burIndex])
         standing(RuleViolation::WrongBur) = false;
     else if (state.cutting)
         find(RuleViolation::WrongBur, 0.0, 0.0);

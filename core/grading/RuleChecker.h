@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/bur/Bur.h"
 #include "core/cutting/Drill.h"
 #include "core/grading/IdealCavity.h"
 #include "core/servo/ServoState.h"
@@ -41,7 +43,7 @@ struct Rules
     std::optional<double> forceLimitN;
     std::optional<double> airLimitS;
     std::shared_ptr<const terrain::HeightMaps> neighbours;  ///< teeth beside, tooth frame; null: not watched
-    std::uint64_t allowedBurs = ~std::uint64_t{0};          ///< bit k: burs()[k]
+    std::bitset<drilling::kMostBurs> allowedBurs = std::bitset<drilling::kMostBurs>().set();  ///< bit k: burs()[k]
     bool operator==(const Rules&) const = default;
 };
 

@@ -4,11 +4,13 @@
 
 #include <bit>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <zstd.h>
 
 #include "core/base/Bytes.h"
+#include "core/bur/Bur.h"
 #include "core/servo/ServoParameters.h"
 
 namespace core::recording {
@@ -298,7 +300,7 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
         if (isTick(event.kind))
             continue;
         event.value = in.take<std::uint64_t>();
-        if (event.kind == ServoEvent::Kind::Bur && event.value >= bur::burs().size())
+        if (event.kind == ServoEvent::Kind::Bur && event.value >= bur::kMostBurs)
             return std::nullopt;
         if (event.kind == ServoEvent::Kind::Spring && (event.value < 1 || event.value > 100))
             return std::nullopt;
@@ -314,8 +316,16 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
     return events;
 }
 
+std::string unknownBurWords(std::uint64_t index)
+{
+    return "uses bur " + std::to_string(index + 1) + " of the list, and this Cusp has " +
+           std::to_string(drilling::burs().size());
+}
+
 EventGuard::Verdict EventGuard::look(const ServoEvent& event, const Recording& soFar)
 {
+    if (event.kind == ServoEvent::Kind::Bur && event.value >= drilling::burs().size())
+        return Verdict::BurOfNewerCusp;
     if (event.kind == ServoEvent::Kind::Handpiece && event.value >= soFar.settings().handpieces.size())
         return Verdict::NoSuchHandpiece;
     const bool restores = event.kind == ServoEvent::Kind::Restore;

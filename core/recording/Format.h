@@ -66,14 +66,18 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 
 /// Kinds, steps and the four byte planes of each coordinate, one after another: like stands beside like.
 [[nodiscard]] std::string eventBytes(std::span<const ServoEvent> events);
-/// At most kChunkEvents of them.
+/// At most kChunkEvents of them. A bur may be one that this program does not have: EventGuard finds it.
 [[nodiscard]] std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes);
+
+/// "uses bur 33 of the list, and this Cusp has 32".
+/// @param index  of a bur that is not in burs()
+[[nodiscard]] std::string unknownBurWords(std::uint64_t index);
 
 /// Looks at events before they are appended to a recording that is being read: would a replay come to an end?
 class EventGuard
 {
 public:
-    enum class Verdict { Sound, IntoTheFuture, TooManySteps, NoSuchHandpiece };
+    enum class Verdict { Sound, IntoTheFuture, TooManySteps, NoSuchHandpiece, BurOfNewerCusp };
     [[nodiscard]] Verdict look(const ServoEvent& event, const Recording& soFar);
 
 private:

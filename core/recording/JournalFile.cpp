@@ -294,7 +294,11 @@ Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, J
             break;
         bool sound = true;
         for (const ServoEvent& event : *events) {
-            sound = sound && guard.look(event, found.recording) == EventGuard::Verdict::Sound;
+            const EventGuard::Verdict verdict = guard.look(event, found.recording);
+            if (verdict == EventGuard::Verdict::BurOfNewerCusp)
+                return nothingIn(ErrorCode::NewerVersion,
+                                 "it " + unknownBurWords(event.value) + "; use the Cusp that made it");
+            sound = sound && verdict == EventGuard::Verdict::Sound;
             if (sound)
                 found.recording.append(event);
         }

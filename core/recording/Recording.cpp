@@ -204,6 +204,9 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
                     break;
                 case EventGuard::Verdict::IntoTheFuture:
                     return damaged("in an undo step");
+                case EventGuard::Verdict::BurOfNewerCusp:
+                    return unexpected(ErrorCode::NewerVersion,
+                                      "The recording " + unknownBurWords(event.value) + "; open it with a newer Cusp.");
                 case EventGuard::Verdict::NoSuchHandpiece:
                     return damaged("where another handpiece is taken");
                 case EventGuard::Verdict::TooManySteps:

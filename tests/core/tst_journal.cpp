@@ -2,7 +2,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
+
+#include "core/drilling/Bur.h"
 #include "core/recording/Format.h"
+#include "core/recording/JournalFile.h"
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
 #include "core/session/JournalLoop.h"
@@ -322,6 +326,22 @@ private slots:
         const fs::path path = m_path / "1-1.cuspjournal";
         support::write(path, bytes.toStdString());
         QVERIFY(support::isRefused(recording::findAttempt(path), "1-1.cuspjournal"));
+    }
+
+    /// The newer program may still resume it: an attempt must not be cut short where an unknown bur is taken.
+    void aBurOfANewerProgramIsSaidToBeNewer()
+    {
+        const fs::path path = m_path / "1-2.cuspjournal";
+        {
+            const auto journal = recording::JournalFile::create(path, Recording({}, support::smallBlock()), 0);
+            QVERIFY(support::succeeds(journal));
+            const ServoEvent tick{ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0};
+            const ServoEvent bur{ServoEvent::Kind::Bur, 0, {}, drilling::burs().size()};
+            QVERIFY((*journal)->append(std::array{tick, bur, tick}));
+            QVERIFY((*journal)->sync());
+        }
+        QVERIFY(support::isRefused(recording::findAttempt(path), ErrorCode::NewerVersion));
+        QVERIFY(fs::exists(path));
     }
 
     void aFullDiskIsToldOnceAndCaughtUpWith()

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include <zstd.h>
 
@@ -422,8 +423,8 @@ private slots:
             events.push_back({kind, 0, {}, value});
             QTest::newRow(name) << events << isAllowed;
         };
-        row("the last bur", {}, ServoEvent::Kind::Bur, core::bur::burs().size() - 1, true);
-        row("no such bur", {}, ServoEvent::Kind::Bur, core::bur::burs().size(), false);
+        row("the last bur", {}, ServoEvent::Kind::Bur, bur::burs().size() - 1, true);
+        row("no bur's number", {}, ServoEvent::Kind::Bur, bur::kMostBurs, false);
         row("the only handpiece", {}, ServoEvent::Kind::Handpiece, 0, true);
         row("no such handpiece", {}, ServoEvent::Kind::Handpiece, 1, false);
         row("no such aid", {}, ServoEvent::Kind::Aids, core::servo::kAllAids + 1U, false);
@@ -443,6 +444,16 @@ private slots:
         made.append({ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0});
         const auto read = Recording::fromBytes(made.toBytes());
         QVERIFY(isAllowed ? support::succeeds(read) : support::isRefused(read, ErrorCode::BadStructure));
+    }
+
+    /// A program with fewer burs must not call a sound recording damaged.
+    void aBurOfANewerProgramIsSaidToBeNewer()
+    {
+        Recording made = recordingOf({{ServoEvent::Kind::Bur, 0, {}, drilling::burs().size()}});
+        made.append({ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0});
+        const auto read = Recording::fromBytes(made.toBytes());
+        QVERIFY(support::isRefused(read, ErrorCode::NewerVersion));
+        QVERIFY(support::isRefused(read, "uses bur " + std::to_string(drilling::burs().size() + 1)));
     }
 
     void refusesMoreUndoThanAnyoneMakes()

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "core/bur/Bur.h"
 #include "core/grading/RuleChecker.h"
 #include "core/servo/ServoState.h"
 #include "core/session/LiveAssessmentLoop.h"
@@ -192,7 +193,7 @@ private slots:
         QVERIFY(cut(m_middle, m_middle, 0.3F).empty());
         m_state.burIndex = 1;
         QVERIFY(cut(m_middle, m_middle, 0.4F).empty());
-        m_state.burIndex = 3;
+        m_state.burIndex = bur::kMostBurs - 1;
         QVERIFY(isOne(cut(m_middle, m_middle, 0.5F), RuleViolation::WrongBur));
     }
 
