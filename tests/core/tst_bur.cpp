@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTemporaryDir>
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/bur/BurFile.h"
 #include "core/bur/BurMask.h"
@@ -43,6 +46,52 @@ double lowestOfOutline(const Bur& bur, double radius)
                                           : a.heightMm + (b.heightMm - a.heightMm) * (radius - a.radiusMm) / width);
     }
     return lowest;
+}
+
+/// "3.8", "0.92": at least one decimal, at most two.
+QString decimals(double value)
+{
+    QString text = QString::number(value, 'f', 2);
+    if (text.endsWith('0'))
+        text.chop(1);
+    return text;
+}
+
+/// "ball", "upright", "opens by 2.5° a side".
+QString sideOf(const Bur& bur)
+{
+    const auto degrees = [](double run, double rise) {
+        const double halves = std::round(2.0 * std::atan2(run, rise) / support::kDegree);
+        return QString::number(0.5 * halves) + "° a side";
+    };
+    if (bur.shape == drilling::BurShape::Round)
+        return "ball";
+    if (bur.hasCone())
+        return "opens by " + degrees(1.0, bur.coneSlope);
+    const Bur::Point& last = bur.outline.back();
+    const Bur::Point& before = bur.outline[bur.outline.size() - 2];
+    return last.radiusMm < before.radiusMm
+               ? "closes by " + degrees(before.radiusMm - last.radiusMm, last.heightMm - before.heightMm)
+               : QString("upright");
+}
+
+/// A row of the table in docs/burs.md.
+std::string rowOf(const Bur& bur)
+{
+    const QString shape = QString::fromStdString(std::string(drilling::shapeWord(bur.shape))).replace('-', ' ');
+    const QString end =
+        (bur.hasFlatEnd() ? "flat, edge " : "round ") + QString::number(std::round(100.0 * bur.cornerMm) / 100.0);
+    const QString material = bur.isDiamond() ? QString("diamond") : QString("carbide");
+    const QStringList cells{QString::fromStdString(bur.id),
+                            shape,
+                            material,
+                            QString::fromStdString(bur.isoSize()),
+                            QString::number(2.0 * bur.headRadiusMm, 'f', 1),
+                            decimals(bur.headLengthMm),
+                            end,
+                            sideOf(bur),
+                            QString::fromStdString(bur.iso6360)};
+    return ("| " + cells.join(" | ") + " |").toStdString();
 }
 
 std::string with(std::size_t line, const std::string& text)
@@ -87,6 +136,37 @@ private slots:
         QVERIFY(is(1, "330", 0.4, 1.6, 0.4 - 0.14054 * (1.6 - 0.25), 0.25, 35));
         QVERIFY(is(2, "245", 0.4, 3.0, 0.4 - 0.06993 * (3.0 - 0.2), 0.2, 35));
         QVERIFY(is(3, "57", 0.5, 3.8, 0.4, 0.1, 35));
+    }
+
+    /// A recording stores the place of a bur in the list. Append a new bur behind these; it needs no entry here.
+    void bursThatExistKeepTheirPlaces()
+    {
+        constexpr std::array kPlaces{"2",   "330", "245", "57",  "1/4", "1/2", "1",    "4",    "6",   "8",   "33-1/2",
+                                     "34",  "35",  "56",  "58",  "556", "557", "1557", "169L", "170", "171", "271",
+                                     "701", "329", "331", "801", "836", "856", "877",  "830",  "379", "860"};
+        const auto burs = drilling::burs();
+        QVERIFY2(burs.size() >= kPlaces.size(), "A bur of core/drilling/burs.txt was removed; old recordings need it.");
+        for (std::size_t k = 0; k < kPlaces.size(); ++k)
+            QVERIFY2(
+                burs[k].id == kPlaces[k],
+                qPrintable(QString("Bur %1 of core/drilling/burs.txt must be %2. Old recordings name burs by their "
+                                   "place: append new ones at the end.")
+                               .arg(k + 1)
+                               .arg(kPlaces[k])));
+        // One place is left for a bur of the user.
+        QVERIFY(burs.size() < drilling::kMostBurs);
+    }
+
+    void documentsListTheBurs()
+    {
+        std::vector<std::string> ids;
+        std::string rows;
+        for (const Bur& bur : drilling::burs()) {
+            ids.push_back(bur.id);
+            rows += (rows.empty() ? "" : "\n") + rowOf(bur);
+        }
+        QVERIFY(support::isSchemaUpToDate("bur", ids));
+        QVERIFY(support::isListUpToDate("docs/burs.md", "|---|---|---|---|---|---|---|---|---|\n", "\n\n", rows));
     }
 
     void everyBurHasItsSizes()

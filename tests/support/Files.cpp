@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <QString>
 
@@ -35,6 +36,43 @@ void write(const std::filesystem::path& path, std::string_view bytes)
 void write(const QString& path, std::string_view bytes)
 {
     write(std::filesystem::path(path.toStdString()), bytes);
+}
+
+bool isListUpToDate(const char* file, std::string_view before, std::string_view after, const std::string& list)
+{
+    const std::filesystem::path path = std::filesystem::path(CUSP_SOURCE_DIR) / file;
+    std::string text = bytesOf(path);
+    const std::size_t begin = text.find(before);
+    const std::size_t from = begin + before.size();
+    const std::size_t to = begin == std::string::npos ? begin : text.find(after, from);
+    if (to == std::string::npos) {
+        qWarning("%s has no list between the lines that the test looks for.", file);
+        return false;
+    }
+    const std::string found = text.substr(from, to - from);
+    if (found == list)
+        return true;
+    if (std::getenv("CUSP_REWRITE_LISTS") != nullptr) {
+        write(path, text.replace(from, to - from, list));
+        return true;
+    }
+    std::istringstream lines(list);
+    for (std::string line; std::getline(lines, line);)
+        if ((found + '\n').find(line + '\n') == std::string::npos)
+            qWarning("%s lacks the line: %s", file, line.c_str());
+    qWarning("%s does not list what the table says, in its order. Run the test with CUSP_REWRITE_LISTS=1 to write the "
+             "list anew, and look at the change.",
+             file);
+    return false;
+}
+
+bool isSchemaUpToDate(const std::string& definition, const std::vector<std::string>& ids)
+{
+    std::string list;
+    for (const std::string& id : ids)
+        list += (list.empty() ? "        \"" : ",\n        \"") + id + '"';
+    return isListUpToDate("lessons/schema/lesson.schema.json", "\n    \"" + definition + "\": {\n      \"enum\": [\n",
+                          "\n      ]", list);
 }
 
 bool forEachSeed(const char* name, const std::function<void(const std::string&)>& use)
