@@ -131,10 +131,8 @@ void addOptions(QCommandLineParser& parser)
            "standard error.",
            "T.csv");
     parser.addOption({QStringLiteral("drill"), QStringLiteral("Drill on all the time, whatever the path says.")});
-    option("bur",
-           "2, 330 (default), 245, 57 or another of docs/burs.md; or a file with a bur of your own, which goes into no "
-           "recording.",
-           "NAME|FILE");
+    addBurOption(parser, QStringLiteral("NAME|FILE"),
+                 QStringLiteral("or a file with a bur of your own, which goes into no recording"));
     option("method", "continuous (default), lattice, lattice16 (16 steps a tick) or penalty.", "M");
     option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
     option("preset",

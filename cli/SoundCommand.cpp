@@ -55,7 +55,7 @@ void addSoundOptions(QCommandLineParser& parser)
            "FILE|FDI");
     option("path", "Device path: CSV with t_s,x_mm,y_mm,z_mm,drill; at most ten minutes.", "P.csv");
     parser.addOption({QStringLiteral("drill"), QStringLiteral("Drill on all the time, whatever the path says.")});
-    option("bur", "The bur, such as 2, 330 (default), 245 or 57.", "NAME");
+    addBurOption(parser, QStringLiteral("NAME"));
     option("handpiece", "What turns the bur: turbine (default), electric or low-speed.", "NAME");
     addJson(parser);
 }

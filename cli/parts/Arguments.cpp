@@ -9,10 +9,13 @@
 #include <QJsonDocument>
 #include <QStringDecoder>
 
+#include "cli/Commands.h"
 #include "cli/parts/ExitCode.h"
+#include "core/bur/Bur.h"
 #include "core/teeth/Laid.h"
 #include "core/teeth/LesionSite.h"
 #include "core/teeth/ToothTable.h"
+#include "haptics/simulated/Simulation.h"
 
 namespace cli {
 namespace {
@@ -242,6 +245,17 @@ core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& p
         if (!status)
             return tl::unexpected(std::move(status).error());
     return options;
+}
+
+void addBurOption(QCommandLineParser& parser, const QString& value, const QString& more)
+{
+    const std::string& usual = core::drilling::burs()[haptics::SimulationOptions().burIndex].id;
+    const QString burs = QString::fromStdString(core::drilling::burIds());
+    parser.addOption(
+        {QStringLiteral("bur"),
+         QStringLiteral("The bur (default %1): one of %2%3.")
+             .arg(QString::fromStdString(usual), burs, more.isEmpty() ? more : QStringLiteral("; ") + more),
+         value});
 }
 
 void addDeviceOption(QCommandLineParser& parser)

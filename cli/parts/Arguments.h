@@ -52,6 +52,11 @@ void addToothOptions(QCommandLineParser& parser);
 [[nodiscard]] core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser,
                                                                    const core::teeth::ToothSource& source);
 
+/// Adds --bur, with the ids of all burs in its help.
+/// @param value  what the help calls the value, such as "NAME"
+/// @param more   what else the value may be, such as "or a file"; may be empty
+void addBurOption(QCommandLineParser& parser, const QString& value, const QString& more = {});
+
 /// Adds --device: what moves the bur.
 void addDeviceOption(QCommandLineParser& parser);
 

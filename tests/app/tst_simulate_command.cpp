@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/drilling/Bur.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
@@ -67,6 +68,16 @@ private slots:
         const double slow = enamelOf({"--handpiece", "low-speed", "--break-off"});
         QVERIFY2(turbine > 0.0 && slow >= 0.0 && slow < 0.5 * turbine,
                  qPrintable(QString("%1, %2").arg(turbine).arg(slow)));
+    }
+
+    void helpNamesEveryBur_data() { support::rows<QString>("command", {"simulate", "sound"}); }
+
+    void helpNamesEveryBur()
+    {
+        QFETCH(QString, command);
+        const QString help = QString::fromUtf8(runCusp({command, "--help"}).out).simplified();
+        QVERIFY2(help.contains("default 330"), qPrintable(help));
+        QVERIFY2(help.contains("one of " + QString::fromStdString(core::drilling::burIds())), qPrintable(help));
     }
 
     void replayComesToTheSameHashWithAnyBur_data()
