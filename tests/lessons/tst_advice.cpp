@@ -116,6 +116,49 @@ class TestAdvice : public QObject
 {
     Q_OBJECT
 private slots:
+    void everyMeasureLeadsToAdvice()
+    {
+        // No advice is written for these.
+        const std::set<std::string_view> without{"lesion_mm3",
+                                                 "access_mm3",
+                                                 "smallest_cavity_mm3",
+                                                 "enamel_removed_mm3",
+                                                 "deepest_cut_mm",
+                                                 "ideal_mm3",
+                                                 "dice",
+                                                 "iou",
+                                                 "isthmus_width_mm",
+                                                 "longest_pause_s",
+                                                 "path_mm",
+                                                 "path_cutting_mm",
+                                                 "strokes",
+                                                 "stroke_length_mean_mm",
+                                                 "stroke_time_mean_s",
+                                                 "lift_offs",
+                                                 "jerk_rms_mm_s3",
+                                                 "drill_in_air_s",
+                                                 "contact_bur_off_s",
+                                                 "undo_count",
+                                                 "infractions",
+                                                 "aids_used"};
+        for (const core::grading::MeasureInfo& measure : core::grading::measureTable()) {
+            Criterion line;
+            line.measure = std::string(measure.id);
+            line.measured = 1.0;
+            line.share = 1.0;
+            line.lostTenths = kFullTenths;
+            ScoreSheet sheet;
+            sheet.criteria = {line};
+            const bool hasAdvice = !adviceOn(sheet, core::grading::Measured{}, {}).empty();
+            QVERIFY2(
+                hasAdvice != without.contains(measure.id),
+                (line.measure + (hasAdvice ? " leads to advice: remove it from `without` in this test"
+                                           : " leads to no advice: add it to findingOf() in lessons/Advice.cpp, or "
+                                             "to `without` in this test"))
+                    .c_str());
+        }
+    }
+
     void aPerfectPreparationNeedsNone()
     {
         const Assignment assignment = classOne();

@@ -16,14 +16,18 @@
 #include "core/servo/ServoState.h"
 #include "core/teeth/Block.h"
 #include "core/teeth/ToothBuilder.h"
+#include "lessons/LessonCatalog.h"
 #include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "lessons/Rubric.h"
 #include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "ui/admin/AdminWords.h"
+#include "ui/kit/Theme.h"
+#include "ui/replay/TimeLine.h"
 #include "ui/text/LessonTexts.h"
 #include "ui/text/PeopleTexts.h"
+#include "ui/text/ValidationTexts.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 #include "ui/text/ValidationTexts.h"
@@ -460,6 +464,36 @@ private slots:
         tooth.name = std::string("36");
         tooth.fdi = 36;
         QCOMPARE(ui::text::toothTitle(tooth), QString("Tooth 36"));
+    }
+
+    /// The condition of a criterion is shown in words, not as the id of a measure.
+    void conditionsOfShippedRubricsHaveWords()
+    {
+        int conditions = 0;
+        for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+            for (const lessons::CriterionRule& rule :
+                 entry.read.lesson ? entry.read.lesson->rubric.criteria : std::vector<lessons::CriterionRule>()) {
+                if (!rule.once)
+                    continue;
+                ++conditions;
+                QVERIFY2(
+                    !ui::text::onceWords(*rule.once).contains(QString::fromStdString(rule.once->measure)),
+                    (rule.once->measure + " has no words: add a sentence to onceWords() in ui/text/Texts.cpp").c_str());
+            }
+        QVERIFY(conditions > 0);
+    }
+
+    void everyBurHasAColourOfItsOwn()
+    {
+        const QPalette room = ui::shell::roomPalette();
+        QSet<QRgb> colours;
+        for (std::size_t k = 0; k < core::drilling::burs().size(); ++k) {
+            const QColor colour = ui::replay::burColour(static_cast<std::uint8_t>(k));
+            QVERIFY2(!colours.contains(colour.rgb()), core::drilling::burs()[k].id.c_str());
+            colours << colour.rgb();
+            QVERIFY2(ui::shell::contrast(colour, room.color(QPalette::Midlight)) >= 3.0,
+                     core::drilling::burs()[k].id.c_str());
+        }
     }
 
     void numbersFollowTheLanguage()

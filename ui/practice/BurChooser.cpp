@@ -44,12 +44,6 @@ QPainterPath headOf(const core::bur::Bur& bur)
     return path;
 }
 
-bool isCrosscut(core::bur::BurShape shape)
-{
-    using Shape = core::bur::BurShape;
-    return shape == Shape::StraightCrosscut || shape == Shape::DomedCrosscut || shape == Shape::TaperedCrosscut;
-}
-
 /// Draws the grooves between blades within a head, and notches across them if it is crosscut.
 void drawBlades(QPainter& painter, const QRectF& head, const QColor& groove, bool isNotched)
 {
@@ -147,7 +141,7 @@ void BurTile::paintEvent(QPaintEvent*)
     if (m_bur.isDiamond())
         drawGrains(painter, head.boundingRect(), p.color(QPalette::WindowText));
     else
-        drawBlades(painter, head.boundingRect(), p.color(QPalette::Mid), isCrosscut(m_bur.shape));
+        drawBlades(painter, head.boundingRect(), p.color(QPalette::Mid), m_bur.isCrosscut());
     painter.restore();
 
     painter.setFont(kit::typeface(kit::kSmall, isChecked() ? QFont::DemiBold : QFont::Normal));

@@ -93,12 +93,9 @@ void turn(SolidMesh& mesh, std::span<const glm::vec3> radiusHeightFinish)
 
 float finishOf(const core::bur::Bur& bur)
 {
-    using Shape = core::bur::BurShape;
     if (bur.isDiamond())
         return kDiamond;
-    const bool isCrosscut = bur.shape == Shape::StraightCrosscut || bur.shape == Shape::DomedCrosscut ||
-                            bur.shape == Shape::TaperedCrosscut;
-    return isCrosscut ? kNotchedBlades : kBlades;
+    return bur.isCrosscut() ? kNotchedBlades : kBlades;
 }
 
 /// Gives the part of a profile between two heights the finish of the ring. Heights must not fall.

@@ -37,8 +37,12 @@ constexpr double kMostLabelsPx = 72.0;  ///< from one time on the scale to the n
 constexpr double kSignPx = 6.0;         ///< half a sign
 constexpr int kMostWords = 280;         ///< characters of a remark; all of it stands on the score card
 
-/// After Okabe and Ito, in the order of core::bur::burs().
-constexpr std::array<QRgb, 4> kBurs{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
+/// Least contrast of a bar with the bed that it is drawn on (WCAG 2.1, 1.4.11).
+constexpr double kBarContrast = 3.0;
+
+/// Colours of the common burs, after Okabe and Ito, in the order of core::bur::burs().
+constexpr std::array<QRgb, core::bur::kCommonBurs> kCommonBurColours{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D,
+                                                                          0xFFD991BD};
 
 /// The number that a bur is sold under: "330".
 QString burNumber(std::uint64_t index)
@@ -155,7 +159,17 @@ QString burWords(std::uint64_t index)
 
 QColor burColour(std::uint8_t index)
 {
-    return kBurs.at(index % kBurs.size());
+    if (index < kCommonBurColours.size())
+        return kCommonBurColours.at(index);
+    // Steps of the golden ratio spread any number of hues evenly.
+    constexpr double kGoldenRatio = 0.61803398875;
+    constexpr std::array kLightness{0.62F, 0.74F, 0.86F};
+    const double turns = kGoldenRatio * index;
+    QColor colour = QColor::fromHslF(static_cast<float>(turns - std::floor(turns)), 0.7F, kLightness.at(index % 3));
+    const QColor bed = roomPalette().color(QPalette::Midlight);
+    while (contrast(colour, bed) < kBarContrast)
+        colour = colour.lighter(105);
+    return colour;
 }
 
 QString markWords(const Mark& mark)

@@ -65,7 +65,8 @@ private:
     bool m_scrubs = false;
 };
 
-/// Distinct for every eye on the dark of the practice room.
+/// Colour of a bur, by its index in core::drilling::burs(): no two burs have the same. Those of the common burs also
+/// differ for people with colour blindness; the number of the bur is drawn beside each change of bur.
 [[nodiscard]] QColor burColour(std::uint8_t index);
 /// "Undone", "Bur 2: Pear, No. 330", "Handpiece: Turbine".
 [[nodiscard]] QString markWords(const Mark& mark);
