@@ -466,6 +466,24 @@ private slots:
         QCOMPARE(ui::text::toothTitle(tooth), QString("Tooth 36"));
     }
 
+    void everyBurIsNamedInEveryLanguage_data() { support::rows<QString>("language", {"de", "es", "ja"}); }
+    void everyBurIsNamedInEveryLanguage()
+    {
+        QFETCH(QString, language);
+        QStringList sources;
+        for (const core::drilling::Bur& bur : core::drilling::burs()) {
+            QString name = ui::text::burName(bur.id);
+            name.chop(static_cast<qsizetype>(bur.id.size()));
+            sources << name + "%1";
+        }
+        const auto words = spoken(QLocale(language));
+        for (const QString& source : sources)
+            QVERIFY2(!words->translate("Bur", source.toUtf8()).isEmpty(),
+                     qPrintable(QString("translations/cusp_%1.ts lacks the bur \"%2\": run the target "
+                                        "update_translations and fill it in")
+                                    .arg(language, source)));
+    }
+
     /// The condition of a criterion is shown in words, not as the id of a measure.
     void conditionsOfShippedRubricsHaveWords()
     {
