@@ -9,7 +9,6 @@
 #include <QJsonDocument>
 #include <QStringDecoder>
 
-#include "cli/Commands.h"
 #include "cli/parts/ExitCode.h"
 #include "core/bur/Bur.h"
 #include "core/teeth/Laid.h"
@@ -249,8 +248,8 @@ core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& p
 
 void addBurOption(QCommandLineParser& parser, const QString& value, const QString& more)
 {
-    const std::string& usual = core::drilling::burs()[haptics::SimulationOptions().burIndex].id;
-    const QString burs = QString::fromStdString(core::drilling::burIds());
+    const std::string& usual = core::bur::burs()[haptics::SimulationOptions().burIndex].id;
+    const QString burs = QString::fromStdString(core::bur::burIds());
     parser.addOption(
         {QStringLiteral("bur"),
          QStringLiteral("The bur (default %1): one of %2%3.")

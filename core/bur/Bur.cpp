@@ -41,7 +41,7 @@ std::vector<Bur> compiledIn()
 {
     auto burs = parseBurs(kBurTable);
     if (!burs) {
-        std::fprintf(stderr, "core/drilling/burs.txt: %s\n", burs.error().detail.c_str());
+        std::fprintf(stderr, "core/bur/burs.txt: %s\n", burs.error().detail.c_str());
         std::abort();
     }
     return std::move(*burs);
@@ -125,8 +125,8 @@ Result<std::size_t> findBur(std::string_view id)
     const auto found = std::find_if(all.begin(), all.end(), [&](const Bur& bur) { return bur.id == id; });
     if (found != all.end())
         return static_cast<std::size_t>(found - all.begin());
-    return unexpected(ErrorCode::UnknownName,
-                      LocalizableText{"There is no bur '%1'; choose one of %2.", {noted(std::string(id)), noted(burIds())}});
+    return unexpected(ErrorCode::UnknownName, LocalizableText{"There is no bur '%1'; choose one of %2.",
+                                                              {noted(std::string(id)), noted(burIds())}});
 }
 
 bool isOwnBur(std::size_t index)

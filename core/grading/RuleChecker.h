@@ -43,7 +43,7 @@ struct Rules
     std::optional<double> forceLimitN;
     std::optional<double> airLimitS;
     std::shared_ptr<const terrain::HeightMaps> neighbours;  ///< teeth beside, tooth frame; null: not watched
-    std::bitset<drilling::kMostBurs> allowedBurs = std::bitset<drilling::kMostBurs>().set();  ///< bit k: burs()[k]
+    std::bitset<bur::kMostBurs> allowedBurs = std::bitset<bur::kMostBurs>().set();  ///< bit k: burs()[k]
     bool operator==(const Rules&) const = default;
 };
 

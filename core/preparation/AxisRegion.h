@@ -33,7 +33,7 @@ private:
 };
 
 /// Height above the floor of what a bur of this radius leaves `distance` away from where its axis went: its end is a
-/// flat disc with a rounded rim (drilling::Bur::undersideMm). distance <= radiusMm.
+/// flat disc with a rounded rim (bur::Bur::undersideMm). distance <= radiusMm.
 [[nodiscard]] double riseBeside(double distance, double radiusMm, double cornerMm);
 
 }  // namespace core::preparation

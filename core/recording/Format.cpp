@@ -319,12 +319,12 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
 std::string unknownBurWords(std::uint64_t index)
 {
     return "uses bur " + std::to_string(index + 1) + " of the list, and this Cusp has " +
-           std::to_string(drilling::burs().size());
+           std::to_string(bur::burs().size());
 }
 
 EventGuard::Verdict EventGuard::look(const ServoEvent& event, const Recording& soFar)
 {
-    if (event.kind == ServoEvent::Kind::Bur && event.value >= drilling::burs().size())
+    if (event.kind == ServoEvent::Kind::Bur && event.value >= bur::burs().size())
         return Verdict::BurOfNewerCusp;
     if (event.kind == ServoEvent::Kind::Handpiece && event.value >= soFar.settings().handpieces.size())
         return Verdict::NoSuchHandpiece;

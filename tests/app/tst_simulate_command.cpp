@@ -13,7 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
@@ -77,7 +77,7 @@ private slots:
         QFETCH(QString, command);
         const QString help = QString::fromUtf8(runCusp({command, "--help"}).out).simplified();
         QVERIFY2(help.contains("default 330"), qPrintable(help));
-        QVERIFY2(help.contains("one of " + QString::fromStdString(core::drilling::burIds())), qPrintable(help));
+        QVERIFY2(help.contains("one of " + QString::fromStdString(core::bur::burIds())), qPrintable(help));
     }
 
     void replayComesToTheSameHashWithAnyBur_data()

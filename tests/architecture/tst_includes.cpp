@@ -113,7 +113,7 @@ const QList<Arrows> kArrows{
     {"core/grading", "core/base core/bur core/cutting core/servo core/teeth core/terrain"},
     {"core/guidance", "core/bur core/grading core/teeth"},
     {"core/history", "core/grading core/servo core/terrain"},
-    {"core/recording", "core/base core/history core/servo core/terrain"},
+    {"core/recording", "core/base core/bur core/history core/servo core/terrain"},
     {"core/preparation", "core/base core/bur core/grading core/recording core/teeth core/terrain"},
     {"core/session", "core/audio core/base core/grading core/guidance core/history core/recording core/rt core/servo "
                      "core/settings core/terrain"},
@@ -169,8 +169,9 @@ const QList<Arrows> kArrows{
             "core/settings core/teeth lessons haptics haptics/falcon haptics/pointer haptics/simulated database "
             "database/sql ui/admin ui/devices ui/kit ui/people ui/render ui/report ui/scoring ui/sound ui/text "
             "ui/tooth ui/window app/attempt app/devices app/replay app/school app/threads"},
-    {"cli/parts", "core/base core/grading core/servo core/settings core/teeth core/tracking lessons haptics/falcon "
-                  "haptics/simulated database/sql ui/devices app/devices"},
+    {"cli/parts",
+     "core/base core/bur core/grading core/servo core/settings core/teeth core/tracking lessons haptics/falcon "
+     "haptics/simulated database/sql ui/devices app/devices"},
     {"bench",
      "core/audio core/base core/bur core/contact core/guidance core/recording core/rt core/servo core/session "
      "core/settings core/teeth core/terrain core/tracking lessons haptics haptics/falcon haptics/pointer "

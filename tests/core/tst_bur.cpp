@@ -64,7 +64,7 @@ QString sideOf(const Bur& bur)
         const double halves = std::round(2.0 * std::atan2(run, rise) / support::kDegree);
         return QString::number(0.5 * halves) + "° a side";
     };
-    if (bur.shape == drilling::BurShape::Round)
+    if (bur.shape == bur::BurShape::Round)
         return "ball";
     if (bur.hasCone())
         return "opens by " + degrees(1.0, bur.coneSlope);
@@ -78,7 +78,7 @@ QString sideOf(const Bur& bur)
 /// A row of the table in docs/burs.md.
 std::string rowOf(const Bur& bur)
 {
-    const QString shape = QString::fromStdString(std::string(drilling::shapeWord(bur.shape))).replace('-', ' ');
+    const QString shape = QString::fromStdString(std::string(bur::shapeWord(bur.shape))).replace('-', ' ');
     const QString end =
         (bur.hasFlatEnd() ? "flat, edge " : "round ") + QString::number(std::round(100.0 * bur.cornerMm) / 100.0);
     const QString material = bur.isDiamond() ? QString("diamond") : QString("carbide");
@@ -144,24 +144,23 @@ private slots:
         constexpr std::array kPlaces{"2",   "330", "245", "57",  "1/4", "1/2", "1",    "4",    "6",   "8",   "33-1/2",
                                      "34",  "35",  "56",  "58",  "556", "557", "1557", "169L", "170", "171", "271",
                                      "701", "329", "331", "801", "836", "856", "877",  "830",  "379", "860"};
-        const auto burs = drilling::burs();
-        QVERIFY2(burs.size() >= kPlaces.size(), "A bur of core/drilling/burs.txt was removed; old recordings need it.");
+        const auto burs = bur::burs();
+        QVERIFY2(burs.size() >= kPlaces.size(), "A bur of core/bur/burs.txt was removed; old recordings need it.");
         for (std::size_t k = 0; k < kPlaces.size(); ++k)
-            QVERIFY2(
-                burs[k].id == kPlaces[k],
-                qPrintable(QString("Bur %1 of core/drilling/burs.txt must be %2. Old recordings name burs by their "
-                                   "place: append new ones at the end.")
-                               .arg(k + 1)
-                               .arg(kPlaces[k])));
+            QVERIFY2(burs[k].id == kPlaces[k],
+                     qPrintable(QString("Bur %1 of core/bur/burs.txt must be %2. Old recordings name burs by their "
+                                        "place: append new ones at the end.")
+                                    .arg(k + 1)
+                                    .arg(kPlaces[k])));
         // One place is left for a bur of the user.
-        QVERIFY(burs.size() < drilling::kMostBurs);
+        QVERIFY(burs.size() < bur::kMostBurs);
     }
 
     void documentsListTheBurs()
     {
         std::vector<std::string> ids;
         std::string rows;
-        for (const Bur& bur : drilling::burs()) {
+        for (const Bur& bur : bur::burs()) {
             ids.push_back(bur.id);
             rows += (rows.empty() ? "" : "\n") + rowOf(bur);
         }

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/drilling/Bur.h"
+#include "core/bur/Bur.h"
 #include "core/recording/Format.h"
 #include "core/recording/JournalFile.h"
 #include "core/recording/Replay.h"
@@ -336,7 +336,7 @@ private slots:
             const auto journal = recording::JournalFile::create(path, Recording({}, support::smallBlock()), 0);
             QVERIFY(support::succeeds(journal));
             const ServoEvent tick{ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0};
-            const ServoEvent bur{ServoEvent::Kind::Bur, 0, {}, drilling::burs().size()};
+            const ServoEvent bur{ServoEvent::Kind::Bur, 0, {}, bur::burs().size()};
             QVERIFY((*journal)->append(std::array{tick, bur, tick}));
             QVERIFY((*journal)->sync());
         }

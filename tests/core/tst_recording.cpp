@@ -449,11 +449,11 @@ private slots:
     /// A program with fewer burs must not call a sound recording damaged.
     void aBurOfANewerProgramIsSaidToBeNewer()
     {
-        Recording made = recordingOf({{ServoEvent::Kind::Bur, 0, {}, drilling::burs().size()}});
+        Recording made = recordingOf({{ServoEvent::Kind::Bur, 0, {}, bur::burs().size()}});
         made.append({ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0});
         const auto read = Recording::fromBytes(made.toBytes());
         QVERIFY(support::isRefused(read, ErrorCode::NewerVersion));
-        QVERIFY(support::isRefused(read, "uses bur " + std::to_string(drilling::burs().size() + 1)));
+        QVERIFY(support::isRefused(read, "uses bur " + std::to_string(bur::burs().size() + 1)));
     }
 
     void refusesMoreUndoThanAnyoneMakes()

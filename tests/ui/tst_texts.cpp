@@ -27,7 +27,6 @@
 #include "ui/replay/TimeLine.h"
 #include "ui/text/LessonTexts.h"
 #include "ui/text/PeopleTexts.h"
-#include "ui/text/ValidationTexts.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 #include "ui/text/ValidationTexts.h"
@@ -471,7 +470,7 @@ private slots:
     {
         QFETCH(QString, language);
         QStringList sources;
-        for (const core::drilling::Bur& bur : core::drilling::burs()) {
+        for (const core::bur::Bur& bur : core::bur::burs()) {
             QString name = ui::text::burName(bur.id);
             name.chop(static_cast<qsizetype>(bur.id.size()));
             sources << name + "%1";
@@ -503,14 +502,13 @@ private slots:
 
     void everyBurHasAColourOfItsOwn()
     {
-        const QPalette room = ui::shell::roomPalette();
+        const QPalette room = ui::kit::roomPalette();
         QSet<QRgb> colours;
-        for (std::size_t k = 0; k < core::drilling::burs().size(); ++k) {
+        for (std::size_t k = 0; k < core::bur::burs().size(); ++k) {
             const QColor colour = ui::replay::burColour(static_cast<std::uint8_t>(k));
-            QVERIFY2(!colours.contains(colour.rgb()), core::drilling::burs()[k].id.c_str());
+            QVERIFY2(!colours.contains(colour.rgb()), core::bur::burs()[k].id.c_str());
             colours << colour.rgb();
-            QVERIFY2(ui::shell::contrast(colour, room.color(QPalette::Midlight)) >= 3.0,
-                     core::drilling::burs()[k].id.c_str());
+            QVERIFY2(ui::kit::contrast(colour, room.color(QPalette::Midlight)) >= 3.0, core::bur::burs()[k].id.c_str());
         }
     }
 

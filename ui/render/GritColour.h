@@ -9,7 +9,7 @@ namespace ui::render {
 
 /// Returns the colour of the ring on the shank of a diamond, as ISO 6360 gives it to a grit. Empty for a carbide bur
 /// and for a number without a colour.
-/// @param grit  as core::drilling::Bur::grit
+/// @param grit  as core::bur::Bur::grit
 [[nodiscard]] inline std::optional<QColor> gritColour(int grit)
 {
     switch (grit) {

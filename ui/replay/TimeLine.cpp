@@ -41,8 +41,7 @@ constexpr int kMostWords = 280;         ///< characters of a remark; all of it s
 constexpr double kBarContrast = 3.0;
 
 /// Colours of the common burs, after Okabe and Ito, in the order of core::bur::burs().
-constexpr std::array<QRgb, core::bur::kCommonBurs> kCommonBurColours{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D,
-                                                                          0xFFD991BD};
+constexpr std::array<QRgb, core::bur::kCommonBurs> kCommonBurColours{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
 
 /// The number that a bur is sold under: "330".
 QString burNumber(std::uint64_t index)

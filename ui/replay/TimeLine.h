@@ -65,7 +65,7 @@ private:
     bool m_scrubs = false;
 };
 
-/// Colour of a bur, by its index in core::drilling::burs(): no two burs have the same. Those of the common burs also
+/// Colour of a bur, by its index in core::bur::burs(): no two burs have the same. Those of the common burs also
 /// differ for people with colour blindness; the number of the bur is drawn beside each change of bur.
 [[nodiscard]] QColor burColour(std::uint8_t index);
 /// "Undone", "Bur 2: Pear, No. 330", "Handpiece: Turbine".
