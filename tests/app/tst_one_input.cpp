@@ -497,8 +497,7 @@ private:
         // What covers the button for a moment, a message or a card, takes the first press.
         const auto isAsked = [&] { return child<ui::scoring::ScorePredictionPage>()->isVisible(); };
         const auto ask = [&] {
-            if (auto* const goOn = child<QPushButton>("goOn"); goOn != nullptr && goOn->isVisible())
-                m_hand->press(*goOn);
+            closeCard();
             if (auto* const button = buttonFor(*actions().grade); button != nullptr && !isAsked())
                 m_hand->grade(*button);
             return QTest::qWaitFor(isAsked, support::kSecondTryMs);
@@ -511,6 +510,14 @@ private:
         WAIT_FOR(buttonFor(*actions().back) != nullptr);
         m_hand->goBack(*buttonFor(*actions().back));
         WAIT_FOR(!child<ui::scoring::ScorePage>()->isVisible());
+    }
+
+    /// Answers the card of a broken rule, which takes the focus. On a slow machine it comes while the bur is in the
+    /// air.
+    void closeCard()
+    {
+        if (auto* const goOn = child<QPushButton>("goOn"); goOn != nullptr && goOn->isVisible())
+            m_hand->press(*goOn);
     }
 
     void work(const lessons::Lesson& lesson)
@@ -528,6 +535,7 @@ private:
         const auto push = [&] {
             if (view.isPressed())
                 m_hand->lift(view);
+            closeCard();
             m_hand->push(view, view.tooth() != nullptr ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0));
             return QTest::qWaitFor(isThere, kSecondPushMs);
         };
