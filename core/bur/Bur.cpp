@@ -47,7 +47,7 @@ std::vector<Bur> compiledIn()
     return std::move(*burs);
 }
 
-/// Those of the program, and how many they are without the user's own.
+/// The burs of the program, followed by the user's own.
 struct Table
 {
     std::vector<Bur> burs = compiledIn();

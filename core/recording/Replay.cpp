@@ -76,7 +76,7 @@ bool Replayer::play(const ServoEvent& event)
         swap(m_moments.at(event.value).flat(), false);
         break;
     case ServoEvent::Kind::Resume:
-        if (auto servo = servo::makeServoTick(m_settings))  // as the first time
+        if (auto servo = servo::makeServoTick(m_settings))  // with the settings that the attempt began with
             m_servo = std::move(*servo);
         swap(m_tooth->tooth().top, true);
         break;

@@ -95,7 +95,7 @@ PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions
     body()->addLayout(row, 1);
     text::bindTranslation(this, [this] {
         setTitle(tr("Hardness presets"));
-        setFault({});  // it was said in another language
+        setFault({});  // its words are in the previous language
         fill();
         tell();
     });

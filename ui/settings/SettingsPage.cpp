@@ -78,7 +78,7 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
         for (auto* clear : m_search->findChildren<QAbstractButton*>())
             clear->setAccessibleName(tr("Clear the search"));
         m_none->setText(tr("No setting is called so, and none speaks of it. Look for one word, such as \"force\"."));
-        kit::showFault(m_fault, {});  // it was said in another language
+        kit::showFault(m_fault, {});  // its words are in the previous language
         m_blind->setText(console::blindWords());
         fill();
     });
