@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include <QDeadlineTimer>
 #include <QObject>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -32,6 +33,20 @@ constexpr int kPatienceMs = 60000;
 
 /// After so long without an answer, a person presses again.
 constexpr int kSecondTryMs = 3000;
+
+/// Does something until it has worked, as a person who presses again. Returns whether it has, within kPatienceMs.
+/// @param tryMs  how long each try may take to work
+template <class Condition, class Try>
+[[nodiscard]] bool pressUntil(const Condition& hasWorked, const Try& press, int tryMs = kSecondTryMs)
+{
+    for (const QDeadlineTimer patience(kPatienceMs); !hasWorked() && !patience.hasExpired();) {
+        press();
+        if (QTest::currentTestFailed())
+            return false;
+        (void)QTest::qWaitFor(hasWorked, tryMs);
+    }
+    return hasWorked();
+}
 
 /// The whole program with its window and a folder of its own: the base of the tests that use the program as a user
 /// does.
@@ -59,11 +74,7 @@ protected:
     void gradeUntil() const
     {
         const auto isThere = [this] { return child<Page>()->isVisible(); };
-        const auto press = [&] {
-            actions().grade->trigger();
-            return QTest::qWaitFor(isThere, kSecondTryMs);
-        };
-        WAIT_FOR(isThere() || press());
+        QVERIFY2(pressUntil(isThere, [this] { actions().grade->trigger(); }), qPrintable(message()));
     }
     /// Returns the text in the message bar.
     [[nodiscard]] QString message() const { return child<ui::kit::MessageBar>()->sentence(); }

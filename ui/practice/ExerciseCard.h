@@ -36,6 +36,7 @@ public:
     void begin(const core::grading::Exercise& exercise);
     /// What the examiner has seen so far.
     void setPractised(const core::grading::Practised& practised);
+    [[nodiscard]] const core::grading::Practised& practised() const { return m_practised; }
     /// Once a frame.
     void setServo(const core::servo::ServoState& servo);
     /// It has been graded: choices rest, and the right ones are told.
