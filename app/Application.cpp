@@ -166,7 +166,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
       m_bur(options.simulatedDevice ? static_cast<haptics::HapticDevice&>(m_simulatedHand) : m_pointer, kServoPeriod),
       m_servo(m_bur, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
       m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)), m_follower(m_session),
-      m_window(std::make_unique<ui::window::MainWindow>(m_links)), m_presets(*m_window, [this] { return m_who; })
+      m_window(std::make_unique<ui::window::MainWindow>(m_links)),
+      m_presets(*m_window, [this] { return m_school.user; })
 {
     using ui::window::MainWindow;
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
@@ -203,18 +204,18 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
                                 [this](core::history::MomentId id) { return m_session.momentHeights(id); }});
     connect(m_window.get(), &MainWindow::takeBackRequested, this, &Application::takeBack);
     connect(m_window.get(), &MainWindow::attemptAgainRequested, this, [this] {
-        ++m_loading;
+        m_loads.begin();
         m_presets.readAgain();
-        const auto again = [this, load = m_loading] {
+        const auto again = [this, load = m_loads.latest()] {
             m_presets.whenRead([this, load] {
-                if (load != m_loading)
+                if (!m_loads.isLatest(load))
                     return;
-                begin(lessons::Assignment(m_assignment), {}, false);
+                begin(lessons::Assignment(m_attempt.assignment()), {}, false);
                 m_window->showBegunAnew();
             });
         };
-        if (m_assignment.lesson)
-            whereAllowed(m_assignment.lesson->id, again);
+        if (m_attempt.assignment().lesson)
+            whereAllowed(m_attempt.assignment().lesson->id, again);
         else
             again();
     });
@@ -278,7 +279,8 @@ Application::~Application()
     m_tour.reset();
     m_people.reset();
     m_letters.reset();
-    m_desk.reset();
+    m_school.service = nullptr;
+    m_service.reset();
 }
 
 void Application::show()
@@ -333,33 +335,34 @@ void Application::openDatabase()
     m_address = *address;
     makeStationFolder();
     m_window->setRecoveryFolder(m_stationFolder);
-    m_desk = std::make_unique<SchoolService>(*address, m_stationFolder, m_options.opening, m_options.retry);
-    m_letters = std::make_unique<AttemptUploader>(*m_desk);
+    m_service = std::make_unique<SchoolService>(*address, m_stationFolder, m_options.opening, m_options.retry);
+    m_school.service = m_service.get();
+    m_letters = std::make_unique<AttemptUploader>(*m_service);
     connect(m_letters.get(), &AttemptUploader::kept, this, &Application::takeKept);
     connect(m_letters.get(), &AttemptUploader::refused, this, &Application::takeRefused);
-    connect(m_desk.get(), &SchoolService::delivered, this, [this](const QString& uid) {
+    connect(m_school.service, &SchoolService::delivered, this, [this](const QString& uid) {
         if (m_graded && m_graded->record.uid == uid.toStdString()) {
             m_graded->keeping = Keeping::Kept;
             tellHistory();
         }
         m_window->readAttemptsAgain();
     });
-    connect(m_desk.get(), &SchoolService::damaged, this,
+    connect(m_school.service, &SchoolService::damaged, this,
             [this](const core::Error& error) { m_window->showError(error, FailedOperation::SendingAttempt); });
-    connect(m_desk.get(), &SchoolService::unanswered, m_window.get(), &ui::window::MainWindow::showUnanswered);
-    connect(m_desk.get(), &SchoolService::answered, m_window.get(), &ui::window::MainWindow::forgetUnanswered);
-    connect(m_desk.get(), &SchoolService::isBack, this, [this] {
-        if (m_who.isGuest())
+    connect(m_school.service, &SchoolService::unanswered, m_window.get(), &ui::window::MainWindow::showUnanswered);
+    connect(m_school.service, &SchoolService::answered, m_window.get(), &ui::window::MainWindow::forgetUnanswered);
+    connect(m_school.service, &SchoolService::isBack, this, [this] {
+        if (m_school.user.isGuest())
             return;
         m_presets.refresh();
         m_window->readAgain();
     });
-    connect(m_desk.get(), &SchoolService::waitOn, this, [this](int count) {
+    connect(m_school.service, &SchoolService::waitOn, this, [this](int count) {
         m_window->showMessage(tr("%n attempt(s) on this computer cannot be sent to this school: the student is "
                                  "unknown, or another station.key signed them. They stay on this computer.",
                                  nullptr, count));
     });
-    connect(m_desk.get(), &SchoolService::waitForOthers, this, [this](int count, const QString& schools) {
+    connect(m_school.service, &SchoolService::waitForOthers, this, [this](int count, const QString& schools) {
         m_window->showMessage(
             //: %1: a file's name, or the address of a server
             tr("%n attempt(s) on this computer wait for another school: %1. If that is this one under an "
@@ -367,44 +370,45 @@ void Application::openDatabase()
                nullptr, count)
                 .arg(schools));
     });
-    connect(m_desk.get(), &SchoolService::disabled, this, [this] {
-        if (m_who.isGuest())  // has been shown out already
+    connect(m_school.service, &SchoolService::disabled, this, [this] {
+        if (m_school.user.isGuest())  // has been shown out already
             return;
         leave();
         m_window->sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
     });
-    connect(m_desk.get(), &SchoolService::refused, this, &Application::leaveWithAnotherRole);
-    connect(m_desk.get(), &SchoolService::otherSchool, this, [this] {
-        const bool wasIn = !m_who.isGuest();
+    connect(m_school.service, &SchoolService::refused, this, &Application::leaveWithAnotherRole);
+    connect(m_school.service, &SchoolService::otherSchool, this, [this] {
+        const bool wasIn = !m_school.user.isGuest();
         if (wasIn)
             leave();
-        m_desk->takeOtherSchool();
+        m_school.service->takeOtherSchool();
         openSchool();
         if (wasIn)
             m_window->sayAtDoor(
                 [] { return tr("Another school is now where yours was, and you were logged out. Log in again."); });
     });
     m_admin = std::make_unique<AdminController>(
-        *m_window, *m_desk,
+        *m_window, *m_school.service,
         AdminController::Place{*address, m_stationFolder,
                                [this] { return m_window->devicesPage().handName(m_devices->hand()); },
                                1.0 / std::chrono::duration<double>(kServoPeriod).count()},
-        [this] { return m_who; });
+        [this] { return m_school.user; });
     connect(m_admin.get(), &AdminController::restoreRequested, this, [this](const QString& backup) {
-        const database::Login who = m_who;
+        const database::Login who = m_school.user;
         leave();
         m_backup = backup;
         restore(who);
     });
     connect(m_admin.get(), &AdminController::idleMinutesChanged, this,
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
-    m_people = std::make_unique<AttemptHistoryController>(*m_window, *m_desk, [this] { return m_who; });
+    m_people =
+        std::make_unique<AttemptHistoryController>(*m_window, *m_school.service, [this] { return m_school.user; });
     connect(m_people.get(), &AttemptHistoryController::replayRequested, this,
             [this](const core::recording::Recording& recording, const database::AttemptRecord& attempt,
                    const QString& whose) {
                 if (isHiddenByExam())
                     return;
-                const int load = ++m_loading;
+                const int load = m_loads.begin();
                 inBackground(
                     this,
                     [anatomy = recording.anatomy(), workOut = surfaceWorker()] {
@@ -412,7 +416,7 @@ void Application::openDatabase()
                         return anatomy;
                     },
                     [this, load, recording, attempt, whose](const auto&) {
-                        if (load != m_loading || !play(recording, {}, whose))
+                        if (!m_loads.isLatest(load) || !play(recording, {}, whose))
                             return;
                         m_playedFrom = PlayedFrom::Attempts;
                         m_people->followReplay(attempt);
@@ -429,7 +433,7 @@ void Application::openDatabase()
     m_openWatch.setInterval(m_options.retry);
     connect(&m_openWatch, &QTimer::timeout, this, &Application::openSchool);
     connect(m_window.get(), &ui::window::MainWindow::openAgainRequested, this, &Application::openSchool);
-    connect(m_window.get(), &ui::window::MainWindow::restoreRequested, this, [this] { restore(m_who); });
+    connect(m_window.get(), &ui::window::MainWindow::restoreRequested, this, [this] { restore(m_school.user); });
     tellMayEdit();  // nobody is known yet
     openSchool();
     if (m_options.asksWho)
@@ -447,17 +451,17 @@ void Application::openSchool()
 {
     makeStationFolder();  // the disk may be writable by now
     m_window->setOpening(true);
-    m_desk->open(this, [this](const SchoolService::Opening& opening) { takeOpening(opening); });
+    m_school.service->open(this, [this](const SchoolService::Opening& opening) { takeOpening(opening); });
 }
 
 /// Where the file is not what it was, the door tells what there is to go back to.
 void Application::refuseAtDoor(const core::Error& why)
 {
-    if (!m_desk || m_address->isServer() || !isOfTheFile(why.code)) {
+    if (!m_school.service || m_address->isServer() || !isOfTheFile(why.code)) {
         m_window->refuseLogin(why);
         return;
     }
-    m_desk->open(this, [this, why](const SchoolService::Opening& opening) {
+    m_school.service->open(this, [this, why](const SchoolService::Opening& opening) {
         if (opening.status)
             m_window->refuseLogin(why);
         else
@@ -482,7 +486,7 @@ void Application::takeOpening(const SchoolService::Opening& opening)
         return;
     }
     m_openWatch.stop();
-    m_presets.setSchool(m_desk.get());
+    m_presets.setSchool(m_school.service);
     m_window->setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
     const bool wasNew = m_window->isNewSchool();
@@ -496,7 +500,7 @@ void Application::takeOpening(const SchoolService::Opening& opening)
 
 void Application::restore(const database::Login& who)
 {
-    m_desk->restore(this, who, m_backup, [this](const SchoolService::Opening& opening) {
+    m_school.service->restore(this, who, m_backup, [this](const SchoolService::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
         m_window->sayAtDoor([made, restored = opening.restored, isOpen = opening.status.has_value(),
@@ -521,7 +525,7 @@ void Application::backUpToday()
     if (m_isBackingUp || m_window->isNewSchool() || !isBackupDue(*m_address, now))
         return;
     m_isBackingUp = true;
-    m_desk->askBeside(
+    m_school.service->askBeside(
         this,
         [address = *m_address, folder = m_stationFolder, now,
          isStopped = m_backupIsStopped](const DatabaseContext& school) {
@@ -529,7 +533,7 @@ void Application::backUpToday()
         },
         [this](const core::Result<QString>& made) {
             m_isBackingUp = false;
-            if (!made && m_who.role() == database::Role::Admin)
+            if (!made && m_school.user.role() == database::Role::Admin)
                 m_window->showMessage(tr("Today's backup was not made. %1")
                                           .arg(ui::text::errorText(made.error(), FailedOperation::ReadingSchool)));
         });
@@ -538,8 +542,8 @@ void Application::backUpToday()
 /// As the school has set it.
 void Application::tellIdleLimit()
 {
-    m_desk->ask(
-        this, [who = m_who](const DatabaseContext& school) { return database::sql::readSettings(school, who); },
+    m_school.service->ask(
+        this, [who = m_school.user](const DatabaseContext& school) { return database::sql::readSettings(school, who); },
         [this](const core::Result<database::sql::SettingsMap>& settings) {
             if (settings)
                 m_window->setIdleLimit(std::chrono::minutes(idleMinutesOf(*settings)));
@@ -548,9 +552,9 @@ void Application::tellIdleLimit()
 
 void Application::changePassword(const QString& old, const QString& password)
 {
-    m_desk->ask(
+    m_school.service->ask(
         this,
-        [who = m_who, old = old.toStdString(),
+        [who = m_school.user, old = old.toStdString(),
          next = password.toStdString()](const DatabaseContext& school) -> core::Result<bool> {
             if (auto done = Logins::changePassword(school, who, old, next); !done)
                 return tl::unexpected(done.error());
@@ -562,7 +566,7 @@ void Application::changePassword(const QString& old, const QString& password)
                 return;
             }
             readOwnHash();
-            m_window->setWho(m_who);
+            m_window->setWho(m_school.user);
             m_window->showMessage(tr("Your password was changed."));
         });
 }
@@ -573,7 +577,7 @@ void Application::connectDoor()
     connect(m_window.get(), &MainWindow::loginRequested, this, [this](const QString& name, const QString& password) {
         askAtDoor([name = name.toStdString(), password = password.toStdString()](
                       const DatabaseContext& school) { return Logins::login(school, name, password); },
-                  [this, isOwner = name.toStdString() == m_who.username(), password](const core::Error& why) {
+                  [this, isOwner = name.toStdString() == m_school.user.username(), password](const core::Error& why) {
                       if (isOwner && isAway(why.code))
                           unlockAlone(password, why);
                       else
@@ -629,14 +633,14 @@ void Application::askAtDoor(const std::function<core::Result<database::Login>(co
         else
             refuseAtDoor(who.error());
     };
-    if (!m_desk) {
+    if (!m_school.service) {
         answer(tl::unexpected(m_whyNoDesk));
         return;
     }
-    m_desk->ask(this, work, answer);
+    m_school.service->ask(this, work, answer);
     // A server that hangs says nothing at all. A file answers sooner or later: it may be large, and its disk have much
     // to do. But who has work behind the door is let to it without.
-    if (m_address->isServer() || !m_who.isGuest())
+    if (m_address->isServer() || !m_school.user.isGuest())
         QTimer::singleShot(m_options.loginPatience, this, [answer, isServer = m_address->isServer()] {
             answer(core::unexpected(isServer ? core::ErrorCode::ConnectionLost : core::ErrorCode::Busy,
                                     "there was no answer"));
@@ -645,10 +649,10 @@ void Application::askAtDoor(const std::function<core::Result<database::Login>(co
 
 void Application::readOwnHash()
 {
-    m_desk->ask(
-        this, [who = m_who](const DatabaseContext& school) { return Logins::ownHash(school, who); },
-        [this, who = m_who](const core::Result<std::string>& hash) {
-            if (hash && m_who == who)
+    m_school.service->ask(
+        this, [who = m_school.user](const DatabaseContext& school) { return Logins::ownHash(school, who); },
+        [this, who = m_school.user](const core::Result<std::string>& hash) {
+            if (hash && m_school.user == who)
                 m_ownHash = *hash;
         });
 }
@@ -670,8 +674,8 @@ void Application::unlockAlone(const QString& password, const core::Error& why)
     }
     inBackground(
         this, [password = password.toStdString(), hash = m_ownHash] { return database::fits(password, hash); },
-        [this, who = m_who](const core::Result<bool>& fits) {
-            if (m_who != who)
+        [this, who = m_school.user](const core::Result<bool>& fits) {
+            if (m_school.user != who)
                 return;
             if (fits && *fits) {
                 enter(who);
@@ -691,13 +695,13 @@ void Application::unlockAlone(const QString& password, const core::Error& why)
 void Application::enter(const database::Login& who)
 {
     forgetWrongAlone();
-    if (who.person() == m_who.person()) {
+    if (who.person() == m_school.user.person()) {
         m_window->setWho(who);
         return;
     }
     if (m_window->isNewSchool())
         endNewSchool();
-    m_who = who;
+    m_school.user = who;
     m_lessonsRead = {};
     m_ownHash.clear();
     readOwnHash();
@@ -706,7 +710,7 @@ void Application::enter(const database::Login& who)
     // What was practised without a login is nobody's, unless its grade is what he logs in for.
     const bool keeps = std::exchange(m_keepsOnLogin, false) && m_window->keepsOnLogin() && m_graded &&
                        m_graded->keeping == Keeping::Guest;
-    if (!keeps && m_assignment.anatomy)
+    if (!keeps && m_attempt.assignment().anatomy)
         clearTable();
     m_window->setWho(who);
     tellMayEdit();
@@ -717,8 +721,8 @@ void Application::enter(const database::Login& who)
     else
         m_window->openHome();
     if (m_tour && !keeps)
-        m_tour->welcome(m_desk.get(), m_who);
-    if (who.role() == database::Role::Admin && m_desk)
+        m_tour->welcome(m_school.service, m_school.user);
+    if (who.role() == database::Role::Admin && m_school.service)
         raisePasswordCost();
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
         m_window->showWarning(tr("The school's database is on a network drive, where only one computer at a time can "
@@ -748,9 +752,9 @@ void Application::raisePasswordCost()
     inBackground(
         this, [] { return database::timedCost(); },
         [this](const database::PasswordCost& cost) {
-            m_desk->ask(
+            m_school.service->ask(
                 this,
-                [who = m_who, cost](const DatabaseContext& school) {
+                [who = m_school.user, cost](const DatabaseContext& school) {
                     return database::sql::raisePasswordCost(school, who, cost);
                 },
                 [](const core::Status&) {});
@@ -760,10 +764,10 @@ void Application::raisePasswordCost()
 /// The attempt stays on the disk, in the folder of who made it, and is offered to him when he is back.
 void Application::leave()
 {
-    if (m_desk && !m_who.isGuest())
-        m_desk->ask(
+    if (m_school.service && !m_school.user.isGuest())
+        m_school.service->ask(
             this,
-            [who = m_who](const DatabaseContext& school) -> core::Result<bool> {
+            [who = m_school.user](const DatabaseContext& school) -> core::Result<bool> {
                 if (auto noted = Logins::logout(school, who); !noted)
                     return tl::unexpected(noted.error());
                 return true;
@@ -772,9 +776,9 @@ void Application::leave()
     // The note that it is graded may still be on its way: behind a replay, say.
     const bool isKept = isAsGraded() && (m_graded->keeping == Keeping::Waiting || m_graded->keeping == Keeping::Kept);
     stopJournal(isKept);
-    ++m_loading;  // what was being made for him opens for nobody else
+    m_loads.begin();  // what was being made for him opens for nobody else
     m_window->stopBusy();
-    m_who = {};
+    m_school.user = {};
     m_lessonsRead = {};
     m_ownHash.clear();
     forgetWrongAlone();
@@ -783,7 +787,7 @@ void Application::leave()
     m_window->leaveAll();
     if (m_people)
         m_people->forget();
-    m_window->setWho(m_who);
+    m_window->setWho(m_school.user);
     tellMayEdit();
     clearTable();
     m_window->askLogin();
@@ -792,15 +796,15 @@ void Application::leave()
 /// The window shows the pages of the role in which somebody has logged in.
 void Application::leaveWithAnotherRole()
 {
-    if (m_who.isGuest())
+    if (m_school.user.isGuest())
         return;
-    m_desk->ask(
+    m_school.service->ask(
         this,
-        [who = m_who](const DatabaseContext& school) {
+        [who = m_school.user](const DatabaseContext& school) {
             return database::sql::authorize(school, who, database::Operation::ReadSettings);
         },
-        [this, who = m_who](const core::Result<database::sql::AuthorizedUser>& now) {
-            if (!now || m_who != who || now->role == who.role())
+        [this, who = m_school.user](const core::Result<database::sql::AuthorizedUser>& now) {
+            if (!now || m_school.user != who || now->role == who.role())
                 return;
             leave();
             m_window->sayAtDoor([] { return tr("Your role was changed, and you were logged out. Log in again."); });
@@ -810,20 +814,21 @@ void Application::leaveWithAnotherRole()
 /// Where there is a school its lessons, and its exams, are changed by who teaches.
 void Application::tellMayEdit()
 {
-    const bool teaches = m_who.role() == database::Role::Instructor || m_who.role() == database::Role::Admin;
-    m_window->setMayEdit(!m_desk || m_window->isNewSchool() || teaches);
+    const bool teaches =
+        m_school.user.role() == database::Role::Instructor || m_school.user.role() == database::Role::Admin;
+    m_window->setMayEdit(!m_school.service || m_window->isNewSchool() || teaches);
 }
 
 void Application::becomeGuest()
 {
     ++m_doorTurn;
     m_keepsOnLogin = false;
-    m_window->setWho(m_who);
+    m_window->setWho(m_school.user);
     if (m_journal)  // he has only looked at the door
         return;
     keepJournal();
     if (m_tour)
-        m_tour->welcome(nullptr, m_who);
+        m_tour->welcome(nullptr, m_school.user);
 }
 
 /// A whole tooth, to nobody's credit.
@@ -833,10 +838,10 @@ void Application::clearTable()
     m_opened.reset();
     m_openedExplainer.forget();
     m_tried.reset();
-    if (!m_assignment.anatomy)  // it is still being made
+    if (!m_attempt.assignment().anatomy)  // it is still being made
         return;
     // The tooth of a lesson may have no decay to be taken out.
-    if (const auto practice = lessons::practiceOn(m_practised ? m_practised : m_assignment.anatomy))
+    if (const auto practice = lessons::practiceOn(m_practised ? m_practised : m_attempt.assignment().anatomy))
         begin(*practice, {}, false);
 }
 
@@ -854,7 +859,7 @@ void Application::connectPresets()
     connect(&m_presets, &PresetController::inUseChanged, this, [this] {
         m_byHand.reset();
         // What nobody has begun to work on begins anew, as it feels now.
-        if (!m_assignment.lesson && !m_tried && !m_window->isBusy() && isUntouched())
+        if (!m_attempt.assignment().lesson && !m_tried && !m_window->isBusy() && isUntouched())
             beginAsItFeels();
     });
     m_window->showFeel(m_presets.inUse(), m_presets.inUse());
@@ -863,7 +868,7 @@ void Application::connectPresets()
 /// In the middle of an attempt: what differs goes to the servo as numbers, and so onto the recording.
 void Application::feel(const core::settings::FeelPreset& preset)
 {
-    const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
+    const lessons::Lesson* lesson = m_attempt.assignment().lesson ? &*m_attempt.assignment().lesson : nullptr;
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
     m_numbers = core::servo::parametersOf(
@@ -880,7 +885,7 @@ void Application::feelByHand(const core::settings::FeelPreset& preset)
     m_byHand = asKept == m_presets.inUse() ? std::nullopt : std::optional(preset);
     // An attempt that nobody has begun to work on is made with the whole preset, and says so.
     const bool isWhole = lessons::hashed(preset).hash == preset.hash;
-    if (isWhole && isUntouched() && !m_assignment.exercise)
+    if (isWhole && isUntouched() && !m_attempt.assignment().exercise)
         beginAsItFeels();
     else
         feel(preset);
@@ -890,15 +895,14 @@ void Application::feelByHand(const core::settings::FeelPreset& preset)
 bool Application::isUntouched() const
 {
     const auto tooth = m_session.toothSoFar();
-    const bool isGraded = m_graded && m_graded->generation == m_ownGeneration;
-    return !m_replay && !isGraded && tooth && tooth->anatomy == m_assignment.anatomy &&
+    return !m_replay && !m_attempt.isGraded() && tooth && tooth->anatomy == m_attempt.assignment().anatomy &&
            tooth->top == tooth->anatomy->top && m_session.historySoFar().size() <= 1;
 }
 
 /// The same once more. What was found of a scan is not found again, and still to be answered.
 void Application::beginAsItFeels()
 {
-    begin(lessons::Assignment(m_assignment), std::function<QStringList()>(m_notes), m_isUnitInDoubt);
+    begin(lessons::Assignment(m_attempt.assignment()), std::function<QStringList()>(m_notes), m_isUnitInDoubt);
 }
 
 /// What the servo has not been told yet; the rest later, where there is no room.
@@ -916,7 +920,7 @@ void Application::tellNumbers()
 void Application::openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit,
                             const std::optional<core::settings::FeelPreset>& tried)
 {
-    const int load = ++m_loading;
+    const int load = m_loads.begin();
     const auto* fdi = std::get_if<int>(&source.what);
     const auto* path = std::get_if<std::filesystem::path>(&source.what);
     const QString file = path == nullptr ? QString() : QFileInfo(*path).filePath();
@@ -939,8 +943,8 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
             m_presets.whenRead([this, load, source, file, tried, built] {
                 // What was asked for since does not end the wait for the program's first tooth: without one nothing
                 // could be practised on.
-                const bool isFirstWanted = load == 1 && !m_assignment.anatomy && !m_replay;
-                if (load != m_loading && !isFirstWanted)
+                const bool isFirstWanted = load == 1 && !m_attempt.assignment().anatomy && !m_replay;
+                if (!m_loads.isLatest(load) && !isFirstWanted)
                     return;
                 if (!built) {
                     refuse(built.error(), file.isEmpty() ? FailedOperation::MakingTooth : FailedOperation::OpeningScan,
@@ -960,7 +964,7 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
 
 void Application::openLesson(const lessons::Lesson& lesson)
 {
-    const int load = ++m_loading;
+    const int load = m_loads.begin();
     m_window->showBusy(tr("Preparing the lesson …"));
     m_presets.readAgain();
     whereAllowed(lesson.id, [this, load, lesson] {
@@ -974,7 +978,7 @@ void Application::openLesson(const lessons::Lesson& lesson)
             },
             [this, load, id = lesson.id](const core::Result<lessons::Assigned>& assigned) {
                 m_presets.whenRead([this, load, id, assigned] {
-                    if (load != m_loading)
+                    if (!m_loads.isLatest(load))
                         return;
                     if (!assigned) {
                         refuse(assigned.error(), FailedOperation::OpeningLesson, QString::fromStdString(id));
@@ -990,18 +994,18 @@ void Application::openLesson(const lessons::Lesson& lesson)
 /// A teacher's folder may have changed since it was read last.
 void Application::showLessons()
 {
-    const auto show = [this, who = m_who] {
+    const auto show = [this, who = m_school.user] {
         inBackground(
             this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
             [this, who](std::vector<lessons::CatalogEntry>& entries) {
-                if (m_who != who)
+                if (m_school.user != who)
                     return;
                 m_window->setLessons(std::move(entries), m_lessonsRead.standings, m_lessonsRead.given);
                 m_window->setFeedback(m_lessonsRead.feedback);
                 tellUnfinished();  // who put the offer away finds it here again
             });
     };
-    if (!m_desk || m_who.isGuest()) {
+    if (!m_school.service || m_school.user.isGuest()) {
         show();
         return;
     }
@@ -1011,9 +1015,9 @@ void Application::showLessons()
         if (!*isAnswered)
             show();
     });
-    m_desk->ask(
+    m_school.service->ask(
         this,
-        [who = m_who](const DatabaseContext& school) -> core::Result<LessonsRead> {
+        [who = m_school.user](const DatabaseContext& school) -> core::Result<LessonsRead> {
             const auto standings = database::sql::standingsOf(school, who, who.person());
             if (!standings)
                 return tl::unexpected(standings.error());
@@ -1050,9 +1054,9 @@ void Application::showLessons()
             }
             return found;
         },
-        [this, show, isAnswered, who = m_who](const core::Result<LessonsRead>& found) {
+        [this, show, isAnswered, who = m_school.user](const core::Result<LessonsRead>& found) {
             *isAnswered = true;
-            if (m_who != who)
+            if (m_school.user != who)
                 return;
             if (found)
                 m_lessonsRead = *found;
@@ -1065,7 +1069,7 @@ void Application::showLessons()
 /// Whether the student may still try this lesson, once. Nobody waits for a server that does not answer: then he may.
 void Application::askWhetherAllowed(const std::string& lessonId, const std::function<void(bool)>& decide)
 {
-    if (!m_desk || m_who.role() != database::Role::Student) {
+    if (!m_school.service || m_school.user.role() != database::Role::Student) {
         decide(true);
         return;
     }
@@ -1073,9 +1077,9 @@ void Application::askWhetherAllowed(const std::string& lessonId, const std::func
         if (!std::exchange(*isDecided, true))
             decide(may);
     };
-    m_desk->ask(
+    m_school.service->ask(
         this,
-        [who = m_who, lessonId](const DatabaseContext& school) {
+        [who = m_school.user, lessonId](const DatabaseContext& school) {
             return database::sql::attemptsLeft(school, who, lessonId);
         },
         [once](const core::Result<std::optional<int>>& left) {
@@ -1088,8 +1092,8 @@ void Application::askWhetherAllowed(const std::string& lessonId, const std::func
 void Application::whereAllowed(const std::string& lessonId, const std::function<void()>& go,
                                const std::function<void()>& refuse)
 {
-    askWhetherAllowed(lessonId, [this, go, refuse, load = m_loading](bool may) {
-        if (load != m_loading)
+    askWhetherAllowed(lessonId, [this, go, refuse, load = m_loads.latest()](bool may) {
+        if (!m_loads.isLatest(load))
             return;
         if (may) {
             go();
@@ -1131,11 +1135,11 @@ void Application::unpack(const QString& pack, const QString& name)
 void Application::tellKnownAttempts(const lessons::Lesson& lesson)
 {
     m_window->setKnownAttempts({});
-    if (!m_desk || m_who.isGuest())
+    if (!m_school.service || m_school.user.isGuest())
         return;
-    m_desk->ask(
+    m_school.service->ask(
         this,
-        [who = m_who, id = lesson.id, hash = lesson.hash](const DatabaseContext& school) {
+        [who = m_school.user, id = lesson.id, hash = lesson.hash](const DatabaseContext& school) {
             return database::sql::sheetsOfLesson(school, who, id, hash, kMostKnownAttempts);
         },
         [this](const core::Result<std::vector<database::sql::KeptSheet>>& sheets) {
@@ -1161,7 +1165,7 @@ void Application::refuse(const core::Error& error, FailedOperation failed, const
         return;
     }
     m_window->showError(error, failed, file);
-    if (!m_assignment.anatomy && !m_replay)
+    if (!m_attempt.assignment().anatomy && !m_replay)
         openTooth({kSpareTooth});
 }
 
@@ -1194,11 +1198,11 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
     lay(assignment, settings, notes, unitInDoubt);
     // A block on which a preset is tried is nobody's work.
     if (m_tried && m_journal)
-        m_journal->leaveOut(m_ownGeneration);
+        m_journal->leaveOut(m_attempt.generation());
     m_window->showFeel(preset, usual);
-    m_window->send(core::session::ReplaceTooth{std::make_unique<core::terrain::Tooth>(m_assignment.anatomy),
-                                               m_ownGeneration, m_assignment.lesson ? m_assignment.lesson->json : "",
-                                               std::move(*servo)});
+    m_window->send(core::session::ReplaceTooth{
+        std::make_unique<core::terrain::Tooth>(m_attempt.assignment().anatomy), m_attempt.generation(),
+        m_attempt.assignment().lesson ? m_attempt.assignment().lesson->json : "", std::move(*servo)});
 }
 
 /// For what makes or reads a tooth beside the window: how it is drawn is worked out there too, and not while the window
@@ -1220,26 +1224,19 @@ void Application::lay(const lessons::Assignment& assignment, const core::servo::
         startLoops();
     }
     m_explainer.forget();
-    m_assignment = assignment;
+    m_attempt.begin(++m_generation, assignment, settings);
     m_notes = notes;
     m_isUnitInDoubt = unitInDoubt;
-    m_settings = settings;
-    m_numbers = core::servo::parametersOf(m_settings);
+    m_numbers = core::servo::parametersOf(m_attempt.settings());
     m_numbersTold = m_numbers;
-    m_window->setAssignment(m_assignment);
-    m_window->setHandpieces(m_settings.handpieces);
+    m_window->setAssignment(m_attempt.assignment());
+    m_window->setHandpieces(m_attempt.settings().handpieces);
     holdHand(false);
-    m_ownGeneration = ++m_generation;
     m_cutIn.clear();
     m_cutWith.clear();
-    m_takenUpAtTick = 0;
-    m_isTakenUp = false;
-    m_seenBefore.reset();
-    m_examsEnd.reset();
-    m_infractionsTold = 0;
-    m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
+    m_follower.watch(m_attempt.generation(), lessons::examinationOf(m_attempt.assignment()));
     m_demoHand.reset();
-    m_window->showTooth(m_assignment.anatomy, m_ownGeneration, notes, unitInDoubt);
+    m_window->showTooth(m_attempt.assignment().anatomy, m_attempt.generation(), notes, unitInDoubt);
 }
 
 void Application::letHandDecide()
@@ -1249,11 +1246,11 @@ void Application::letHandDecide()
         m_demoWish.publish({.targetMm = glm::dvec2(shown), .hoverMm = shown.z, .pushing = false});
     }
     const auto tooth = m_session.toothSoFar();
-    if (m_replay || m_assignment.exercise || !tooth || tooth->anatomy != m_assignment.anatomy)
+    if (m_replay || m_attempt.assignment().exercise || !tooth || tooth->anatomy != m_attempt.assignment().anatomy)
         return;
     const core::servo::ServoState& state = m_links.servo.latest();
     if (!m_demoHand || std::exchange(m_demoBur, state.burIndex) != state.burIndex)
-        m_demoHand = handFor(m_assignment, state.burIndex);
+        m_demoHand = handFor(m_attempt.assignment(), state.burIndex);
     m_demoWish.publish(m_demoHand->decide(state, *tooth));
 }
 
@@ -1265,26 +1262,26 @@ void Application::followHand()
     else
         m_demoBeat.stop();
     // An attempt that nobody has worked on begins anew, so that it feels as the device can make it felt.
-    const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
+    const bool isExam = m_attempt.assignment().lesson && m_attempt.assignment().lesson->exam;
     const core::contact::ForceSettings felt = settingsFor(m_devices->isForceChosen(), m_devices->scale()).force;
-    if (!m_devices->isSimulated() && m_settings.force.workAreaMm != felt.workAreaMm && !isExam &&
-        !m_assignment.exercise && !m_window->isBusy() && isUntouched())
+    if (!m_devices->isSimulated() && m_attempt.settings().force.workAreaMm != felt.workAreaMm && !isExam &&
+        !m_attempt.assignment().exercise && !m_window->isBusy() && isUntouched())
         beginAsItFeels();
 }
 
 /// The user has chosen the simulated hand, whose work is nobody's, or has left it.
 void Application::beginForAnotherHand()
 {
-    ++m_loading;
-    const std::optional<lessons::Lesson> lesson = m_assignment.lesson;
+    m_loads.begin();
+    const std::optional<lessons::Lesson> lesson = m_attempt.assignment().lesson;
     if (m_devices->isSimulated()) {
         stopJournal(true);
         if (lesson && lesson->exam)
             clearTable();
-        else if (m_assignment.anatomy)
+        else if (m_attempt.assignment().anatomy)
             beginAsItFeels();
     } else {
-        const std::uint64_t nobodys = m_ownGeneration;
+        const std::uint64_t nobodys = m_attempt.generation();
         clearTable();
         keepJournal();
         m_journal->leaveOut(nobodys);
@@ -1300,35 +1297,26 @@ void Application::watchAttempt()
     if (!m_replay) {
         tellNumbers();
         // An exercise is done by touching.
-        const bool isExercise = m_assignment.lesson && lessons::isExercise(m_assignment.lesson->task);
+        const bool isExercise =
+            m_attempt.assignment().lesson && lessons::isExercise(m_attempt.assignment().lesson->task);
         if (const core::servo::ServoState& servo = m_links.servo.latest();
             servo.cutting || (isExercise && servo.touching)) {
             ++m_cutIn[m_window->view().settings().presentation.stereo];
             ++m_cutWith[m_devices->cutsWith()];
         }
     }
-    if (m_replay || !m_assignment.lesson)
+    if (m_replay || !m_attempt.assignment().lesson)
         return;
     const core::session::Findings findings = m_follower.findings();
-    if (findings.generation != m_ownGeneration)
+    if (findings.generation != m_attempt.generation())
         return;
     noteExam(findings);
     if (findings.practised)
         m_window->showPractised(*findings.practised);
-    if (findings.infractions.size() <= m_infractionsTold)
-        return;
-    // What came before an attempt was taken up again was told then, and perhaps undone.
-    const auto untold =
-        std::find_if(findings.infractions.begin() + static_cast<std::ptrdiff_t>(m_infractionsTold),
-                     findings.infractions.end(), [this](const auto& one) { return one.tick > m_takenUpAtTick; });
-    m_infractionsTold = findings.infractions.size();
-    if (m_assignment.lesson->exam || untold == findings.infractions.end())
-        return;
-    // Of several at once the gravest: an opened pulp, and not that it is deep there.
-    const auto gravest = std::min_element(untold, findings.infractions.end(),
-                                          [](const auto& a, const auto& b) { return a.breach < b.breach; });
-    const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), gravest->tick).has_value();
-    m_window->tellInfraction(*gravest, canTakeBack);
+    if (const auto violation = m_attempt.nextViolation(findings.infractions)) {
+        const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), violation->tick).has_value();
+        m_window->tellInfraction(*violation, canTakeBack);
+    }
 }
 
 /// What is found of an attempt that is not the one on the score page waits until it is.
@@ -1363,39 +1351,33 @@ void Application::noteExam(const core::session::Findings& findings)
 {
     const bool isBegun =
         findings.process.firstCutS || (findings.practised && core::grading::isBegun(*findings.practised));
-    const bool isGraded = m_graded && m_graded->generation == m_ownGeneration;
-    if (!m_assignment.lesson->exam || !isBegun || isGraded || !m_desk || m_who.isGuest() || !m_journal)
+    if (!m_attempt.isExam() || !isBegun || !m_school.isLoggedIn() || !m_journal)
         return;
-    if (m_begunExam.generation == m_ownGeneration)
-        return;
-    const std::filesystem::path journal = m_journal->fileOf(m_ownGeneration);
-    if (journal.empty())  // it has yet to hear of this tooth
+    const std::filesystem::path journal = m_journal->fileOf(m_attempt.generation());
+    if (journal.empty() || !m_attempt.startExam())  // it has yet to hear of this tooth
         return;
     // Taken up after a kill it is told of again, and is the same one.
-    const database::ExamStart start{database::uidOf("exam " + m_who.uid() + ' ' + journal.filename().string()),
-                                    m_assignment.lesson->id,
+    const database::ExamStart start{database::uidOf("exam " + m_school.user.uid() + ' ' + journal.filename().string()),
+                                    m_attempt.assignment().lesson->id,
                                     QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
-    m_begunExam = {m_ownGeneration, m_isTakenUp};
-    if (m_isTakenUp) {
-        tellExam(m_who, start);
+    if (m_attempt.exam() == CurrentAttempt::Exam::Counted) {
+        tellExam(m_school.user, start);
         return;
     }
-    askWhetherAllowed(start.lessonId, [this, who = m_who, start, generation = m_ownGeneration](bool may) {
-        if (may)
-            tellExam(who, start);
-        if (generation != m_ownGeneration)
-            return;
-        m_begunExam.isAllowed = may;
-        if (!may)
-            m_window->refuseExam();
-    });
+    askWhetherAllowed(start.lessonId,
+                      [this, who = m_school.user, start, generation = m_attempt.generation()](bool may) {
+                          if (may)
+                              tellExam(who, start);
+                          if (m_attempt.answerExam(generation, may))
+                              m_window->refuseExam();
+                      });
 }
 
 /// Where the school's server is away it lies in the outbox, as a graded attempt does. What the disk refuses is offered
 /// to it again.
 void Application::tellExam(const database::Login& who, const database::ExamStart& start)
 {
-    m_desk->keep(this, who, start, [this, who, start](const core::Status& kept) {
+    m_school.service->keep(this, who, start, [this, who, start](const core::Status& kept) {
         if (!kept)
             QTimer::singleShot(m_options.retry, this, [this, who, start] { tellExam(who, start); });
     });
@@ -1404,10 +1386,10 @@ void Application::tellExam(const database::Login& who, const database::ExamStart
 /// Within the outline of what is to be cut, or nowhere.
 void Application::holdHand(bool wanted)
 {
-    const core::grading::IdealTop ideal = wanted ? m_assignment.shownIdeal() : nullptr;
+    const core::grading::IdealTop ideal = wanted ? m_attempt.assignment().shownIdeal() : nullptr;
     std::unique_ptr<const core::guidance::Fixture> fixture;
     if (ideal)
-        fixture = std::make_unique<const core::guidance::Fixture>(*m_assignment.anatomy, *ideal);
+        fixture = std::make_unique<const core::guidance::Fixture>(*m_attempt.assignment().anatomy, *ideal);
     m_window->send(core::session::SetFixture{std::move(fixture)});
 }
 
@@ -1426,21 +1408,23 @@ void Application::settle(int looks, int settled)
     const bool isOut = !(servo.touching && servo.drillOn);
     settled = isOut ? settled + 1 : 0;
     if (settled >= kSettledLooks || looks >= kMostSettleLooks) {
-        m_isSettling = false;
         gradeNow();
+        m_attempt.stopSettling();
         return;
     }
-    QTimer::singleShot(kSettleMs, this, [this, looks, settled, generation = m_ownGeneration] {
-        if (generation == m_ownGeneration && !m_replay)
+    QTimer::singleShot(kSettleMs, this, [this, looks, settled, generation = m_attempt.generation()] {
+        if (generation != m_attempt.generation())
+            return;
+        if (!m_replay)
             settle(looks + 1, settled);
         else
-            m_isSettling = false;  // another tooth lies there by now
+            m_attempt.stopSettling();
     });
 }
 
 void Application::grade()
 {
-    if (std::exchange(m_isSettling, true))
+    if (!m_attempt.settle())
         return;
     m_window->view().release();
     settle(0, 0);
@@ -1449,15 +1433,15 @@ void Application::grade()
 void Application::gradeNow()
 {
     const auto tooth = m_session.toothSoFar();
-    if (!tooth || m_session.recordedGeneration() != m_ownGeneration) {
+    if (!tooth || m_session.recordedGeneration() != m_attempt.generation()) {
         m_window->showMessage(tr("The tooth is not ready yet. Try again in a moment."));
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
     std::optional<core::grading::Practised> practised;
-    if (const core::session::Findings now = m_follower.findings(); now.generation == m_ownGeneration)
+    if (const core::session::Findings now = m_follower.findings(); now.generation == m_attempt.generation())
         practised = now.practised;
-    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
+    if (m_graded && m_graded->generation == m_attempt.generation() && m_graded->hash == hash &&
         m_graded->practised == practised) {
         showGrade();
         if (m_graded->keeping == Keeping::Nowhere)
@@ -1465,55 +1449,50 @@ void Application::gradeNow()
         m_explainer.tellAgain();
         return;
     }
-    if (m_assignment.exercise && !(practised && core::grading::isBegun(*practised))) {
-        m_window->showMessage(m_assignment.lesson && m_assignment.lesson->task == lessons::Task::TellLayers
+    if (m_attempt.assignment().exercise && !(practised && core::grading::isBegun(*practised))) {
+        m_window->showMessage(m_attempt.assignment().lesson &&
+                                      m_attempt.assignment().lesson->task == lessons::Task::TellLayers
                                   ? tr("No pad has an answer yet. Choose below the view what each pad is made of.")
                                   : tr("This exercise has not been started yet, so there is nothing to grade."));
         return;
     }
-    if (!m_assignment.exercise && tooth->top == tooth->anatomy->top) {
+    if (!m_attempt.assignment().exercise && tooth->top == tooth->anatomy->top) {
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
     // To think about one's work takes no time from it; nor does what comes after the end of an exam.
-    if (m_examsEnd && m_examsEnd->findings.generation == m_ownGeneration) {
-        m_toMark = m_examsEnd;
-    } else {
-        m_toMark = m_follower.conclude();
-        if (m_window->isExamOver())
-            m_examsEnd = m_toMark;
-    }
+    m_attempt.conclude([this] { return m_follower.conclude(); }, m_window->isExamOver());
     // That an exam was begun has been counted. What is cut on and graded again is one more attempt.
-    const bool isAnother = m_graded && m_graded->generation == m_ownGeneration;
-    const bool isCounted = m_begunExam.generation == m_ownGeneration && m_begunExam.isAllowed;
-    if (!m_assignment.lesson)
+    const bool isAnother = m_attempt.isGraded();
+    const bool isCounted = m_attempt.exam() == CurrentAttempt::Exam::Counted;
+    if (!m_attempt.assignment().lesson)
         finish({});
-    else if (m_seenBefore && !isAnother)  // nobody expects what he has seen
-        finish(m_seenBefore->expectedTenths
-                   ? std::optional(ui::scoring::ScorePrediction{*m_seenBefore->expectedTenths, {}})
+    else if (m_attempt.seenBefore() && !isAnother)  // nobody expects what he has seen
+        finish(m_attempt.seenBefore()->expectedTenths
+                   ? std::optional(ui::scoring::ScorePrediction{*m_attempt.seenBefore()->expectedTenths, {}})
                    : std::nullopt);
-    else if (m_assignment.lesson->exam && isCounted && !isAnother)
+    else if (m_attempt.assignment().lesson->exam && isCounted && !isAnother)
         m_window->askForecast();
     else
-        whereAllowed(m_assignment.lesson->id, [this] { m_window->askForecast(); });
+        whereAllowed(m_attempt.assignment().lesson->id, [this] { m_window->askForecast(); });
 }
 
 /// Marks the work as it was when the grade was asked for, keeps the grade and shows it.
 void Application::finish(const std::optional<ui::scoring::ScorePrediction>& expected)
 {
-    const auto done = std::exchange(m_toMark, {});
-    if (!done || done->findings.generation != m_ownGeneration)
+    const auto done = m_attempt.grade();
+    if (!done)
         return;
     const core::session::Findings& found = done->findings;
     const lessons::Conduct conduct{found.process, found.infractions, found.aids, found.practised};
-    const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
+    const auto marked = lessons::mark(m_attempt.assignment(), done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), FailedOperation::Marking);
         return;
     }
     const lessons::ScoreSheet& sheet = marked->sheet;
     const std::uint64_t hash = core::terrain::stateHash(done->tooth);
-    m_graded = {m_ownGeneration,
+    m_graded = {m_attempt.generation(),
                 hash,
                 sheet,
                 recordOf(*done, sheet, expected),
@@ -1521,20 +1500,21 @@ void Application::finish(const std::optional<ui::scoring::ScorePrediction>& expe
                 {},
                 {},
                 expected,
-                {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured,
-                 found.infractions, found.aids,
+                {std::make_shared<const core::terrain::Tooth>(done->tooth), m_attempt.assignment().shownIdeal(),
+                 marked->measured, found.infractions, found.aids,
                  // Of what is tried its card tells, and in a blind comparison nobody.
-                 m_tried ? std::nullopt : std::optional(lessons::presetUsed(done->recording)), m_assignment.exercise},
+                 m_tried ? std::nullopt : std::optional(lessons::presetUsed(done->recording)),
+                 m_attempt.assignment().exercise},
                 done->recording,
                 found.practised};
-    const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
+    const bool isExam = m_attempt.assignment().lesson && m_attempt.assignment().lesson->exam;
     if (isExam)
         keepExam();
     else {
         showGrade();
         keepGrade();
     }
-    m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
+    m_explainer.explain(m_attempt.assignment(), m_graded->recording, m_graded->work.tooth, conduct);
 }
 
 database::AttemptRecord Application::recordOf(const core::session::AttemptSnapshot& done,
@@ -1545,16 +1525,16 @@ database::AttemptRecord Application::recordOf(const core::session::AttemptSnapsh
     database::AttemptRecord record;
     record.uid = database::newUid();
     record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-    record.tooth = m_assignment.anatomy->name;
+    record.tooth = m_attempt.assignment().anatomy->name;
     record.scoreTenths = sheet.totalTenths;
     record.passed = sheet.passed();
     record.passMarkTenths = sheet.passMarkTenths;
     record.rubricHash = sheet.rubricHash;
     if (expected)
         record.expectedTenths = expected->tenths;
-    if (m_assignment.lesson) {
-        record.lessonId = m_assignment.lesson->id;
-        record.lessonHash = m_assignment.lesson->hash;
+    if (m_attempt.assignment().lesson) {
+        record.lessonId = m_attempt.assignment().lesson->id;
+        record.lessonHash = m_attempt.assignment().lesson->hash;
     }
     for (const lessons::Criterion& criterion : sheet.criteria)
         record.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
@@ -1565,13 +1545,13 @@ database::AttemptRecord Application::recordOf(const core::session::AttemptSnapsh
     const auto mostlyWith = std::max_element(m_cutWith.begin(), m_cutWith.end(),
                                              [](const auto& a, const auto& b) { return a.second < b.second; });
     record.device = (mostlyWith != m_cutWith.end() ? mostlyWith->first : m_devices->hand()).toStdString();
-    record.method = m_settings.method;
-    record.grid = m_assignment.anatomy->grid.side;
+    record.method = m_attempt.settings().method;
+    record.grid = m_attempt.assignment().anatomy->grid.side;
     const auto mostly = std::max_element(m_cutIn.begin(), m_cutIn.end(),
                                          [](const auto& a, const auto& b) { return a.second < b.second; });
     record.viewMode =
         ui::render::idOf(mostly != m_cutIn.end() ? mostly->first : m_window->view().settings().presentation.stereo);
-    record.seed = std::to_string(m_assignment.anatomy->seed);
+    record.seed = std::to_string(m_attempt.assignment().anatomy->seed);
     record.preset = preset.name.toStdString() + (preset.version > 0 ? " v" + std::to_string(preset.version) : "") +
                     (preset.isChanged ? ", changed" : "");
     record.presetHash = preset.hash.toStdString();
@@ -1588,16 +1568,18 @@ void Application::keepGrade()
 {
     // A guest could do an exam as often as he likes, and log in for the best; what he has taken up may be another
     // guest's; the simulated hand is nobody's, nor is the block on which a preset is tried.
-    const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
-    const bool isNobodys =
-        m_devices->isSimulated() || m_tried || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
-    m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
+    const bool isExam = m_attempt.assignment().lesson && m_attempt.assignment().lesson->exam;
+    const bool isNobodys = m_devices->isSimulated() || m_tried || m_graded->isOverLimit ||
+                           (m_school.user.isGuest() && (isExam || m_attempt.isResumed()));
+    m_graded->keeping = !m_school.service || isNobodys ? Keeping::Nowhere
+                        : m_school.user.isGuest()      ? Keeping::Guest
+                                                       : Keeping::Pending;
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
         noteGraded();
     else
         m_letters->send(std::make_shared<const PendingAttempt>(
-            PendingAttempt{m_who, m_graded->record, m_graded->recording, m_graded->generation,
+            PendingAttempt{m_school.user, m_graded->record, m_graded->recording, m_graded->generation,
                            m_journal ? m_journal->fileOf(m_graded->generation) : std::filesystem::path()}));
 }
 
@@ -1625,7 +1607,7 @@ void Application::showExamsScore(const std::string& uid)
 /// On its recording, and so in its journal: it is not offered to be gone on with.
 void Application::noteGraded()
 {
-    if (m_graded->generation == m_ownGeneration)
+    if (m_graded->generation == m_attempt.generation())
         static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::servo::kGradedNote}));
 }
 
@@ -1633,7 +1615,7 @@ void Application::takeKept(const PendingAttempt& letter, bool isAgain)
 {
     endJournal(letter);
     takeAnswer(letter, Keeping::Waiting);
-    if (m_who != letter.who || m_letters->hasAnyOf(m_who))
+    if (m_school.user != letter.who || m_letters->hasAnyOf(m_school.user))
         return;
     m_window->forgetNotKept();
     if (isAgain)
@@ -1643,7 +1625,7 @@ void Application::takeKept(const PendingAttempt& letter, bool isAgain)
 void Application::takeRefused(const PendingAttempt& letter, bool isAgain, const core::Error& why)
 {
     takeAnswer(letter, Keeping::Refused);
-    if (m_who == letter.who && !isAgain)
+    if (m_school.user == letter.who && !isAgain)
         m_window->showNotKept(why);
 }
 
@@ -1662,17 +1644,18 @@ void Application::takeAnswer(const PendingAttempt& letter, Keeping keeping)
 bool Application::isAsGraded() const
 {
     const auto tooth = m_session.toothSoFar();
-    return m_graded && m_graded->generation == m_ownGeneration && tooth &&
-           m_session.recordedGeneration() == m_ownGeneration && core::terrain::stateHash(*tooth) == m_graded->hash;
+    return m_graded && m_graded->generation == m_attempt.generation() && tooth &&
+           m_session.recordedGeneration() == m_attempt.generation() &&
+           core::terrain::stateHash(*tooth) == m_graded->hash;
 }
 
 /// What is kept is not offered to be gone on with. What was cut on since is another attempt.
 void Application::endJournal(const PendingAttempt& letter)
 {
-    if (letter.generation == m_ownGeneration) {
+    if (letter.generation == m_attempt.generation()) {
         if (isAsGraded())
             noteGraded();
-        if (m_isTakenUp && !m_unfinished)
+        if (m_attempt.isResumed() && !m_unfinished)
             offerUnfinished();  // others may be waiting
     } else if (!letter.journal.empty()) {
         // He has left the tooth meanwhile, perhaps for somebody else.
@@ -1687,15 +1670,15 @@ void Application::keepGuestsGrade()
 {
     m_graded->keeping = Keeping::Pending;
     tellKeeping();
-    m_desk->ask(
+    m_school.service->ask(
         this,
-        [who = m_who, lesson = m_graded->record.lessonId](const DatabaseContext& school) {
+        [who = m_school.user, lesson = m_graded->record.lessonId](const DatabaseContext& school) {
             return database::sql::attemptsLeft(school, who, lesson);
         },
-        [this, who = m_who, record = m_graded->record,
+        [this, who = m_school.user, record = m_graded->record,
          recording = m_graded->recording](const core::Result<std::optional<int>>& left) {
             const bool isOverLimit = who.role() == database::Role::Student && left && *left == 0;
-            if (!m_graded || m_graded->record.uid != record.uid || m_who != who) {
+            if (!m_graded || m_graded->record.uid != record.uid || m_school.user != who) {
                 // He has gone on meanwhile.
                 if (!isOverLimit)
                     m_letters->send(std::make_shared<const PendingAttempt>(PendingAttempt{who, record, recording}));
@@ -1703,7 +1686,7 @@ void Application::keepGuestsGrade()
             }
             m_graded->isOverLimit = isOverLimit;
             keepGrade();
-            if (!m_graded->isOverLimit || m_graded->generation != m_ownGeneration)
+            if (!m_graded->isOverLimit || m_graded->generation != m_attempt.generation())
                 return;
             m_window->setUsedUp(true);
             m_window->showOverLimit();
@@ -1729,7 +1712,7 @@ void Application::tellKeeping()
     ui::scoring::ScorePage& page = m_window->scorePage();
     page.setHistory(m_graded->history);
     page.setKeeping(m_graded->keeping);
-    if (m_graded->generation == m_ownGeneration &&
+    if (m_graded->generation == m_attempt.generation() &&
         (m_graded->keeping == Keeping::Waiting || m_graded->keeping == Keeping::Kept))
         m_window->showWorkKept();
     if (m_graded->keeping == Keeping::Kept)
@@ -1745,9 +1728,9 @@ void Application::tellHistory()
         lessons::ClassStanding standing;
         std::optional<int> attemptsLeft;
     };
-    m_desk->ask(
+    m_school.service->ask(
         this,
-        [who = m_who, record = m_graded->record,
+        [who = m_school.user, record = m_graded->record,
          tenths = m_graded->sheet.totalTenths](const DatabaseContext& school) -> core::Result<Found> {
             Found found;
             auto history =
@@ -1767,8 +1750,8 @@ void Application::tellHistory()
                 m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
                 m_graded->standing = found->standing;
                 m_window->lessonsPage().setAttemptsLeft(m_graded->record.lessonId, found->attemptsLeft);
-                if (m_graded->generation == m_ownGeneration)
-                    m_window->setUsedUp(m_who.role() == database::Role::Student && found->attemptsLeft == 0);
+                if (m_graded->generation == m_attempt.generation())
+                    m_window->setUsedUp(m_school.user.role() == database::Role::Student && found->attemptsLeft == 0);
             } else {
                 m_window->showError(found.error(), FailedOperation::KeepingGrades);
             }
@@ -1786,11 +1769,12 @@ bool Application::isOldShown() const
 std::optional<ReportController::Subject> Application::shownCard() const
 {
     if (isOldShown())
-        return ReportController::Subject{*m_people->talkedAbout(), m_people->nameOfTalkedAbout(), m_who, m_desk.get()};
+        return ReportController::Subject{*m_people->talkedAbout(), m_people->nameOfTalkedAbout(), m_school.user,
+                                         m_school.service};
     if (!m_graded)
         return {};
-    return ReportController::Subject{m_graded->record, QString::fromStdString(m_who.fullName()), m_who,
-                                     m_graded->keeping == Keeping::Kept ? m_desk.get() : nullptr};
+    return ReportController::Subject{m_graded->record, QString::fromStdString(m_school.user.fullName()), m_school.user,
+                                     m_graded->keeping == Keeping::Kept ? m_school.service : nullptr};
 }
 
 /// In an exam nobody looks up what he did before, nor what was said of it.
@@ -1809,7 +1793,7 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
 {
     if (isHiddenByExam())
         return;
-    const int load = ++m_loading;
+    const int load = m_loads.begin();
     m_window->showBusy(tr("Preparing the score card …"));
     inBackground(
         this,
@@ -1818,7 +1802,7 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
             return lessons::markAgain(recording);
         },
         [this, load, attempt, recording](const core::Result<lessons::Remarked>& marked) {
-            if (load != m_loading)
+            if (!m_loads.isLatest(load))
                 return;
             if (!marked) {
                 m_window->showError(marked.error(), FailedOperation::Marking);
@@ -1840,8 +1824,8 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
                 marked->mark.sheet, {attempt}, expectationOf(attempt), work);
             m_opened = recording;
             m_people->talkAbout(attempt);
-            m_window->scorePage().setPerson(attempt.person == m_who.person() ? QString()
-                                                                             : m_people->nameOfTalkedAbout());
+            m_window->scorePage().setPerson(attempt.person == m_school.user.person() ? QString()
+                                                                                     : m_people->nameOfTalkedAbout());
             if (assignment)
                 m_openedExplainer.explain(*assignment, recording, work.tooth, marked->conduct);
         });
@@ -1853,12 +1837,13 @@ void Application::showSheet(const database::AttemptRecord& attempt, const lesson
 {
     if (isHiddenByExam())
         return;
-    ++m_loading;
+    m_loads.begin();
     m_window->showOldScore(work, sheet, {attempt}, expectationOf(attempt), {});
     m_opened.reset();
     m_openedExplainer.forget();
     m_people->talkAbout(attempt);
-    m_window->scorePage().setPerson(attempt.person == m_who.person() ? QString() : m_people->nameOfTalkedAbout());
+    m_window->scorePage().setPerson(attempt.person == m_school.user.person() ? QString()
+                                                                             : m_people->nameOfTalkedAbout());
 }
 
 void Application::saveRecording(const QString& path)
@@ -1931,19 +1916,19 @@ void Application::putBeside(const core::recording::Recording& recording, const Q
 void Application::openExpert()
 {
     if (!m_replay) {
-        if (m_assignment.lesson)
-            openExpertAt(m_assignment);
+        if (m_attempt.assignment().lesson)
+            openExpertAt(m_attempt.assignment());
         return;
     }
     if (!m_replay->attempt().lesson())
         return;
-    const int load = ++m_loading;
+    const int load = m_loads.begin();
     m_window->showBusy(tr("Preparing the lesson …"));
     inBackground(
         this,
         [anatomy = m_replayed, lesson = m_replay->attempt().lesson()->json] { return playedFor(anatomy, lesson); },
         [this, load](const core::Result<lessons::Assignment>& assignment) {
-            if (load != m_loading)
+            if (!m_loads.isLatest(load))
                 return;
             if (!assignment)
                 refuse(assignment.error(), FailedOperation::OpeningLesson, {});
@@ -1970,7 +1955,7 @@ void Application::openExpertAt(const lessons::Assignment& assignment)
 
 void Application::openDemonstration(const lessons::Assignment& assignment)
 {
-    const int load = ++m_loading;
+    const int load = m_loads.begin();
     m_window->showBusy(tr("A simulated hand does the lesson …"));
     inBackground(
         this,
@@ -1982,7 +1967,7 @@ void Application::openDemonstration(const lessons::Assignment& assignment)
             return marked && marked->mark.sheet.passed() ? outcome->recording : std::nullopt;
         },
         [this, load](const std::optional<core::recording::Recording>& recording) {
-            if (load != m_loading)
+            if (!m_loads.isLatest(load))
                 return;
             if (recording)
                 showExpert(*recording, tr("The simulated hand"), {});
@@ -2011,7 +1996,7 @@ void Application::readRecording(const QString& path, const UseRecording& use)
 
 void Application::readRecording(const QString& path, const UseRecording& use, const ReadRecording& read)
 {
-    const int load = ++m_loading;
+    const int load = m_loads.begin();
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
     inBackground(
         this,
@@ -2022,7 +2007,7 @@ void Application::readRecording(const QString& path, const UseRecording& use, co
             return recording;
         },
         [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
-            if (load != m_loading)
+            if (!m_loads.isLatest(load))
                 return;
             if (recording)
                 use(*recording);
@@ -2037,10 +2022,10 @@ void Application::keepJournal()
 {
     if (m_devices->isSimulated())
         return;
-    stopJournal(m_journal != nullptr && !m_who.isGuest());
-    m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_stationFolder, m_who));
+    stopJournal(m_journal != nullptr && !m_school.user.isGuest());
+    m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_stationFolder, m_school.user));
     if (m_tried)
-        m_journal->leaveOut(m_ownGeneration);
+        m_journal->leaveOut(m_attempt.generation());
     m_journalThread =
         std::make_unique<LoopThread>(*m_journal, core::session::JournalLoop::kPeriod, LoopThread::Urgency::Normal);
     m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kSyncRest,
@@ -2078,19 +2063,19 @@ void Application::watchJournal()
 /// Nobody waits for a server that does not answer; what only its answer decides is looked for again.
 void Application::offerUnfinished()
 {
-    if (!m_desk || m_who.isGuest()) {
+    if (!m_school.service || m_school.user.isGuest()) {
         lookForUnfinished({{}, std::set<std::string>()});
         return;
     }
     const auto isDecided = std::make_shared<bool>(false);
-    m_desk->ask(
-        this, [who = m_who](const DatabaseContext& school) { return knownAttempts(school, who); },
-        [this, isDecided, who = m_who](const core::Result<KnownAttempts>& known) {
-            if (!std::exchange(*isDecided, true) && m_who == who)
+    m_school.service->ask(
+        this, [who = m_school.user](const DatabaseContext& school) { return knownAttempts(school, who); },
+        [this, isDecided, who = m_school.user](const core::Result<KnownAttempts>& known) {
+            if (!std::exchange(*isDecided, true) && m_school.user == who)
                 lookForUnfinished(known.value_or(KnownAttempts()));
         });
-    QTimer::singleShot(kLongestCheckMs, this, [this, isDecided, who = m_who] {
-        if (!std::exchange(*isDecided, true) && m_who == who)
+    QTimer::singleShot(kLongestCheckMs, this, [this, isDecided, who = m_school.user] {
+        if (!std::exchange(*isDecided, true) && m_school.user == who)
             lookForUnfinished({});
     });
 }
@@ -2100,12 +2085,12 @@ void Application::lookForUnfinished(const KnownAttempts& known)
 {
     inBackground(
         this,
-        [folder = journalFolder(m_stationFolder, m_who), outbox = QDir(m_stationFolder).filePath("outbox"), known,
-         toBeKept = m_letters ? m_letters->journals() : std::set<std::filesystem::path>()] {
+        [folder = journalFolder(m_stationFolder, m_school.user), outbox = QDir(m_stationFolder).filePath("outbox"),
+         known, toBeKept = m_letters ? m_letters->journals() : std::set<std::filesystem::path>()] {
             return findUnfinished(folder, outbox, known, toBeKept);
         },
-        [this, who = m_who](FoundUnfinished& found) {
-            if (m_who != who)  // the search was for somebody who has left
+        [this, who = m_school.user](FoundUnfinished& found) {
+            if (m_school.user != who)  // the search was for somebody who has left
                 return;
             if (found.failure)
                 m_window->showError(*found.failure, FailedOperation::ResumingAttempt);
@@ -2143,7 +2128,7 @@ void Application::resumeUnfinished()
 {
     if (!m_unfinished)
         return;
-    const int load = ++m_loading;
+    const int load = m_loads.begin();
     m_window->showBusy(tr("Resuming the attempt …"));
     if (const std::string lesson = limitedLessonOf(m_unfinished->recording); !lesson.empty())
         whereAllowed(
@@ -2169,7 +2154,7 @@ void Application::rebuildUnfinished(int load)
         },
         [this, load,
          path = m_unfinished->path](core::Result<std::unique_ptr<core::session::ResumableAttempt>>& attempt) {
-            if (load != m_loading || !m_unfinished || m_unfinished->path != path)  // another is offered by now
+            if (!m_loads.isLatest(load) || !m_unfinished || m_unfinished->path != path)  // another is offered by now
                 return;
             if (attempt)
                 takeUp(std::move(*attempt));
@@ -2190,11 +2175,10 @@ void Application::takeUp(std::unique_ptr<core::session::ResumableAttempt> attemp
     lay(*assignment, attempt->recording.settings(), {}, false);
     m_tried.reset();
     const core::settings::FeelPreset felt =
-        core::settings::feltAs(m_presets.inUse(), m_settings.hardness, m_settings.force,
+        core::settings::feltAs(m_presets.inUse(), m_attempt.settings().hardness, m_attempt.settings().force,
                                assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
     m_window->showFeel(felt, felt);
-    m_isTakenUp = true;
-    m_takenUpAtTick = attempt->recording.ticks();
+    m_attempt.resume(attempt->recording.ticks(), std::exchange(m_seenOfUnfinished, {}));
     const double recordedS = std::chrono::duration<double>(attempt->recording.duration()).count();
     double workedS = recordedS - attempt->restedS;
     // An exam's time goes on while its student is away, for whatever reason: he could think as long as he likes.
@@ -2202,19 +2186,18 @@ void Application::takeUp(std::unique_ptr<core::session::ResumableAttempt> attemp
         workedS = std::max(
             workedS, static_cast<double>(QDateTime::currentMSecsSinceEpoch() - m_unfinished->begunUtcMs) / kMsPerS);
     m_window->resumeClock(recordedS, workedS);
-    m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
+    m_journal->takeUp(m_attempt.generation(), std::move(*m_unfinished));
     m_unfinished.reset();
     m_window->forgetUnfinished();  // it is offered again where the list of lessons was read meanwhile
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);
-    m_window->send(core::session::ResumeAttempt{std::move(attempt), m_ownGeneration});
+    m_window->send(core::session::ResumeAttempt{std::move(attempt), m_attempt.generation()});
     m_window->takeInHand(bur, handpiece);
-    m_seenBefore = std::exchange(m_seenOfUnfinished, {});
-    if (m_seenBefore) {
+    if (m_attempt.seenBefore()) {
         m_window->endExam();
         gradeTakenUp(0);
         return;
     }
-    const bool hasLimit = m_settings.force.workAreaMm > 0.0;
+    const bool hasLimit = m_attempt.settings().force.workAreaMm > 0.0;
     m_window->showMessage(m_devices->isForceChosen() && !hasLimit
                               ? tr("Your attempt continues where you stopped. It was begun with the mouse: the device "
                                    "has no soft limit at the end of its reach in this attempt.")
@@ -2224,13 +2207,13 @@ void Application::takeUp(std::unique_ptr<core::session::ResumableAttempt> attemp
 /// An exam whose score was seen, and was kept nowhere: nothing is cut any more. Once the session has it.
 void Application::gradeTakenUp(int looks)
 {
-    if (m_session.recordedGeneration() == m_ownGeneration && m_session.toothSoFar()) {
+    if (m_session.recordedGeneration() == m_attempt.generation() && m_session.toothSoFar()) {
         grade();
         return;
     }
     if (looks < kMostTakeUpLooks)
-        QTimer::singleShot(kSettleMs, this, [this, looks, generation = m_ownGeneration] {
-            if (generation == m_ownGeneration)
+        QTimer::singleShot(kSettleMs, this, [this, looks, generation = m_attempt.generation()] {
+            if (generation == m_attempt.generation())
                 gradeTakenUp(looks + 1);
         });
 }
@@ -2306,7 +2289,7 @@ void Application::playOpened(std::optional<double> momentS)
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
 void Application::drawPicture()
 {
-    if (m_assignment.anatomy || m_replay)
+    if (m_attempt.assignment().anatomy || m_replay)
         ++m_pictureLooks;
     if (m_pictureLooks < kPictureFrames) {
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
@@ -2347,7 +2330,7 @@ void Application::stopReplay()
             return false;
         return true;
     };
-    if (!m_assignment.anatomy) {
+    if (!m_attempt.assignment().anatomy) {
         if (const auto practice = lessons::practiceOn(m_replayed)) {
             begin(*practice, {}, false);
             m_window->showMessage(tr("The tooth is intact. You can start drilling."));
@@ -2357,15 +2340,15 @@ void Application::stopReplay()
     }
     putReplayAway();
     m_window->setReplaying(false);
-    m_window->setHandpieces(m_settings.handpieces);
+    m_window->setHandpieces(m_attempt.settings().handpieces);
     m_links.servo.back() = m_handAtRest;
     m_links.servo.publish();
     for (core::servo::TilePatch late; m_links.patches.tryPop(late);) {
     }
-    m_window->showTooth(m_assignment.anatomy, m_ownGeneration, {});
+    m_window->showTooth(m_attempt.assignment().anatomy, m_attempt.generation(), {});
     m_window->view().restoreCamera();
     // A tooth that was taken a moment before the replay may still be on its way to the session.
-    if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_assignment.anatomy)
+    if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_attempt.assignment().anatomy)
         m_window->view().setHeights(own->top);
     startLoops();
     if (!goBack())

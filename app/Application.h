@@ -19,6 +19,7 @@
 #include "app/ReportController.h"
 #include "app/ScoreAnalysis.h"
 #include "app/TourController.h"
+#include "app/attempt/CurrentAttempt.h"
 #include "app/attempt/ResumableAttempts.h"
 #include "app/devices/DeviceController.h"
 #include "app/devices/HeadTrackingController.h"
@@ -28,6 +29,8 @@
 #include "app/school/AttemptUploader.h"
 #include "app/school/GradedMarker.h"
 #include "app/school/SchoolService.h"
+#include "app/school/SchoolSession.h"
+#include "app/threads/LatestRequest.h"
 #include "app/threads/LoopThread.h"
 #include "core/servo/ServoParameters.h"
 #include "core/servo/ServoState.h"
@@ -237,8 +240,9 @@ private:
     std::unique_ptr<HeadTrackingController> m_headTracking;
     std::unique_ptr<PedalController> m_pedals;
     std::unique_ptr<SoundController> m_sound;
-    std::unique_ptr<SchoolService> m_desk;               ///< null: nothing is kept
-    std::unique_ptr<AttemptUploader> m_letters;          ///< null where m_desk is
+    std::unique_ptr<SchoolService> m_service;  ///< null: nothing is saved
+    SchoolSession m_school;
+    std::unique_ptr<AttemptUploader> m_letters;          ///< null where m_service is
     std::unique_ptr<AttemptHistoryController> m_people;  ///< the same
     std::unique_ptr<AdminController> m_admin;            ///< the same
     std::optional<database::Address> m_address;
@@ -246,7 +250,6 @@ private:
     std::unique_ptr<ReportController> m_cards;
     std::unique_ptr<TourController> m_tour;  ///< null: nobody is shown round unasked
     QString m_stationFolder;                 ///< of this computer's own files: journals, outbox, key
-    database::Login m_who;                   ///< who works here
     core::Error m_whyNoDesk;
     QString m_where;             ///< the database, to read
     QString m_backup;            ///< that can be put in the place of the database; empty: none
@@ -267,14 +270,12 @@ private:
     std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_presets.inUse(), but in exams
     core::servo::ServoParameters m_numbers{};            ///< that the servo is to have
     core::servo::ServoParameters m_numbersTold{};        ///< that it has, or has been sent
-    core::servo::ServoSettings m_settings;               ///< of the student's own attempt
-    lessons::Assignment m_assignment;      ///< the student's own; its anatomy is null until a tooth is taken
-    std::function<QStringList()> m_notes;  ///< on its scan
-    bool m_isUnitInDoubt = false;          ///< of that
-    std::uint64_t m_ownGeneration = 0;     ///< of that tooth
-    std::uint64_t m_generation = 0;        ///< of the newest tooth shown
+    std::function<QStringList()> m_notes;                ///< on its scan
+    bool m_isUnitInDoubt = false;                        ///< of that
+    std::uint64_t m_generation = 0;                      ///< of the newest tooth shown
     int m_pictureLooks = 0;
-    int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
+    LatestRequest m_loads;
+    CurrentAttempt m_attempt;
     /// The grade given last: the same work is not graded twice.
     struct Graded
     {
@@ -298,9 +299,6 @@ private:
         std::vector<database::Feedback> feedback;
     };
     LessonsRead m_lessonsRead;  ///< of who works here, as the database said last
-    bool m_isSettling = false;  ///< a grade is wanted, and the bur not yet out of the tooth
-    std::optional<core::session::AttemptSnapshot> m_toMark;    ///< while what is expected of it is asked
-    std::optional<core::session::AttemptSnapshot> m_examsEnd;  ///< as its time ran out
     std::optional<Graded> m_graded;
     std::string m_scoreToShow;                           ///< uid of the exam whose score is shown when it is kept
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
@@ -315,20 +313,9 @@ private:
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     /// It is an exam whose score was seen, and is kept nowhere.
     std::optional<GradedMarker> m_seenOfUnfinished;
-    std::optional<GradedMarker> m_seenBefore;  ///< the same of the attempt on the table, which was taken up
     QTimer m_attemptWatch;
-    std::size_t m_infractionsTold = 0;  ///< of the present attempt
-    std::uint64_t m_takenUpAtTick = 0;  ///< where it was taken up again after the program, or its owner, had left
-    /// The exam that was begun last.
-    struct BegunExam
-    {
-        std::uint64_t generation = 0;
-        bool isAllowed = false;  ///< no answer yet, or there is no attempt left
-    };
-    BegunExam m_begunExam;
     std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by what it is seen in
     std::map<QString, int> m_cutWith;           ///< the same, by the hand that moves the bur
-    bool m_isTakenUp = false;                   ///< it was not finished when it was left
     QTimer m_demoBeat;
     std::unique_ptr<ReplayController> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
