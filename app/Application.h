@@ -1,54 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <chrono>
-#include <filesystem>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 
-#include "app/AdminController.h"
-#include "app/AttemptHistoryController.h"
-#include "app/PresetController.h"
-#include "app/ReportController.h"
-#include "app/ScoreAnalysis.h"
-#include "app/TourController.h"
+#include "app/LoginController.h"
+#include "app/PictureWriter.h"
+#include "app/SchoolController.h"
+#include "app/attempt/AttemptController.h"
+#include "app/attempt/AttemptObserver.h"
 #include "app/attempt/CurrentAttempt.h"
-#include "app/attempt/ResumableAttempts.h"
+#include "app/attempt/GradingController.h"
+#include "app/attempt/OpenedScoreController.h"
+#include "app/attempt/ResumeController.h"
+#include "app/attempt/SimulatedHand.h"
 #include "app/devices/DeviceController.h"
 #include "app/devices/HeadTrackingController.h"
 #include "app/devices/PedalController.h"
 #include "app/devices/SoundController.h"
-#include "app/replay/ReplayController.h"
-#include "app/school/AttemptUploader.h"
-#include "app/school/GradedMarker.h"
-#include "app/school/SchoolService.h"
+#include "app/pages/AdminController.h"
+#include "app/pages/AttemptHistoryController.h"
+#include "app/pages/LessonsController.h"
+#include "app/pages/PresetController.h"
+#include "app/pages/ReportController.h"
+#include "app/pages/TourController.h"
+#include "app/replay/PlaybackController.h"
+#include "app/school/AttemptLimit.h"
 #include "app/school/SchoolSession.h"
 #include "app/threads/LatestRequest.h"
-#include "app/threads/LoopThread.h"
-#include "core/servo/ServoParameters.h"
-#include "core/servo/ServoState.h"
-#include "core/session/JournalLoop.h"
+#include "app/threads/SessionThreads.h"
 #include "core/session/LiveAssessmentLoop.h"
 #include "core/session/SessionChannels.h"
+#include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
-#include "database/AttemptRecord.h"
-#include "database/Person.h"
 #include "haptics/DeviceSwitch.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/GuidedFalcon.h"
-#include "haptics/simulated/IdealHand.h"
-#include "lessons/Assignment.h"
-#include "lessons/ClassStanding.h"
-#include "ui/render/Presenter.h"
-#include "ui/scoring/ScorePage.h"
 #include "ui/sound/QtAudioPort.h"
 #include "ui/window/MainWindow.h"
 
@@ -77,16 +70,14 @@ struct WindowOptions
     ui::sound::SoundPlayer::MakePort audioPort = ui::sound::qtAudioPort;
 };
 
-using AnatomyPointer = std::shared_ptr<const core::terrain::ToothAnatomy>;
-
-/// Builds the program behind the window and wires it: the loops and their threads, teeth, recordings, grades.
-/// It holds no rule of its own: it chooses, constructs, connects, starts, stops. Ui thread.
+/// The program behind the window: constructs the loops, their threads and the controllers, connects, starts and stops
+/// them. It holds no rule of its own; docs/ARCHITECTURE.md names the controller of each. Ui thread.
 class Application final : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Errors of the shipped settings only; what goes wrong later is said in the window.
+    /// Errors of the shipped settings only; later errors are shown in the window.
     [[nodiscard]] static core::Result<std::unique_ptr<Application>> make(const WindowOptions& options);
     ~Application() override;
 
@@ -97,236 +88,58 @@ public:
     [[nodiscard]] const std::optional<core::Error>& endedBy() const { return m_endedBy; }
 
     /// Plays the attempt that was graded last, from a little before this moment.
-    void showMoment(double seconds);
+    void showMoment(double seconds) { m_playback.showMoment(seconds); }
 
 private:
     Application(const WindowOptions& options, std::unique_ptr<core::servo::ServoTick> tick);
 
-    void endWith(const core::Error& error);
+    void connectControllers();
     void openDatabase();
-    void makeStationFolder() const;
-    void openSchool();
-    void refuseAtDoor(const core::Error& why);
-    void takeOpening(const SchoolService::Opening& opening);
-    /// @param who  wants it; a guest, where there is nobody to ask
-    void restore(const database::Login& who);
-    void backUpToday();
-    void tellIdleLimit();
-    void changePassword(const QString& old, const QString& password);
-    void connectDoor();
-    void readOwnHash();
-    void unlockAlone(const QString& password, const core::Error& why);
-    void askAtDoor(const std::function<core::Result<database::Login>(const database::sql::DatabaseContext&)>& work,
-                   const std::function<void(const core::Error&)>& refuse = {});
-    void enter(const database::Login& who);
-    void forgetWrongAlone();
-    void endNewSchool();
-    void leave();
-    void leaveWithAnotherRole();
-    void becomeGuest();
-    void raisePasswordCost();
-    void tellMayEdit();
-    void openLesson(const lessons::Lesson& lesson);
-    void showLessons();
-    void askWhetherAllowed(const std::string& lessonId, const std::function<void(bool)>& decide);
-    void whereAllowed(
-        const std::string& lessonId, const std::function<void()>& go, const std::function<void()>& refuse = [] {});
-    void tellKnownAttempts(const lessons::Lesson& lesson);
-    void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {},
-                   const std::optional<core::settings::FeelPreset>& tried = {});
-    void connectPresets();
-    void feel(const core::settings::FeelPreset& preset);
-    /// Nobody has begun to work on what lies on the table.
-    [[nodiscard]] bool isUntouched() const;
-    void beginAsItFeels();
-    void feelByHand(const core::settings::FeelPreset& preset);
-    void tellNumbers();
-    void refuse(const core::Error& error, ui::text::FailedOperation failed, const QString& file);
-    void takeTooth(const core::teeth::BuiltTooth& built);
-    void begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes, bool unitInDoubt);
-    [[nodiscard]] std::function<void(const AnatomyPointer&)> surfaceWorker() const;
-    void lay(const lessons::Assignment& assignment, const core::servo::ServoSettings& settings,
-             const std::function<QStringList()>& notes, bool unitInDoubt);
-    void watchAttempt();
-    void noteExam(const core::session::Findings& findings);
-    void tellExam(const database::Login& who, const database::ExamStart& start);
-    [[nodiscard]] bool isHiddenByExam();
-    void holdHand(bool wanted);
-    void takeBack(std::uint64_t tick);
-    void grade();
-    void settle(int looks, int settled);
-    void gradeNow();
-    void finish(const std::optional<ui::scoring::ScorePrediction>& expected);
-    [[nodiscard]] database::AttemptRecord recordOf(const core::session::AttemptSnapshot& done,
-                                                   const lessons::ScoreSheet& sheet,
-                                                   const std::optional<ui::scoring::ScorePrediction>& expected) const;
-    void connectExplainer(ScoreAnalysis& explainer);
-    void showGrade();
-    void keepGrade();
-    void keepExam();
-    void showExamsScore(const std::string& uid);
-    void noteGraded();
-    void takeKept(const PendingAttempt& letter, bool isAgain);
-    void takeRefused(const PendingAttempt& letter, bool isAgain, const core::Error& why);
-    void takeAnswer(const PendingAttempt& letter, ui::scoring::ScorePage::Keeping keeping);
-    [[nodiscard]] bool isAsGraded() const;
-    void endJournal(const PendingAttempt& letter);
-    void keepGuestsGrade();
-    void tellKeeping();
-    void tellHistory();
-    [[nodiscard]] std::optional<ReportController::Subject> shownCard() const;
-    void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
-    void showSheet(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
-                   const std::function<QString()>& work);
-    [[nodiscard]] bool isOldShown() const;
-    void openBeside(const QString& path);
-    void putBeside(const core::recording::Recording& recording, const QString& name, const QString& path);
-    void openExpert();
-    void unpack(const QString& pack, const QString& name);
-    void openExpertAt(const lessons::Assignment& assignment);
-    void openDemonstration(const lessons::Assignment& assignment);
-    void showExpert(const core::recording::Recording& recording, const QString& name, const QString& path);
-    using UseRecording = std::function<void(const core::recording::Recording&)>;
-    using ReadRecording = std::function<core::Result<core::recording::Recording>()>;
-    void readRecording(const QString& path, const UseRecording& use);
-    /// @param read  from another thread
-    void readRecording(const QString& path, const UseRecording& use, const ReadRecording& read);
-    void saveRecording(const QString& path);
-    void saveReference(const QString& path);
-    void openRecording(const QString& path);
-    void keepJournal();
-    void stopJournal(bool putAway);
-    void clearTable();
-    void watchJournal();
-    void offerUnfinished();
-    void lookForUnfinished(const KnownAttempts& known);
-    void gradeTakenUp(int looks);
-    void tellUnfinished();
-    void resumeUnfinished();
-    void rebuildUnfinished(int load);
-    void takeUp(std::unique_ptr<core::session::ResumableAttempt> attempt);
-    void discardUnfinished();
-    /// @param momentS  plays from a little before this moment; empty: from the beginning
-    /// @returns false if it cannot be played; the window then shows why
-    bool play(const core::recording::Recording& recording, std::optional<double> momentS = {},
-              const QString& whose = {});
-    void playOpened(std::optional<double> momentS);
-    void putReplayAway();
-    void stopReplay();
-    void drawPicture();
-    void letHandDecide();
-    void followHand();
-    void beginForAnotherHand();
-    void startLoops();
-    void stopLoops();
+    void endWith(const core::Error& error);
 
     WindowOptions m_options;
-    core::teeth::ToothSource m_source;                               ///< of the tooth taken last
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_practised;  ///< that was practised on last without a lesson
     std::optional<core::Error> m_endedBy;
-    core::session::UiChannels m_links;
-    core::servo::ServoChannels m_servoLinks;
-    core::rt::TripleBuffer<core::servo::PointerInput> m_demoWish;  ///< of m_demoHand
-    std::optional<haptics::IdealHand> m_demoHand;
-    std::uint8_t m_demoBur = 0;  ///< that it holds
+
+    // The loops, and the channels between them.
+    core::session::UiChannels m_channels;
+    core::servo::ServoChannels m_servoChannels;
+    core::rt::TripleBuffer<core::servo::PointerInput> m_simulatedInput;
     haptics::PointerDevice m_pointer;
-    haptics::GuidedFalcon m_simulatedHand;
+    haptics::GuidedFalcon m_simulatedFalcon;
     haptics::DeviceSwitch m_bur;
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;
-    core::session::LiveAssessmentLoop m_follower;
+    core::session::LiveAssessmentLoop m_assessment;
+
+    // What the controllers share.
+    SchoolSession m_school;
+    LatestRequest m_loads;
+    CurrentAttempt m_attempt;
     std::unique_ptr<ui::window::MainWindow> m_window;
+    SessionThreads m_threads;
+
+    // The controllers: each knows those above it.
+    PresetController m_presets;
     std::unique_ptr<DeviceController> m_devices;
     std::unique_ptr<HeadTrackingController> m_headTracking;
     std::unique_ptr<PedalController> m_pedals;
     std::unique_ptr<SoundController> m_sound;
-    std::unique_ptr<SchoolService> m_service;  ///< null: nothing is saved
-    SchoolSession m_school;
-    std::unique_ptr<AttemptUploader> m_letters;          ///< null where m_service is
-    std::unique_ptr<AttemptHistoryController> m_people;  ///< the same
-    std::unique_ptr<AdminController> m_admin;            ///< the same
-    std::optional<database::Address> m_address;
-    std::shared_ptr<std::atomic<bool>> m_backupIsStopped = std::make_shared<std::atomic<bool>>(false);
-    std::unique_ptr<ReportController> m_cards;
-    std::unique_ptr<TourController> m_tour;  ///< null: nobody is shown round unasked
-    QString m_stationFolder;                 ///< of this computer's own files: journals, outbox, key
-    core::Error m_whyNoDesk;
-    QString m_where;             ///< the database, to read
-    QString m_backup;            ///< that can be put in the place of the database; empty: none
-    QTimer m_openWatch;          ///< tries again what a server or another program has held up
-    QTimer m_backupWatch{this};  ///< a window may stay open for weeks
-    bool m_isBackingUp = false;  ///< today's backup, which a slow disk may take long for
-    int m_doorTurn = 0;          ///< grows when nobody waits for an answer at the door any more
-    bool m_isOnNetworkDrive = false;
-    std::string m_ownHash;  ///< of the password of who works here: unlocks his place where the database is away
-    int m_wrongAlone = 0;   ///< so many passwords in a row did not fit that
-    std::chrono::steady_clock::time_point m_nextAlone;
-    bool m_hasTimedCost = false;
-    bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
-
-    PresetController m_presets;
-    std::optional<core::settings::FeelPreset> m_tried;   ///< in place of it, on the block that lies on the table
-    core::settings::ToothKind m_triedKind;               ///< what that block is made of
-    std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_presets.inUse(), but in exams
-    core::servo::ServoParameters m_numbers{};            ///< that the servo is to have
-    core::servo::ServoParameters m_numbersTold{};        ///< that it has, or has been sent
-    std::function<QStringList()> m_notes;                ///< on its scan
-    bool m_isUnitInDoubt = false;                        ///< of that
-    std::uint64_t m_generation = 0;                      ///< of the newest tooth shown
-    int m_pictureLooks = 0;
-    LatestRequest m_loads;
-    CurrentAttempt m_attempt;
-    /// The grade given last: the same work is not graded twice.
-    struct Graded
-    {
-        std::uint64_t generation = 0;
-        std::uint64_t hash = 0;
-        lessons::ScoreSheet sheet;
-        database::AttemptRecord record;
-        ui::scoring::ScorePage::Keeping keeping{};
-        QList<database::AttemptRecord> history;
-        lessons::ClassStanding standing;
-        std::optional<ui::scoring::ScorePrediction> expected;
-        ui::scoring::ScoredWork work;
-        core::recording::Recording recording;
-        std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
-        bool isOverLimit = false;  ///< a guest's, who has logged in for it and had no attempt left
-    };
-    struct LessonsRead
-    {
-        std::map<std::string, ui::catalog::Standing> standings;
-        std::map<std::string, ui::catalog::Given> given;
-        std::vector<database::Feedback> feedback;
-    };
-    LessonsRead m_lessonsRead;  ///< of who works here, as the database said last
-    std::optional<Graded> m_graded;
-    std::string m_scoreToShow;                           ///< uid of the exam whose score is shown when it is kept
-    std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
-    /// Where the attempt that is played was asked for; the way back leads there.
-    enum class PlayedFrom : std::uint8_t { Elsewhere, ScoreCard, Attempts };
-    PlayedFrom m_playedFrom = PlayedFrom::Elsewhere;
-    ScoreAnalysis m_explainer;        ///< of m_graded
-    ScoreAnalysis m_openedExplainer;  ///< of m_opened
-    QTimer m_journalWatch;
-    QTimer m_lookAgain;  ///< for unfinished attempts of which the school could not say whether they are kept
-    std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
-    std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
-    /// It is an exam whose score was seen, and is kept nowhere.
-    std::optional<GradedMarker> m_seenOfUnfinished;
-    QTimer m_attemptWatch;
-    std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by what it is seen in
-    std::map<QString, int> m_cutWith;           ///< the same, by the hand that moves the bur
-    QTimer m_demoBeat;
-    std::unique_ptr<ReplayController> m_replay;
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
-    core::servo::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
-
-    // Threads last: they are joined before what they run on goes away.
-    std::unique_ptr<LoopThread> m_servoThread;
-    std::unique_ptr<LoopThread> m_sessionThread;
-    std::unique_ptr<LoopThread> m_followerThread;
-    std::unique_ptr<LoopThread> m_journalThread;
-    std::unique_ptr<LoopThread> m_syncThread;
+    AttemptLimit m_limit;
+    LessonsController m_lessons;
+    AttemptController m_attempts;
+    SimulatedHand m_simulatedHand;
+    ResumeController m_resume;
+    AttemptObserver m_observer;
+    OpenedScoreController m_opened;
+    GradingController m_grading;
+    PlaybackController m_playback;
+    SchoolController m_data;
+    LoginController m_login;
+    ReportController m_reports;
+    std::unique_ptr<TourController> m_tour;               ///< null: nobody is shown round unasked
+    std::unique_ptr<PictureWriter> m_picture;             ///< null: the program has a window to work in
+    std::unique_ptr<AttemptHistoryController> m_history;  ///< null: there is no database
+    std::unique_ptr<AdminController> m_admin;             ///< the same
 };
 
 }  // namespace app

@@ -3042,7 +3042,29 @@
     </message>
 </context>
 <context>
-    <name>app::Application</name>
+    <name>app::LessonsController</name>
+    <message>
+        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
+        <translation>Das Paket wurde nicht ausgepackt, deshalb lässt sich seine Lektion nicht ändern. %1</translation>
+    </message>
+    <message>
+        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
+        <translation>Hier antwortet kein Programm, das Ordner anzeigt. Ihre eigenen Lektionen liegen in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenedScoreController</name>
+    <message>
+        <source>Preparing the score card …</source>
+        <translation>Das Bewertungsblatt wird erstellt …</translation>
+    </message>
+    <message>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>Frühere Versuche sind während einer Prüfung nicht verfügbar. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
+    </message>
+</context>
+<context>
+    <name>app::AttemptController</name>
     <message>
         <source>Making tooth %1 …</source>
         <translation>Zahn %1 wird erzeugt …</translation>
@@ -3052,22 +3074,6 @@
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>The tooth is intact. You can start drilling.</source>
-        <translation>Der Zahn ist unversehrt. Sie können mit dem Präparieren beginnen.</translation>
-    </message>
-    <message>
-        <source>You are back in your own work.</source>
-        <translation>Sie sind wieder bei Ihrer eigenen Arbeit.</translation>
-    </message>
-    <message>
-        <source>The tooth is not ready yet. Try again in a moment.</source>
-        <translation>Der Zahn ist noch nicht bereit. Versuchen Sie es gleich noch einmal.</translation>
-    </message>
-    <message>
-        <source>Nothing has been cut yet, so there is nothing to grade.</source>
-        <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
-    </message>
-    <message>
         <source>Making a practice block …</source>
         <translation>Übungsblock wird erzeugt …</translation>
     </message>
@@ -3075,6 +3081,13 @@
         <source>Preparing the lesson …</source>
         <translation>Die Lektion wird vorbereitet …</translation>
     </message>
+    <message>
+        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
+        <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder Sie wählen sie im Editor einer Lektion an diesem Zahn.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ResumeController</name>
     <message>
         <source>Resuming the attempt …</source>
         <translation>Der Versuch wird fortgesetzt …</translation>
@@ -3088,20 +3101,54 @@
         <translation>Ihr Versuch geht dort weiter, wo Sie aufgehört haben.</translation>
     </message>
     <message>
-        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
-        <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder Sie wählen sie im Editor einer Lektion an diesem Zahn.</translation>
+        <source>The attempt is no longer there.</source>
+        <translation>Der Versuch ist nicht mehr da.</translation>
+    </message>
+</context>
+<context>
+    <name>app::GradingController</name>
+    <message>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
+        <translation>Der Zahn ist noch nicht bereit. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
     </message>
     <message>
         <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>Diese Übung ist noch nicht begonnen, also gibt es nichts zu bewerten.</translation>
     </message>
     <message>
-        <source>The expert</source>
-        <translation>Der Experte</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>Noch hat kein Feld eine Antwort. Wählen Sie unter dem Bild, woraus jedes Feld besteht.</translation>
     </message>
     <message>
-        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
-        <translation>Das Paket wurde nicht ausgepackt, deshalb lässt sich seine Lektion nicht ändern. %1</translation>
+        <source>The grade that could not be saved is now saved.</source>
+        <translation>Die Bewertung, die nicht gespeichert werden konnte, ist jetzt gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlaybackController</name>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The tooth is intact. You can start drilling.</source>
+        <translation>Der Zahn ist unversehrt. Sie können mit dem Präparieren beginnen.</translation>
+    </message>
+    <message>
+        <source>You are back in your own work.</source>
+        <translation>Sie sind wieder bei Ihrer eigenen Arbeit.</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>Die Lektion wird vorbereitet …</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>Der Experte</translation>
     </message>
     <message>
         <source>A simulated hand does the lesson …</source>
@@ -3119,29 +3166,35 @@
         <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
         <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, und eine simulierte Hand schafft sie nicht.</translation>
     </message>
-    <message>
-        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
-        <translation>Noch hat kein Feld eine Antwort. Wählen Sie unter dem Bild, woraus jedes Feld besteht.</translation>
-    </message>
-    <message>
-        <source>The attempt is no longer there.</source>
-        <translation>Der Versuch ist nicht mehr da.</translation>
-    </message>
-    <message>
-        <source>Preparing the score card …</source>
-        <translation>Das Bewertungsblatt wird erstellt …</translation>
-    </message>
+</context>
+<context>
+    <name>app::LoginController</name>
     <message>
         <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
         <translation>Die Datenbank der Schule liegt auf einem Netzlaufwerk, wo sie nur ein Computer zugleich benutzen kann. Nehmen Sie für mehrere Computer einen PostgreSQL-Server.</translation>
     </message>
     <message>
-        <source>Today&apos;s backup was not made. %1</source>
-        <translation>Die heutige Sicherung wurde nicht gemacht. %1</translation>
-    </message>
-    <message>
         <source>Your password was changed.</source>
         <translation>Ihr Passwort wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This account was disabled, and you were logged out. Ask an admin.</source>
+        <translation>Dieses Konto wurde gesperrt, und Sie wurden abgemeldet. Fragen Sie die Verwaltung.</translation>
+    </message>
+    <message>
+        <source>Your role was changed, and you were logged out. Log in again.</source>
+        <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
+    </message>
+    <message>
+        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
+        <translation>Wo Ihre Schule war, ist jetzt eine andere, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SchoolController</name>
+    <message>
+        <source>Today&apos;s backup was not made. %1</source>
+        <translation>Die heutige Sicherung wurde nicht gemacht. %1</translation>
     </message>
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
@@ -3164,20 +3217,8 @@
         <translation>Die Sicherung vom %1 wurde wiederhergestellt. Die vorige Datei liegt als %2 daneben.</translation>
     </message>
     <message>
-        <source>This account was disabled, and you were logged out. Ask an admin.</source>
-        <translation>Dieses Konto wurde gesperrt, und Sie wurden abgemeldet. Fragen Sie die Verwaltung.</translation>
-    </message>
-    <message>
-        <source>The grade that could not be saved is now saved.</source>
-        <translation>Die Bewertung, die nicht gespeichert werden konnte, ist jetzt gespeichert.</translation>
-    </message>
-    <message>
         <source>The backup was not restored. %1</source>
         <translation>Die Sicherung wurde nicht zurückgespielt. %1</translation>
-    </message>
-    <message>
-        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
-        <translation>Hier antwortet kein Programm, das Ordner anzeigt. Ihre eigenen Lektionen liegen in %1.</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
@@ -3186,18 +3227,6 @@
             <numerusform>%n Versuch auf diesem Computer wartet auf eine andere Schule: %1. Ist das diese hier unter einem früheren Namen, bringt „cusp db send“ ihn hierher.</numerusform>
             <numerusform>%n Versuche auf diesem Computer warten auf eine andere Schule: %1. Ist das diese hier unter einem früheren Namen, bringt „cusp db send“ sie hierher.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Your role was changed, and you were logged out. Log in again.</source>
-        <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
-    </message>
-    <message>
-        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
-        <translation>Frühere Versuche sind während einer Prüfung nicht verfügbar. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
-    </message>
-    <message>
-        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
-        <translation>Wo Ihre Schule war, ist jetzt eine andere, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
     </message>
 </context>
 <context>

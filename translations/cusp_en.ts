@@ -99,7 +99,7 @@
     </message>
 </context>
 <context>
-    <name>app::Application</name>
+    <name>app::SchoolController</name>
     <message numerus="yes">
         <source>%n attempt(s) on this computer cannot be sent to this school: the student is unknown, or another station.key signed them. They stay on this computer.</source>
         <translation>

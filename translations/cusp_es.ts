@@ -3042,7 +3042,29 @@
     </message>
 </context>
 <context>
-    <name>app::Application</name>
+    <name>app::LessonsController</name>
+    <message>
+        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
+        <translation>El paquete no se desempaquetó, así que su lección no se puede cambiar. %1</translation>
+    </message>
+    <message>
+        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
+        <translation>Aquí no responde ningún programa que muestre carpetas. Sus propias lecciones están en %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenedScoreController</name>
+    <message>
+        <source>Preparing the score card …</source>
+        <translation>Preparando la hoja de puntuación …</translation>
+    </message>
+    <message>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>Los intentos anteriores no están disponibles durante un examen. Pulse G para terminar el examen o empiece otra lección.</translation>
+    </message>
+</context>
+<context>
+    <name>app::AttemptController</name>
     <message>
         <source>Making tooth %1 …</source>
         <translation>Creando el diente %1 …</translation>
@@ -3052,22 +3074,6 @@
         <translation>Leyendo %1 …</translation>
     </message>
     <message>
-        <source>The tooth is intact. You can start drilling.</source>
-        <translation>El diente está intacto. Puede empezar a tallar.</translation>
-    </message>
-    <message>
-        <source>You are back in your own work.</source>
-        <translation>Ha vuelto a su propio trabajo.</translation>
-    </message>
-    <message>
-        <source>The tooth is not ready yet. Try again in a moment.</source>
-        <translation>El diente aún no está listo. Inténtelo de nuevo en un momento.</translation>
-    </message>
-    <message>
-        <source>Nothing has been cut yet, so there is nothing to grade.</source>
-        <translation>Todavía no se ha tallado nada, así que no hay nada que calificar.</translation>
-    </message>
-    <message>
         <source>Making a practice block …</source>
         <translation>Creando un bloque de práctica …</translation>
     </message>
@@ -3075,6 +3081,13 @@
         <source>Preparing the lesson …</source>
         <translation>Preparando la lección …</translation>
     </message>
+    <message>
+        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
+        <translation>La referencia se guardó como %1. Una lección la nombra, o elíjala en el editor de una lección sobre este diente.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ResumeController</name>
     <message>
         <source>Resuming the attempt …</source>
         <translation>Reanudando el intento …</translation>
@@ -3088,20 +3101,54 @@
         <translation>Su intento continúa donde lo dejó.</translation>
     </message>
     <message>
-        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
-        <translation>La referencia se guardó como %1. Una lección la nombra, o elíjala en el editor de una lección sobre este diente.</translation>
+        <source>The attempt is no longer there.</source>
+        <translation>El intento ya no está.</translation>
+    </message>
+</context>
+<context>
+    <name>app::GradingController</name>
+    <message>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
+        <translation>El diente aún no está listo. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation>Todavía no se ha tallado nada, así que no hay nada que calificar.</translation>
     </message>
     <message>
         <source>This exercise has not been started yet, so there is nothing to grade.</source>
         <translation>Este ejercicio aún no ha empezado, así que no hay nada que calificar.</translation>
     </message>
     <message>
-        <source>The expert</source>
-        <translation>El experto</translation>
+        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
+        <translation>Ningún campo tiene respuesta todavía. Elija debajo de la vista de qué está hecho cada campo.</translation>
     </message>
     <message>
-        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
-        <translation>El paquete no se desempaquetó, así que su lección no se puede cambiar. %1</translation>
+        <source>The grade that could not be saved is now saved.</source>
+        <translation>La calificación que no se pudo guardar ya está guardada.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlaybackController</name>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Leyendo %1 …</translation>
+    </message>
+    <message>
+        <source>The tooth is intact. You can start drilling.</source>
+        <translation>El diente está intacto. Puede empezar a tallar.</translation>
+    </message>
+    <message>
+        <source>You are back in your own work.</source>
+        <translation>Ha vuelto a su propio trabajo.</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>Preparando la lección …</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>El experto</translation>
     </message>
     <message>
         <source>A simulated hand does the lesson …</source>
@@ -3119,29 +3166,35 @@
         <source>No teacher has recorded this lesson, and the simulated hand cannot do it.</source>
         <translation>Ningún docente ha grabado esta lección, y la mano simulada no puede hacerla.</translation>
     </message>
-    <message>
-        <source>No pad has an answer yet. Choose below the view what each pad is made of.</source>
-        <translation>Ningún campo tiene respuesta todavía. Elija debajo de la vista de qué está hecho cada campo.</translation>
-    </message>
-    <message>
-        <source>The attempt is no longer there.</source>
-        <translation>El intento ya no está.</translation>
-    </message>
-    <message>
-        <source>Preparing the score card …</source>
-        <translation>Preparando la hoja de puntuación …</translation>
-    </message>
+</context>
+<context>
+    <name>app::LoginController</name>
     <message>
         <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
         <translation>La base de datos de la escuela está en una unidad de red, donde solo puede usarla un ordenador a la vez. Para varios ordenadores, use un servidor PostgreSQL.</translation>
     </message>
     <message>
-        <source>Today&apos;s backup was not made. %1</source>
-        <translation>No se hizo la copia de hoy. %1</translation>
-    </message>
-    <message>
         <source>Your password was changed.</source>
         <translation>Su contraseña se ha cambiado.</translation>
+    </message>
+    <message>
+        <source>This account was disabled, and you were logged out. Ask an admin.</source>
+        <translation>Esta cuenta se ha desactivado y se ha cerrado su sesión. Pregunte a la administración.</translation>
+    </message>
+    <message>
+        <source>Your role was changed, and you were logged out. Log in again.</source>
+        <translation>Se ha cambiado su papel y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
+    </message>
+    <message>
+        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
+        <translation>Donde estaba su escuela hay ahora otra y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SchoolController</name>
+    <message>
+        <source>Today&apos;s backup was not made. %1</source>
+        <translation>No se hizo la copia de hoy. %1</translation>
     </message>
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
@@ -3164,20 +3217,8 @@
         <translation>Se restauró la copia del %1. El archivo anterior se conserva a su lado como %2.</translation>
     </message>
     <message>
-        <source>This account was disabled, and you were logged out. Ask an admin.</source>
-        <translation>Esta cuenta se ha desactivado y se ha cerrado su sesión. Pregunte a la administración.</translation>
-    </message>
-    <message>
-        <source>The grade that could not be saved is now saved.</source>
-        <translation>La calificación que no se pudo guardar ya está guardada.</translation>
-    </message>
-    <message>
         <source>The backup was not restored. %1</source>
         <translation>La copia de seguridad no se restauró. %1</translation>
-    </message>
-    <message>
-        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
-        <translation>Aquí no responde ningún programa que muestre carpetas. Sus propias lecciones están en %1.</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
@@ -3186,18 +3227,6 @@
             <numerusform>%n intento en este equipo queda pendiente para otra escuela: %1. Si es esta misma con un nombre anterior, «cusp db send» lo trae aquí.</numerusform>
             <numerusform>%n intentos en este equipo quedan pendientes para otra escuela: %1. Si es esta misma con un nombre anterior, «cusp db send» los trae aquí.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Your role was changed, and you were logged out. Log in again.</source>
-        <translation>Se ha cambiado su papel y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
-    </message>
-    <message>
-        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
-        <translation>Los intentos anteriores no están disponibles durante un examen. Pulse G para terminar el examen o empiece otra lección.</translation>
-    </message>
-    <message>
-        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
-        <translation>Donde estaba su escuela hay ahora otra y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
     </message>
 </context>
 <context>

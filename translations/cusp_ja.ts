@@ -3031,7 +3031,29 @@
     </message>
 </context>
 <context>
-    <name>app::Application</name>
+    <name>app::LessonsController</name>
+    <message>
+        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
+        <translation>パックを展開できなかったため、課題を変更できません。%1</translation>
+    </message>
+    <message>
+        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
+        <translation>フォルダーを表示するプログラムがここにはありません。ご自分の課題は %1 にあります。</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenedScoreController</name>
+    <message>
+        <source>Preparing the score card …</source>
+        <translation>成績表を作成しています …</translation>
+    </message>
+    <message>
+        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
+        <translation>試験中は以前の試行を開けません。Gで試験を終えるか、別の課題を始めてください。</translation>
+    </message>
+</context>
+<context>
+    <name>app::AttemptController</name>
     <message>
         <source>Making tooth %1 …</source>
         <translation>歯%1を作成しています …</translation>
@@ -3049,9 +3071,31 @@
         <translation>課題を準備しています …</translation>
     </message>
     <message>
-        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
-        <translation>パックを展開できなかったため、課題を変更できません。%1</translation>
+        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
+        <translation>基準を%1として保存しました。課題で指定するか、この歯の課題のエディターで選んでください。</translation>
     </message>
+</context>
+<context>
+    <name>app::ResumeController</name>
+    <message>
+        <source>Resuming the attempt …</source>
+        <translation>試行を再開しています …</translation>
+    </message>
+    <message>
+        <source>Your attempt continues where you stopped. It was begun with the mouse: the device has no soft limit at the end of its reach in this attempt.</source>
+        <translation>中断したところから試みを続けます。マウスで始めた試みなので、この試みではデバイスの可動範囲の端に柔らかい限界はありません。</translation>
+    </message>
+    <message>
+        <source>Your attempt continues where you stopped.</source>
+        <translation>試行を中断したところから続けます。</translation>
+    </message>
+    <message>
+        <source>The attempt is no longer there.</source>
+        <translation>その試行はもうありません。</translation>
+    </message>
+</context>
+<context>
+    <name>app::GradingController</name>
     <message>
         <source>The tooth is not ready yet. Try again in a moment.</source>
         <translation>歯の準備ができていません。少し待ってからもう一度お試しください。</translation>
@@ -3069,8 +3113,19 @@
         <translation>まだ何も切削していないため、採点するものがありません。</translation>
     </message>
     <message>
-        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
-        <translation>基準を%1として保存しました。課題で指定するか、この歯の課題のエディターで選んでください。</translation>
+        <source>The grade that could not be saved is now saved.</source>
+        <translation>保存できなかった採点結果が保存されました。</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlaybackController</name>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1を読み込んでいます …</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>課題を準備しています …</translation>
     </message>
     <message>
         <source>The expert</source>
@@ -3093,22 +3148,6 @@
         <translation>この課題の教員の記録がなく、模擬の手でもできません。</translation>
     </message>
     <message>
-        <source>Resuming the attempt …</source>
-        <translation>試行を再開しています …</translation>
-    </message>
-    <message>
-        <source>Your attempt continues where you stopped. It was begun with the mouse: the device has no soft limit at the end of its reach in this attempt.</source>
-        <translation>中断したところから試みを続けます。マウスで始めた試みなので、この試みではデバイスの可動範囲の端に柔らかい限界はありません。</translation>
-    </message>
-    <message>
-        <source>Your attempt continues where you stopped.</source>
-        <translation>試行を中断したところから続けます。</translation>
-    </message>
-    <message>
-        <source>The attempt is no longer there.</source>
-        <translation>その試行はもうありません。</translation>
-    </message>
-    <message>
         <source>The tooth is intact. You can start drilling.</source>
         <translation>歯は元どおりです。切削を始められます。</translation>
     </message>
@@ -3116,21 +3155,35 @@
         <source>You are back in your own work.</source>
         <translation>ご自身の作業に戻りました。</translation>
     </message>
-    <message>
-        <source>Preparing the score card …</source>
-        <translation>成績表を作成しています …</translation>
-    </message>
+</context>
+<context>
+    <name>app::LoginController</name>
     <message>
         <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
         <translation>学校のデータベースはネットワークドライブ上にあり、同時に1台しか使えません。複数台ではPostgreSQLサーバーを使ってください。</translation>
     </message>
     <message>
-        <source>Today&apos;s backup was not made. %1</source>
-        <translation>今日のバックアップは作成されませんでした。%1</translation>
-    </message>
-    <message>
         <source>Your password was changed.</source>
         <translation>パスワードを変更しました。</translation>
+    </message>
+    <message>
+        <source>This account was disabled, and you were logged out. Ask an admin.</source>
+        <translation>このアカウントは無効にされ、ログアウトしました。管理者に尋ねてください。</translation>
+    </message>
+    <message>
+        <source>Your role was changed, and you were logged out. Log in again.</source>
+        <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
+    </message>
+    <message>
+        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
+        <translation>この学校のあった場所に別の学校があるため、ログアウトしました。もう一度ログインしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>app::SchoolController</name>
+    <message>
+        <source>Today&apos;s backup was not made. %1</source>
+        <translation>今日のバックアップは作成されませんでした。%1</translation>
     </message>
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
@@ -3152,20 +3205,8 @@
         <translation>%1 のバックアップを復元しました。以前のファイルは %2 として隣に残ります。</translation>
     </message>
     <message>
-        <source>This account was disabled, and you were logged out. Ask an admin.</source>
-        <translation>このアカウントは無効にされ、ログアウトしました。管理者に尋ねてください。</translation>
-    </message>
-    <message>
-        <source>The grade that could not be saved is now saved.</source>
-        <translation>保存できなかった採点結果が保存されました。</translation>
-    </message>
-    <message>
         <source>The backup was not restored. %1</source>
         <translation>バックアップは復元されませんでした。%1</translation>
-    </message>
-    <message>
-        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
-        <translation>フォルダーを表示するプログラムがここにはありません。ご自分の課題は %1 にあります。</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
@@ -3173,18 +3214,6 @@
         <translation>
             <numerusform>このコンピューターの%n件の試行は、別の学校（%1）を待っています。それが以前の名前のこの学校であれば、cusp の db send コマンドでここに送れます。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Your role was changed, and you were logged out. Log in again.</source>
-        <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
-    </message>
-    <message>
-        <source>Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson.</source>
-        <translation>試験中は以前の試行を開けません。Gで試験を終えるか、別の課題を始めてください。</translation>
-    </message>
-    <message>
-        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
-        <translation>この学校のあった場所に別の学校があるため、ログアウトしました。もう一度ログインしてください。</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ void CurrentAttempt::begin(std::uint64_t generation, const lessons::Assignment& 
     m_exam = assignment.lesson && assignment.lesson->exam ? Exam::NotBegun : Exam::None;
     m_isResumed = false;
     m_isGraded = false;
+    m_isResting = false;
     m_resumedAtTick = 0;
     m_seenBefore.reset();
     m_violationsReported = 0;

@@ -79,6 +79,10 @@ public:
     /// Whether a grade was given to this attempt.
     [[nodiscard]] bool isGraded() const { return m_isGraded; }
 
+    /// Sets whether the attempt rests while a recording is played in its place. Another attempt ends the rest.
+    void setResting(bool isResting) { m_isResting = isResting; }
+    [[nodiscard]] bool isResting() const { return m_isResting; }
+
     [[nodiscard]] Exam exam() const { return m_exam; }
     /// Reports the first cut of an exam. Returns true the first time: the exam has to be counted. Then it is Counted at
     /// once if it was resumed, else Checking until answerExam().
@@ -103,6 +107,7 @@ private:
     core::servo::ServoSettings m_settings;
     bool m_isResumed = false;
     bool m_isGraded = false;
+    bool m_isResting = false;
     std::uint64_t m_resumedAtTick = 0;
     std::optional<GradedMarker> m_seenBefore;
     std::size_t m_violationsReported = 0;

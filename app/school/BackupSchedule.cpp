@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr int kPeriodMs = 3'600'000;
+constexpr int kBackupPeriodMs = 3'600'000;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ BackupSchedule::BackupSchedule(SchoolService& service, database::Address address
     : m_service(service), m_address(std::move(address)), m_stationFolder(std::move(stationFolder))
 {
     m_timer.setObjectName(QStringLiteral("backupWatch"));
-    m_timer.setInterval(kPeriodMs);
+    m_timer.setInterval(kBackupPeriodMs);
     connect(&m_timer, &QTimer::timeout, this, &BackupSchedule::backUpToday);
 }
 

@@ -157,31 +157,35 @@ const QList<Arrows> kArrows{
     {"ui/window", "core/base core/bur core/grading core/imaging core/servo core/session core/settings core/teeth "
                   "lessons database ui/admin ui/catalog ui/console ui/devices ui/inside ui/kit ui/lessoneditor "
                   "ui/people ui/practice ui/presets ui/replay ui/scoring ui/settings ui/text ui/tooth ui/toothchooser"},
-    {"app/threads", "core/rt"},
+    {"app/threads", "core/rt core/session haptics"},
     {"app/school", "core/base core/recording database database/sql app/threads"},
-    {"app/attempt", "core/bur core/recording core/rt core/servo lessons haptics/falcon haptics/pointer "
-                    "haptics/simulated database database/sql app/school"},
-    {"app/devices", "core/base core/session core/settings core/tracking haptics haptics/falcon haptics/pedal "
-                    "ui/devices ui/kit ui/practice ui/sound ui/text ui/tooth ui/window app/threads"},
-    {"app/replay", "core/audio core/history core/recording core/rt core/servo core/session lessons haptics ui/replay "
-                   "ui/tooth ui/window app/threads"},
-    {"app", "core/grading core/guidance core/history core/preparation core/recording core/servo core/session "
-            "core/settings core/teeth lessons haptics haptics/falcon haptics/pointer haptics/simulated database "
-            "database/sql ui/admin ui/devices ui/kit ui/people ui/render ui/report ui/scoring ui/sound ui/text "
-            "ui/tooth ui/window app/attempt app/devices app/replay app/school app/threads"},
-    {"cli/parts",
-     "core/base core/bur core/grading core/servo core/settings core/teeth core/tracking lessons haptics/falcon "
-     "haptics/simulated database/sql ui/devices app/devices"},
-    {"bench",
-     "core/audio core/base core/bur core/contact core/guidance core/recording core/rt core/servo core/session "
-     "core/settings core/teeth core/terrain core/tracking lessons haptics haptics/falcon haptics/pointer "
-     "haptics/simulated lab ui/charts ui/kit ui/render ui/sound ui/tooth app/attempt app/replay app/threads cli/parts"},
+    {"app/devices", "core/base core/tracking core/settings core/session haptics/pedal haptics "
+                    "haptics/falcon ui/sound ui/text ui/kit ui/devices ui/tooth ui/practice ui/window "
+                    "app/threads"},
+    {"app/pages", "core/settings core/recording lessons database database/sql ui/text ui/kit ui/admin "
+                  "ui/scoring ui/people ui/report ui/window app/threads app/school"},
+    {"app/attempt", "core/rt core/bur core/teeth core/settings core/servo core/grading core/guidance "
+                    "core/history core/recording core/preparation core/session lessons haptics/falcon "
+                    "haptics/pointer haptics/simulated database database/sql ui/render ui/text ui/tooth "
+                    "ui/scoring ui/window app/threads app/school app/devices app/pages"},
+    {"app/replay", "core/rt core/servo core/audio core/history core/recording core/session lessons "
+                   "haptics ui/tooth ui/replay ui/window app/threads app/pages app/attempt"},
+    {"app", "core/base core/teeth core/servo core/session haptics haptics/pointer "
+            "haptics/simulated database database/sql ui/sound ui/text ui/devices ui/tooth "
+            "ui/window app/threads app/school app/devices app/pages app/attempt app/replay"},
+    {"cli/parts", "core/base core/tracking core/bur core/teeth core/settings core/servo core/grading "
+                  "lessons haptics/falcon haptics/simulated database/sql ui/devices app/devices"},
+    {"bench", "core/base core/rt core/tracking core/terrain core/bur core/teeth core/contact "
+              "core/settings core/servo core/audio core/guidance core/recording core/session lessons "
+              "haptics haptics/falcon haptics/pointer haptics/simulated lab ui/render ui/sound "
+              "ui/kit ui/charts ui/tooth app/threads app/attempt app/replay cli/parts"},
     {"cli/render", "core/base core/bur core/grading core/imaging core/servo core/teeth core/terrain ui/inside "
                    "ui/render ui/tooth cli/parts"},
-    {"cli", "core/audio core/base core/bur core/mesh core/preparation core/recording core/servo core/session "
-            "core/settings core/teeth core/tracking lessons haptics haptics/falcon haptics/pointer haptics/simulated "
-            "database database/sql ui/catalog ui/inside ui/kit ui/render ui/text ui/tooth app app/attempt app/devices "
-            "app/school app/threads bench cli/parts cli/render"},
+    {"cli", "core/base core/mesh core/tracking core/bur core/teeth core/settings core/servo "
+            "core/audio core/recording core/preparation core/session lessons haptics "
+            "haptics/falcon haptics/pointer haptics/simulated database database/sql ui/render "
+            "ui/text ui/kit ui/inside ui/tooth ui/catalog app/threads app/school app/devices "
+            "app/attempt app cli/parts bench cli/render"},
 };
 
 const Arrows* arrowsOf(const QString& folder)

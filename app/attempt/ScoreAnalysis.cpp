@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/ScoreAnalysis.h"
+#include "app/attempt/ScoreAnalysis.h"
 
 #include <utility>
 
@@ -89,6 +89,26 @@ void ScoreAnalysis::tellAgain()
         emit momentsFound(*m_moments);
     else if (m_goOn && m_share < 1.0)
         emit momentsProgress(m_share);
+}
+
+void ScoreAnalysis::showOn(ui::scoring::ScorePage& page, const std::function<bool()>& isShown)
+{
+    connect(this, &ScoreAnalysis::noiseFound, &page, [&page, isShown](const lessons::GridSensitivity& noise) {
+        if (isShown())
+            page.setNoise(noise);
+    });
+    connect(this, &ScoreAnalysis::momentsProgress, &page, [&page, isShown](double share) {
+        if (isShown())
+            page.setMomentsProgress(share);
+    });
+    connect(this, &ScoreAnalysis::momentsFound, &page, [&page, isShown](const lessons::PointLossTimeline& moments) {
+        if (isShown())
+            page.setMoments(moments.ofCriteria);
+    });
+    connect(this, &ScoreAnalysis::failed, &page, [&page, isShown] {
+        if (isShown())
+            page.setMomentsProgress({});
+    });
 }
 
 }  // namespace app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/PresetController.h"
+#include "app/pages/PresetController.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/ReportController.h"
+#include "app/pages/ReportController.h"
 
 #include <memory>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,10 @@
 #include "core/recording/Recording.h"
 #include "lessons/GridSensitivity.h"
 #include "lessons/PointLossTimeline.h"
+
+namespace ui::scoring {
+class ScorePage;
+}
 
 namespace app {
 
@@ -31,6 +36,9 @@ public:
     void tellAgain();
     /// Leaves off; what was found is forgotten.
     void forget();
+    /// Shows on the score page what is found, as it is found.
+    /// @param isShown  whether the page shows the attempt that this is about; findings are dropped while it does not
+    void showOn(ui::scoring::ScorePage& page, const std::function<bool()>& isShown);
 
 signals:
     void noiseFound(const lessons::GridSensitivity& noise);

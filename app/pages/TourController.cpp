@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/TourController.h"
+#include "app/pages/TourController.h"
 
 #include "database/sql/Settings.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/AttemptHistoryController.h"
+#include "app/pages/AttemptHistoryController.h"
 
 #include <algorithm>
 #include <climits>

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/LoginController.h"
+
+#include <string>
+#include <utility>
+
+#include <QTimer>
+
+#include "app/school/SchoolService.h"
+#include "app/school/SchoolSettings.h"
+#include "app/threads/Background.h"
+#include "database/Passwords.h"
+#include "database/sql/Logins.h"
+#include "database/sql/Settings.h"
+
+namespace app {
+
+using database::sql::DatabaseContext;
+using database::sql::Logins;
+using ui::window::MainWindow;
+
+LoginController::LoginController(const Parts& parts, std::chrono::milliseconds patience)
+    : m_window(parts.window), m_school(parts.school), m_data(parts.data), m_lessons(parts.lessons),
+      m_presets(parts.presets), m_attempt(parts.attempt), m_attempts(parts.attempts), m_resume(parts.resume),
+      m_grading(parts.grading), m_loads(parts.loads), m_patience(patience)
+{
+    connectWindow();
+    connect(&m_data, &SchoolController::opened, this, [this] {
+        m_presets.setSchool(m_school.service);
+        updateMayEdit();
+    });
+}
+
+void LoginController::connectService()
+{
+    SchoolService* const service = m_school.service;
+    connect(service, &SchoolService::isBack, this, [this] {
+        if (m_school.user.isGuest())
+            return;
+        m_presets.refresh();
+        m_window.readAgain();
+    });
+    connect(service, &SchoolService::disabled, this, [this] {
+        if (m_school.user.isGuest())  // has been logged out already
+            return;
+        leave();
+        m_window.sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
+    });
+    connect(service, &SchoolService::refused, this, &LoginController::leaveIfRoleChanged);
+    connect(service, &SchoolService::otherSchool, this, [this] {
+        const bool wasIn = !m_school.user.isGuest();
+        if (wasIn)
+            leave();
+        m_school.service->takeOtherSchool();
+        m_data.openSchool();
+        if (wasIn)
+            m_window.sayAtDoor(
+                [] { return tr("Another school is now where yours was, and you were logged out. Log in again."); });
+    });
+    updateMayEdit();
+}
+
+void LoginController::leaveToRestore(const QString& backup)
+{
+    const database::Login who = m_school.user;
+    leave();
+    m_data.restore(who, backup);
+}
+
+/// The idle limit is a setting of the school.
+void LoginController::readIdleLimit()
+{
+    m_school.service->ask(
+        this, [who = m_school.user](const DatabaseContext& school) { return database::sql::readSettings(school, who); },
+        [this](const core::Result<database::sql::SettingsMap>& settings) {
+            if (settings)
+                m_window.setIdleLimit(std::chrono::minutes(idleMinutesOf(*settings)));
+        });
+}
+
+void LoginController::changePassword(const QString& old, const QString& password)
+{
+    m_school.service->ask(
+        this,
+        [who = m_school.user, old = old.toStdString(),
+         next = password.toStdString()](const DatabaseContext& school) -> core::Result<bool> {
+            if (auto done = Logins::changePassword(school, who, old, next); !done)
+                return tl::unexpected(done.error());
+            return true;
+        },
+        [this](const core::Result<bool>& done) {
+            if (!done) {
+                m_window.refuseLogin(done.error());
+                return;
+            }
+            readOwnHash();
+            m_window.setWho(m_school.user);
+            m_window.showMessage(tr("Your password was changed."));
+        });
+}
+
+void LoginController::connectWindow()
+{
+    using ui::window::MainWindow;
+    connect(&m_window, &MainWindow::loginRequested, this, [this](const QString& name, const QString& password) {
+        ask([name = name.toStdString(), password = password.toStdString()](
+                const DatabaseContext& school) { return Logins::login(school, name, password); },
+            [this, isOwner = name.toStdString() == m_school.user.username(), password](const core::Error& why) {
+                if (isOwner && isUnreachable(why.code))
+                    unlockOffline(password, why);
+                else
+                    m_data.refuseLogin(why);
+            });
+    });
+    connect(&m_window, &MainWindow::codeRequested, this,
+            [this](const QString& name, const QString& code, const QString& password) {
+                ask([name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
+                        const DatabaseContext& school) { return Logins::redeem(school, name, code, password); });
+            });
+    connect(&m_window, &MainWindow::schoolRequested, this,
+            [this](const database::NewPerson& admin, const QString& password) {
+                ask(
+                    [admin, password = password.toStdString()](const DatabaseContext& school) {
+                        return Logins::createFirstAdmin(school, admin, password, database::timedCost());
+                    },
+                    [this](const core::Error& why) {
+                        if (why.code == core::ErrorCode::NotAllowed) {  // another computer was faster
+                            m_data.endNewSchool();
+                            updateMayEdit();
+                            m_window.askLogin();
+                        }
+                        m_window.refuseLogin(why);
+                    });
+            });
+    connect(&m_window, &MainWindow::guestRequested, this, &LoginController::becomeGuest);
+    connect(&m_window, &MainWindow::logoutRequested, this, &LoginController::leave);
+    connect(&m_window, &MainWindow::passwordChangeRequested, this, &LoginController::changePassword);
+    connect(&m_window, &MainWindow::keepRequested, this, [this] {
+        m_keepsOnLogin = true;
+        m_window.askLoginToKeep();
+    });
+}
+
+/// Logs in the user that the database returns. Ignores an answer that arrives after the user has left the login page:
+/// by then somebody else may sit there.
+/// @param refuse  handles an error; empty: the login page shows it
+void LoginController::ask(const std::function<core::Result<database::Login>(const DatabaseContext&)>& work,
+                          const std::function<void(const core::Error&)>& refuse)
+{
+    const auto answer = [this, refuse, turn = ++m_turn](const core::Result<database::Login>& who) {
+        if (turn != m_turn || !m_window.isAtDoor()) {
+            if (who && m_window.isNewSchool())
+                m_data.endNewSchool();
+            return;
+        }
+        ++m_turn;
+        if (who)
+            enter(*who);
+        else if (refuse)
+            refuse(who.error());
+        else
+            m_data.refuseLogin(who.error());
+    };
+    if (!m_school.service) {
+        answer(tl::unexpected(m_data.whyNone()));
+        return;
+    }
+    m_school.service->ask(this, work, answer);
+    // A server that hangs never answers. A file answers sooner or later: it may be large, and its disk busy. But a user
+    // who has work behind the login page does not have to wait for it.
+    if (m_data.isServer() || !m_school.user.isGuest())
+        QTimer::singleShot(m_patience, this, [answer, isServer = m_data.isServer()] {
+            answer(core::unexpected(isServer ? core::ErrorCode::ConnectionLost : core::ErrorCode::Busy,
+                                    "there was no answer"));
+        });
+}
+
+void LoginController::readOwnHash()
+{
+    m_school.service->ask(
+        this, [who = m_school.user](const DatabaseContext& school) { return Logins::ownHash(school, who); },
+        [this, who = m_school.user](const core::Result<std::string>& hash) {
+            if (hash && m_school.user == who)
+                m_unlock.setHash(*hash);
+        });
+}
+
+/// Lets the user who locked the window return to their work while the database cannot be reached.
+/// @param why  it cannot be reached
+void LoginController::unlockOffline(const QString& password, const core::Error& why)
+{
+    if (!m_unlock.isPossible()) {
+        m_data.refuseLogin(why);
+        return;
+    }
+    if (const auto wait = m_unlock.wait(); wait.count() > 0) {
+        m_window.refuseLogin({core::ErrorCode::TooSoon, "wait " + std::to_string(wait.count()) + " s"});
+        return;
+    }
+    inBackground(
+        this, [password = password.toStdString(), hash = m_unlock.hash()] { return database::fits(password, hash); },
+        [this, who = m_school.user](const core::Result<bool>& fits) {
+            if (m_school.user != who)
+                return;
+            if (fits && *fits) {
+                enter(who);
+                return;
+            }
+            m_unlock.reject();
+            m_window.refuseLogin(fits ? core::Error{core::ErrorCode::WrongLogin, "the password is wrong"}
+                                      : fits.error());
+        });
+}
+
+/// Handles that a user has logged in, or has unlocked the window.
+void LoginController::enter(const database::Login& who)
+{
+    m_unlock.resetTries();
+    if (who.person() == m_school.user.person()) {
+        m_window.setWho(who);
+        return;
+    }
+    if (m_window.isNewSchool())
+        m_data.endNewSchool();
+    m_school.user = who;
+    m_lessons.forget();
+    m_unlock.setHash({});
+    readOwnHash();
+    m_attempts.forgetFeelByHand();
+    m_presets.refresh();
+    // Work of a guest belongs to nobody, unless they log in to save its grade.
+    const bool keeps = std::exchange(m_keepsOnLogin, false) && m_window.keepsOnLogin() && m_grading.isGuests();
+    if (!keeps && m_attempt.hasTooth())
+        m_attempts.beginWholeTooth();
+    m_window.setWho(who);
+    updateMayEdit();
+    readIdleLimit();
+    m_resume.startJournal();
+    if (keeps)
+        m_grading.saveGuestsGrade();
+    else
+        m_window.openHome();
+    if (m_tour != nullptr && !keeps)
+        m_tour->welcome(m_school.service, m_school.user);
+    if (who.role() == database::Role::Admin && m_school.service)
+        raisePasswordCost();
+    if (m_data.isOnNetworkDrive() && who.role() == database::Role::Admin)
+        m_window.showWarning(tr("The school's database is on a network drive, where only one computer at a time can "
+                                "use it. For several computers, use a PostgreSQL server."));
+}
+
+/// Passwords are hashed at a cost that suits today's computers.
+void LoginController::raisePasswordCost()
+{
+    if (std::exchange(m_hasTimedCost, true))
+        return;
+    inBackground(
+        this, [] { return database::timedCost(); },
+        [this](const database::PasswordCost& cost) {
+            m_school.service->ask(
+                this,
+                [who = m_school.user, cost](const DatabaseContext& school) {
+                    return database::sql::raisePasswordCost(school, who, cost);
+                },
+                [](const core::Status&) {});
+        });
+}
+
+/// Logs out. The attempt stays on the disk, in the user's folder, and is offered when they are back.
+void LoginController::leave()
+{
+    if (m_school.service && !m_school.user.isGuest())
+        m_school.service->ask(
+            this,
+            [who = m_school.user](const DatabaseContext& school) -> core::Result<bool> {
+                if (auto noted = Logins::logout(school, who); !noted)
+                    return tl::unexpected(noted.error());
+                return true;
+            },
+            [](const core::Result<bool>&) {});
+    // A saved attempt is not offered again. The note in its journal may be on its way still, for example during a
+    // replay.
+    m_resume.stopJournal(m_grading.isSaved());
+    m_loads.begin();  // a tooth that is being made for them opens for nobody else
+    m_window.stopBusy();
+    m_school.user = {};
+    m_lessons.forget();
+    m_unlock.setHash({});
+    m_unlock.resetTries();
+    m_attempts.forgetFeelByHand();
+    m_presets.refresh();
+    m_window.leaveAll();
+    emit left();
+    m_window.setWho(m_school.user);
+    updateMayEdit();
+    m_attempts.beginWholeTooth();
+    m_window.askLogin();
+}
+
+/// The window shows the pages of the role that the user had when they logged in.
+void LoginController::leaveIfRoleChanged()
+{
+    if (m_school.user.isGuest())
+        return;
+    m_school.service->ask(
+        this,
+        [who = m_school.user](const DatabaseContext& school) {
+            return database::sql::authorize(school, who, database::Operation::ReadSettings);
+        },
+        [this, who = m_school.user](const core::Result<database::sql::AuthorizedUser>& now) {
+            if (!now || m_school.user != who || now->role == who.role())
+                return;
+            leave();
+            m_window.sayAtDoor([] { return tr("Your role was changed, and you were logged out. Log in again."); });
+        });
+}
+
+/// In a school only instructors and admins edit lessons.
+void LoginController::updateMayEdit()
+{
+    const bool teaches =
+        m_school.user.role() == database::Role::Instructor || m_school.user.role() == database::Role::Admin;
+    m_window.setMayEdit(!m_school.service || m_window.isNewSchool() || teaches);
+}
+
+void LoginController::becomeGuest()
+{
+    ++m_turn;
+    m_keepsOnLogin = false;
+    m_window.setWho(m_school.user);
+    if (m_resume.isRunning())  // they have only looked at the login page
+        return;
+    m_resume.startJournal();
+    if (m_tour != nullptr)
+        m_tour->welcome(nullptr, m_school.user);
+}
+
+}  // namespace app

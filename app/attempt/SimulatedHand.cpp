@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/attempt/SimulatedHand.h"
+
+#include <utility>
+
+#include "app/attempt/Demonstration.h"
+
+namespace app {
+namespace {
+
+constexpr int kDecidePeriodMs = 16;
+
+}  // namespace
+
+SimulatedHand::SimulatedHand(const Parts& parts, core::rt::TripleBuffer<core::servo::PointerInput>& input)
+    : m_channels(parts.channels), m_session(parts.session), m_devices(parts.devices), m_attempt(parts.attempt),
+      m_input(input)
+{
+    m_timer.setInterval(kDecidePeriodMs);
+    connect(&m_timer, &QTimer::timeout, this, &SimulatedHand::decide);
+    connect(&m_devices, &DeviceController::inUseChanged, this, &SimulatedHand::follow);
+    connect(&parts.attempts, &AttemptController::loaded, this, [this] { m_hand.reset(); });
+    follow();
+}
+
+void SimulatedHand::follow()
+{
+    if (m_devices.isSimulated())
+        m_timer.start();
+    else
+        m_timer.stop();
+}
+
+void SimulatedHand::decide()
+{
+    const core::servo::ServoState& state = m_channels.servo.latest();
+    if (m_isLed())
+        m_input.publish({.targetMm = glm::dvec2(state.anchorMm), .hoverMm = state.anchorMm.z, .pushing = false});
+    const auto tooth = m_session.toothSoFar();
+    const lessons::Assignment& assignment = m_attempt.assignment();
+    if (m_attempt.isResting() || assignment.exercise || !tooth || tooth->anatomy != assignment.anatomy)
+        return;
+    if (!m_hand || std::exchange(m_bur, state.burIndex) != state.burIndex)
+        m_hand = handFor(assignment, state.burIndex);
+    m_input.publish(m_hand->decide(state, *tooth));
+}
+
+}  // namespace app

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/LessonsController.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <QDateTime>
+#include <QDesktopServices>
+#include <QDir>
+#include <QTimer>
+#include <QUrl>
+
+#include "app/school/SchoolService.h"
+#include "app/threads/Background.h"
+#include "database/sql/Attempts.h"
+#include "database/sql/Classes.h"
+#include "database/sql/Feedback.h"
+#include "lessons/LessonCatalog.h"
+#include "lessons/LessonPack.h"
+#include "lessons/LessonReader.h"
+#include "lessons/ScoreSheetJson.h"
+#include "ui/text/LessonTexts.h"
+#include "ui/text/ValidationTexts.h"
+
+namespace app {
+namespace {
+
+constexpr int kMostKnownAttempts = 200;
+constexpr int kSchoolPatienceMs = 1500;  ///< for the database, before the lessons are shown without it
+
+}  // namespace
+
+using database::sql::DatabaseContext;
+using ui::text::FailedOperation;
+using ui::window::MainWindow;
+
+LessonsController::LessonsController(MainWindow& window, const SchoolSession& school)
+    : m_window(window), m_school(school)
+{
+    connect(&window, &MainWindow::lessonsRequested, this, &LessonsController::showLessons);
+    connect(&window, &MainWindow::knownAttemptsRequested, this, &LessonsController::showKnownAttempts);
+    connect(&window, &MainWindow::unpackRequested, this, &LessonsController::unpack);
+    connect(&window, &MainWindow::lessonFolderRequested, this, &LessonsController::openFolder);
+}
+
+bool LessonsController::isUsedUp(const std::string& lessonId) const
+{
+    const auto given = m_fromSchool.given.find(lessonId);
+    return given != m_fromSchool.given.end() && given->second.attemptsLeft == 0;
+}
+
+void LessonsController::openFolder()
+{
+    const QString folder = lessons::teachersFolder();
+    QDir().mkpath(folder);
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+        m_window.showMessage(tr("No program answers here that shows folders. Your own lessons are in %1.")
+                                 .arg(QDir::toNativeSeparators(folder)));
+}
+
+core::Result<LessonsController::FromSchool> LessonsController::read(const DatabaseContext& school,
+                                                                    const database::Login& who)
+{
+    const auto standings = database::sql::standingsOf(school, who, who.person());
+    if (!standings)
+        return tl::unexpected(standings.error());
+    FromSchool found;
+    for (const database::LessonStanding& one : *standings)
+        found.standings[one.lessonId] = {one.attempts, one.bestTenths, one.passed, QString::fromStdString(one.lastUtc)};
+    if (who.role() != database::Role::Student)
+        return found;
+    auto feedback = database::sql::feedbackFor(school, who, who.person());
+    if (!feedback)
+        return tl::unexpected(feedback.error());
+    found.feedback = std::move(*feedback);
+    const auto classes = database::sql::listClasses(school, who);
+    const auto given = database::sql::listAssignments(school, who);
+    if (!classes || !given)
+        return tl::unexpected(classes ? given.error() : classes.error());
+    for (const database::ClassAssignment& one : *given) {
+        const auto ofClass =
+            std::find_if(classes->begin(), classes->end(), [&](const auto& other) { return other.id == one.classId; });
+        ui::catalog::Given& here = found.given[one.lessonId];
+        if (ofClass != classes->end())
+            here.className +=
+                (here.className.isEmpty() ? QString() : QStringLiteral(", ")) + QString::fromStdString(ofClass->name);
+        const QDateTime due = QDateTime::fromString(QString::fromStdString(one.dueUtc), Qt::ISODate);
+        if (ofClass != classes->end())
+            here.classes.emplace_back(QString::fromStdString(ofClass->name), due);
+        if (due.isValid() && (!here.due.isValid() || due < here.due))
+            here.due = due;
+        const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
+        if (!left)
+            return tl::unexpected(left.error());
+        here.attemptsLeft = *left;
+    }
+    return found;
+}
+
+/// Reads the folder of lessons each time: a teacher may have changed it.
+void LessonsController::showLessons()
+{
+    const auto show = [this, who = m_school.user] {
+        inBackground(
+            this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
+            [this, who](std::vector<lessons::CatalogEntry>& entries) {
+                if (m_school.user != who)
+                    return;
+                m_window.setLessons(std::move(entries), m_fromSchool.standings, m_fromSchool.given);
+                m_window.setFeedback(m_fromSchool.feedback);
+                emit shown();
+            });
+    };
+    if (!m_school.isLoggedIn()) {
+        show();
+        return;
+    }
+    // Lessons are files: they do not wait for a server that does not answer.
+    const auto isAnswered = std::make_shared<bool>(false);
+    QTimer::singleShot(kSchoolPatienceMs, this, [isAnswered, show] {
+        if (!*isAnswered)
+            show();
+    });
+    m_school.service->ask(
+        this, [who = m_school.user](const DatabaseContext& school) { return read(school, who); },
+        [this, show, isAnswered, who = m_school.user](const core::Result<FromSchool>& found) {
+            *isAnswered = true;
+            if (m_school.user != who)
+                return;
+            if (found)
+                m_fromSchool = *found;
+            else  // what was read before may be old, but is no "not tried yet"
+                m_window.showError(found.error(), FailedOperation::ReadingSchool);
+            show();
+        });
+}
+
+/// Unpacks into the folder of the user's own lessons, where a lesson can be changed.
+void LessonsController::unpack(const QString& pack, const QString& name)
+{
+    inBackground(
+        this,
+        [pack, name]() -> core::Result<lessons::ReadLesson> {
+            const QString folder = lessons::teachersFolder();
+            const auto files = lessons::readPack(pack);
+            if (!files)
+                return tl::unexpected(files.error());
+            if (auto put = lessons::putInto(folder, *files); !put)
+                return tl::unexpected(put.error());
+            return lessons::readLesson(QDir(folder).filePath(name));
+        },
+        [this](const core::Result<lessons::ReadLesson>& unpacked) {
+            if (unpacked && unpacked->lesson) {
+                m_window.editLesson(*unpacked);
+                return;
+            }
+            m_window.showMessage(
+                tr("The pack was not unpacked, so its lesson cannot be changed. %1")
+                    .arg(unpacked ? QString() : ui::text::faultWords(core::wordsOf(unpacked.error()))));
+        });
+}
+
+/// The measured values of graded attempts at exactly this lesson: the user's own and, for a teacher, those of their
+/// classes.
+void LessonsController::showKnownAttempts(const lessons::Lesson& lesson)
+{
+    m_window.setKnownAttempts({});
+    if (!m_school.isLoggedIn())
+        return;
+    m_school.service->ask(
+        this,
+        [who = m_school.user, id = lesson.id, hash = lesson.hash](const DatabaseContext& school) {
+            return database::sql::sheetsOfLesson(school, who, id, hash, kMostKnownAttempts);
+        },
+        [this](const core::Result<std::vector<database::sql::KeptSheet>>& sheets) {
+            std::vector<ui::lessoneditor::MeasuredAttempt> known;
+            for (const database::sql::KeptSheet& sheet : sheets.value_or(std::vector<database::sql::KeptSheet>{}))
+                known.push_back({QString::fromStdString(sheet.finishedUtc), lessons::measuredIn(sheet.json)});
+            m_window.setKnownAttempts(std::move(known));
+        });
+}
+
+}  // namespace app

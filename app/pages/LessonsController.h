@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "app/school/SchoolSession.h"
+#include "database/Person.h"
+#include "lessons/Lesson.h"
+#include "ui/window/MainWindow.h"
+
+namespace app {
+
+/// Fills the list of lessons: from the folders of lessons, and from the database with what the user has been assigned
+/// and has reached. Opens the folder of the user's own lessons, and unpacks packs into it. Ui thread.
+class LessonsController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Both outlive this.
+    LessonsController(ui::window::MainWindow& window, const SchoolSession& school);
+
+    /// Whether the database has said that the user has no attempt left at a lesson.
+    [[nodiscard]] bool isUsedUp(const std::string& lessonId) const;
+    /// Forgets what the database said of the user before.
+    void forget() { m_fromSchool = {}; }
+
+signals:
+    /// Emitted when the list of lessons has been filled.
+    void shown();
+
+private:
+    void showLessons();
+    void unpack(const QString& pack, const QString& name);
+    void showKnownAttempts(const lessons::Lesson& lesson);
+    void openFolder();
+
+    /// What the database says about a user's lessons.
+    struct FromSchool
+    {
+        std::map<std::string, ui::catalog::Standing> standings;
+        std::map<std::string, ui::catalog::Given> given;
+        std::vector<database::Feedback> feedback;
+    };
+    [[nodiscard]] static core::Result<FromSchool> read(const database::sql::DatabaseContext& school,
+                                                       const database::Login& who);
+
+    ui::window::MainWindow& m_window;
+    const SchoolSession& m_school;
+    FromSchool m_fromSchool;  ///< of the user, as the database said last
+};
+
+}  // namespace app

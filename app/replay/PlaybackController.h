@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QString>
+
+#include "app/attempt/GradingController.h"
+#include "app/attempt/OpenedScoreController.h"
+#include "app/pages/AttemptHistoryController.h"
+#include "app/replay/ReplayController.h"
+#include "app/threads/SessionThreads.h"
+#include "haptics/DeviceSwitch.h"
+
+namespace app {
+
+/// Plays recordings in the practice room: a file, an earlier attempt, the graded attempt from a moment on, or an
+/// expert's; alone or beside another one. Returns to the student's own work afterwards. Ui thread.
+class PlaybackController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// All of them outlive the controller.
+    struct Parts
+    {
+        ui::window::MainWindow& window;
+        core::session::UiChannels& channels;
+        core::session::SessionLoop& session;
+        SessionThreads& threads;
+        haptics::DeviceSwitch& bur;
+        CurrentAttempt& attempt;
+        AttemptController& attempts;
+        LatestRequest& loads;
+        OpenedScoreController& opened;
+        GradingController& grading;
+    };
+    /// @param isForPicture  the program draws one picture and quits: recordings are played to their end at once
+    PlaybackController(const Parts& parts, bool isForPicture);
+
+    /// Sets the list of earlier attempts, which are played from there; null: there is no database.
+    void setHistory(AttemptHistoryController* history);
+    void openRecording(const QString& path);
+    /// Plays the attempt whose score is shown, from a little before this moment.
+    void showMoment(double seconds);
+    /// Ends a replay without returning to the student's own work: the program quits.
+    void stop() { m_replay.reset(); }
+    /// Whether a force device leads the hand along the recording.
+    [[nodiscard]] bool isLeading() const { return m_replay && m_replay->isLeading(); }
+
+private:
+    using UseRecording = std::function<void(const core::recording::Recording&)>;
+    using ReadRecording = std::function<core::Result<core::recording::Recording>()>;
+
+    void playKept(const core::recording::Recording& recording, const database::AttemptRecord& attempt,
+                  const QString& whose);
+    void leaveToAnotherTooth();
+    void openBeside(const QString& path);
+    /// @param path  of the recording; empty: it is no file
+    void compareWith(const core::recording::Recording& recording, const QString& name, const QString& path);
+    void openExpert();
+    void openExpertAt(const lessons::Assignment& assignment);
+    void openDemonstration(const lessons::Assignment& assignment);
+    void showExpert(const core::recording::Recording& recording, const QString& name, const QString& path);
+    void readRecording(const QString& path, const UseRecording& use);
+    /// @param read  called on another thread
+    void readRecording(const QString& path, const UseRecording& use, const ReadRecording& read);
+    /// @param momentS  plays from a little before this moment; empty: from the beginning
+    /// @returns false if it cannot be played; the window then shows why
+    bool play(const core::recording::Recording& recording, std::optional<double> momentS = {},
+              const QString& whose = {});
+    void playOpened(std::optional<double> momentS);
+    void endReplay();
+    void stopReplay();
+
+    ui::window::MainWindow& m_window;
+    core::session::UiChannels& m_channels;
+    core::session::SessionLoop& m_session;
+    SessionThreads& m_threads;
+    haptics::DeviceSwitch& m_bur;
+    CurrentAttempt& m_attempt;
+    AttemptController& m_attempts;
+    LatestRequest& m_loads;
+    OpenedScoreController& m_opened;
+    GradingController& m_grading;
+    AttemptHistoryController* m_history = nullptr;
+    bool m_isForPicture;
+    /// Where the replay was requested, and where it returns to.
+    enum class PlayedFrom : std::uint8_t { Elsewhere, ScoreCard, Attempts };
+    PlayedFrom m_playedFrom = PlayedFrom::Elsewhere;
+    std::unique_ptr<ReplayController> m_replay;
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
+    core::servo::ServoState m_handAtRest;  ///< the student's servo as it was when the replay began
+};
+
+}  // namespace app
