@@ -65,4 +65,4 @@ private slots:
 };
 
 CUSP_TEST(TestStuck)
-#include "tst_stuck.moc"
+#include "tst_needs_help.moc"

@@ -431,4 +431,4 @@ private slots:
 };
 
 CUSP_TEST(TestMoments)
-#include "tst_moments.moc"
+#include "tst_point_loss_timeline.moc"

@@ -114,4 +114,4 @@ private slots:
 };
 
 CUSP_TEST(TestGridNoise)
-#include "tst_grid_noise.moc"
+#include "tst_grid_sensitivity.moc"

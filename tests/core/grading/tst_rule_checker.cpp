@@ -355,4 +355,4 @@ private:
 };
 
 CUSP_TEST(TestReferee)
-#include "tst_referee.moc"
+#include "tst_rule_checker.moc"

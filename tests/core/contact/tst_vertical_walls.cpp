@@ -198,4 +198,4 @@ private slots:
 };
 
 CUSP_TEST(TestUprightSides)
-#include "tst_upright_sides.moc"
+#include "tst_vertical_walls.moc"
