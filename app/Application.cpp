@@ -59,13 +59,14 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
       m_grading({*m_window, m_channels, m_session, m_assessment, *m_devices, m_attempt, m_attempts, m_resume,
                  m_observer, m_limit, m_opened, m_school}),
       m_playback(
-          {*m_window, m_channels, m_session, m_threads, m_bur, m_attempt, m_attempts, m_loads, m_opened, m_grading},
+          {*m_window, m_channels, m_session, m_servo, *m_sound, m_bur, m_attempt, m_attempts, m_loads, m_opened, m_grading},
           !options.picture.isEmpty()),
       m_data(*m_window, m_school, {options.database, options.opening, options.retry, options.asksWho}),
       m_login({*m_window, m_school, m_data, m_lessons, m_presets, m_attempt, m_attempts, m_resume, m_grading, m_loads},
               options.loginPatience),
       m_reports(*m_window, [this] { return m_opened.isShown() ? m_opened.subject() : m_grading.subject(); })
 {
+    m_data.setParent(this);
     connectControllers();
     connectPen(*m_window);
     if (options.showsRound) {
@@ -107,7 +108,7 @@ void Application::connectControllers()
         if (m_history)
             m_history->forget();
     });
-    m_simulatedHand.setLead([this] { return m_playback.isLeading(); });
+    m_simulatedHand.setLead([this] { return m_playback.leadMm(); });
 }
 
 void Application::show()

@@ -225,7 +225,7 @@ void ServoLoop::setSpring(std::uint64_t percent) noexcept
     record({ServoEvent::Kind::Spring, 0, glm::vec3(0.0F), percent});
 }
 
-void ServoLoop::tick(std::chrono::microseconds dt) noexcept
+void ServoLoop::carryOutCommands() noexcept
 {
     // Room for every tooth that a command could send back, and for what is to be recorded of it, is made sure of before
     // the command is taken.
@@ -233,7 +233,26 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
                                m_links.retiredFixtures.space() > 0 && m_links.events.space() >= kMostEventsPerCommand &&
                                m_links.commands.tryPop(command);)
         std::visit([this](const auto& known) { apply(known); }, command);
+}
 
+/// Returns whether the loop rests. When a rest begins, the hand is let go and the handpiece becomes silent.
+bool ServoLoop::rest() noexcept
+{
+    const bool rests = m_restWanted.load(std::memory_order_acquire);
+    if (rests && !m_rests.load(std::memory_order_relaxed)) {
+        m_device.give(glm::dvec3(0.0));
+        if (m_soundOut != nullptr)
+            m_soundOut->publish({});
+    }
+    m_rests.store(rests, std::memory_order_release);
+    return rests;
+}
+
+void ServoLoop::tick(std::chrono::microseconds dt) noexcept
+{
+    carryOutCommands();
+    if (rest())
+        return;
     m_missedPeriods += static_cast<std::uint64_t>(std::max<std::int64_t>(0, dt / m_period - 1));
     const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
     m_device.seeBur(m_tick->state().anchorMm);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <vector>
 
 #include "core/audio/ServoSound.h"
@@ -35,6 +36,13 @@ public:
     /// @param sound  must outlive the loop
     void publishSound(core::rt::TripleBuffer<core::audio::SoundState>& sound) noexcept { m_soundOut = &sound; }
 
+    /// Lets the loop rest, or go on: while it rests, it carries out commands, but neither reads the device nor moves the
+    /// bur, and publishes nothing. Any thread.
+    void setResting(bool rests) noexcept { m_restWanted.store(rests, std::memory_order_release); }
+    /// Whether the loop rests: the device and the channels it writes have no other user. Follows setResting() with the
+    /// next tick. Any thread.
+    [[nodiscard]] bool isResting() const noexcept { return m_rests.load(std::memory_order_acquire); }
+
     void tick(std::chrono::microseconds dt) noexcept override;
     bool waitForBeat(std::chrono::steady_clock::time_point due) override { return m_device.waitForReading(due); }
 
@@ -60,6 +68,8 @@ private:
     void record(const core::servo::ServoEvent& event) noexcept;
     void markDirty(const core::cutting::CutRect& rect) noexcept;
     void sendPatches() noexcept;
+    void carryOutCommands() noexcept;
+    [[nodiscard]] bool rest() noexcept;
 
     HapticDevice& m_device;
     std::unique_ptr<core::servo::ServoTick> m_tick;
@@ -85,6 +95,9 @@ private:
     std::unique_ptr<const core::guidance::Fixture> m_fixture;  ///< null: the hand goes where it likes
     double m_fixtureShare = 0.0;                               ///< of its force: it comes softly
     glm::dvec3 m_guideN{0.0};                                  ///< of the last tick
+
+    std::atomic<bool> m_restWanted{false};
+    std::atomic<bool> m_rests{false};
 
     std::vector<std::uint8_t> m_isDirty;  ///< one a tile
     std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile

@@ -34,8 +34,8 @@ void SimulatedHand::follow()
 void SimulatedHand::decide()
 {
     const core::servo::ServoState& state = m_channels.servo.latest();
-    if (m_isLed())
-        m_input.publish({.targetMm = glm::dvec2(state.anchorMm), .hoverMm = state.anchorMm.z, .pushing = false});
+    if (const auto ledTo = m_leadMm ? m_leadMm() : std::nullopt)
+        m_input.publish({.targetMm = glm::dvec2(*ledTo), .hoverMm = ledTo->z, .pushing = false});
     const auto tooth = m_session.toothSoFar();
     const lessons::Assignment& assignment = m_attempt.assignment();
     if (m_attempt.isResting() || assignment.exercise || !tooth || tooth->anatomy != assignment.anatomy)

@@ -33,8 +33,8 @@ public:
     /// @param input  of the simulated device
     SimulatedHand(const Parts& parts, core::rt::TripleBuffer<core::servo::PointerInput>& input);
 
-    /// Sets how to find out whether a replay leads the hand.
-    void setLead(std::function<bool()> isLed) { m_isLed = std::move(isLed); }
+    /// Sets how to find out where a replay leads the hand to, tooth frame, mm; empty: it does not.
+    void setLead(std::function<std::optional<glm::dvec3>()> leadMm) { m_leadMm = std::move(leadMm); }
 
 private:
     void follow();
@@ -45,7 +45,7 @@ private:
     DeviceController& m_devices;
     CurrentAttempt& m_attempt;
     core::rt::TripleBuffer<core::servo::PointerInput>& m_input;
-    std::function<bool()> m_isLed = [] { return false; };
+    std::function<std::optional<glm::dvec3>()> m_leadMm;
     QTimer m_timer;
     std::optional<haptics::IdealHand> m_hand;
     std::uint8_t m_bur = 0;  ///< that it holds

@@ -60,6 +60,11 @@ SoundController::~SoundController()
     m_thread.wait();
 }
 
+void SoundController::play(core::rt::TripleBuffer<core::audio::SoundState>& sound)
+{
+    tell([this, state = &sound] { m_player.setState(*state); });
+}
+
 void SoundController::change(const SoundSettings& settings)
 {
     m_settings = settings;

@@ -23,6 +23,9 @@ public:
                     ui::sound::SoundPlayer::MakePort makePort);
     ~SoundController() override;
 
+    /// Plays another state from now on: that of a replay, or the servo's again. It outlives the controller, too.
+    void play(core::rt::TripleBuffer<core::audio::SoundState>& sound);
+
 private:
     void change(const ui::sound::SoundSettings& settings);
     void turn(bool isOn);

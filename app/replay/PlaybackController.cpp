@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/replay/PlaybackController.h"
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 #include <QFileInfo>
@@ -33,8 +35,8 @@ core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::te
 }  // namespace
 
 PlaybackController::PlaybackController(const Parts& parts, bool isForPicture)
-    : m_window(parts.window), m_channels(parts.channels), m_session(parts.session), m_threads(parts.threads),
-      m_bur(parts.bur), m_attempt(parts.attempt), m_attempts(parts.attempts), m_loads(parts.loads),
+    : m_window(parts.window), m_channels(parts.channels), m_session(parts.session), m_servo(parts.servo),
+      m_sound(parts.sound), m_bur(parts.bur), m_attempt(parts.attempt), m_attempts(parts.attempts), m_loads(parts.loads),
       m_opened(parts.opened), m_grading(parts.grading), m_isForPicture(isForPicture)
 {
     connect(&m_window, &MainWindow::recordingOpenRequested, this, &PlaybackController::openRecording);
@@ -86,7 +88,30 @@ void PlaybackController::leaveToAnotherTooth()
         return;
     endReplay();
     m_window.setReplaying(false);
-    m_threads.start();
+    showOwn();
+}
+
+std::optional<glm::dvec3> PlaybackController::leadMm()
+{
+    if (!m_replay || !m_replay->isLeading())
+        return std::nullopt;
+    return m_shown.servo.latest().anchorMm;
+}
+
+/// Lets the servo rest, and returns when it has finished its tick: nobody else uses the device then.
+void PlaybackController::rest()
+{
+    m_servo.setResting(true);
+    while (!m_servo.isResting())
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+    m_sound.play(m_shown.sound);
+}
+
+void PlaybackController::showOwn()
+{
+    m_window.showChannels(m_channels);
+    m_sound.play(m_channels.sound);
+    m_servo.setResting(false);
 }
 
 void PlaybackController::openRecording(const QString& path)
@@ -215,13 +240,13 @@ void PlaybackController::readRecording(const QString& path, const UseRecording& 
         });
 }
 
-/// The student's own attempt stays in the session and the servo, whose loops stop meanwhile.
+/// The student's own attempt stays in the session and the servo, which rests meanwhile.
 bool PlaybackController::play(const core::recording::Recording& recording, std::optional<double> momentS,
                               const QString& whose)
 {
     // The button for the guidance is there while the hand in use has a force.
     const std::uint64_t generation = m_attempts.nextGeneration();
-    auto replay = ReplayController::make(recording, m_channels, m_window, generation, &m_bur);
+    auto replay = ReplayController::make(recording, m_shown, m_window, generation, &m_bur);
     if (!replay) {
         m_attempts.refuse(replay.error(), FailedOperation::OpeningRecording, {});
         return false;
@@ -229,13 +254,13 @@ bool PlaybackController::play(const core::recording::Recording& recording, std::
     if (m_replay) {
         endReplay();
     } else {
-        m_threads.stop();
-        m_handAtRest = m_channels.servo.latest();
+        rest();
         m_window.view().storeCamera();
     }
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
     m_attempt.setResting(true);
+    m_window.showChannels(m_shown);
     m_window.setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal(),
                           m_replay->attempt().lesson(), whose);
     m_window.setHandpieces(recording.settings().handpieces);
@@ -270,7 +295,6 @@ void PlaybackController::playOpened(std::optional<double> momentS)
     m_history->followReplay(m_history->talkedAbout());
 }
 
-/// Nobody writes the channels afterwards, until the loops start again.
 void PlaybackController::endReplay()
 {
     m_playedFrom = PlayedFrom::Elsewhere;
@@ -306,16 +330,12 @@ void PlaybackController::stopReplay()
     endReplay();
     m_window.setReplaying(false);
     m_window.setHandpieces(m_attempt.settings().handpieces);
-    m_channels.servo.back() = m_handAtRest;
-    m_channels.servo.publish();
-    for (core::servo::TilePatch late; m_channels.patches.tryPop(late);) {
-    }
+    showOwn();
     m_window.showTooth(m_attempt.assignment().anatomy, m_attempt.generation(), {});
     m_window.view().restoreCamera();
     // A tooth that was taken a moment before the replay may still be on its way to the session.
     if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_attempt.assignment().anatomy)
         m_window.view().setHeights(own->top);
-    m_threads.start();
     if (!goBack())
         m_window.showMessage(tr("You are back in your own work."));
 }

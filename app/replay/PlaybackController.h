@@ -12,14 +12,16 @@
 #include "app/attempt/GradingController.h"
 #include "app/attempt/OpenedScoreController.h"
 #include "app/pages/AttemptHistoryController.h"
+#include "app/devices/SoundController.h"
 #include "app/replay/ReplayController.h"
-#include "app/threads/SessionThreads.h"
 #include "haptics/DeviceSwitch.h"
+#include "haptics/ServoLoop.h"
 
 namespace app {
 
 /// Plays recordings in the practice room: a file, an earlier attempt, the graded attempt from a moment on, or an
-/// expert's; alone or beside another one. Returns to the student's own work afterwards. Ui thread.
+/// expert's; alone or beside another one. Meanwhile the student's own attempt rests: window and sound get the states of
+/// the replay from channels of its own. Ui thread.
 class PlaybackController final : public QObject
 {
     Q_OBJECT
@@ -31,7 +33,8 @@ public:
         ui::window::MainWindow& window;
         core::session::UiChannels& channels;
         core::session::SessionLoop& session;
-        SessionThreads& threads;
+        haptics::ServoLoop& servo;
+        SoundController& sound;
         haptics::DeviceSwitch& bur;
         CurrentAttempt& attempt;
         AttemptController& attempts;
@@ -49,8 +52,9 @@ public:
     void showMoment(double seconds);
     /// Ends a replay without returning to the student's own work: the program quits.
     void stop() { m_replay.reset(); }
-    /// Whether a force device leads the hand along the recording.
-    [[nodiscard]] bool isLeading() const { return m_replay && m_replay->isLeading(); }
+    /// Returns the place to which a force device leads the hand along the recording, tooth frame, mm; empty if it does
+    /// not.
+    [[nodiscard]] std::optional<glm::dvec3> leadMm();
 
 private:
     using UseRecording = std::function<void(const core::recording::Recording&)>;
@@ -75,12 +79,15 @@ private:
               const QString& whose = {});
     void playOpened(std::optional<double> momentS);
     void endReplay();
+    void rest();
+    void showOwn();
     void stopReplay();
 
     ui::window::MainWindow& m_window;
     core::session::UiChannels& m_channels;
     core::session::SessionLoop& m_session;
-    SessionThreads& m_threads;
+    haptics::ServoLoop& m_servo;
+    SoundController& m_sound;
     haptics::DeviceSwitch& m_bur;
     CurrentAttempt& m_attempt;
     AttemptController& m_attempts;
@@ -92,9 +99,9 @@ private:
     /// Where the replay was requested, and where it returns to.
     enum class PlayedFrom : std::uint8_t { Elsewhere, ScoreCard, Attempts };
     PlayedFrom m_playedFrom = PlayedFrom::Elsewhere;
+    core::session::UiChannels m_shown;  ///< that the replay writes
     std::unique_ptr<ReplayController> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
-    core::servo::ServoState m_handAtRest;  ///< the student's servo as it was when the replay began
 };
 
 }  // namespace app

@@ -13,14 +13,13 @@
 
 namespace app {
 
-/// A replay that is on: the loop that plays it, its threads, and the window's wishes about it. While it lives, nobody
-/// else may write what the window reads of servo and session. Ui thread.
+/// A replay that is on: the loop that plays it, its threads, and what the window requests of it. Ui thread.
 class ReplayController final : public QObject
 {
     Q_OBJECT
 
 public:
-    /// @param links, window  must outlive it
+    /// @param links   of the replay alone; must outlive it, as the window
     /// @param generation     of the recording's tooth in the window, which is yet to be shown
     /// @param device         one that can lead a hand, which nobody else reads meanwhile; null: there is none
     [[nodiscard]] static core::Result<std::unique_ptr<ReplayController>>

@@ -20,8 +20,8 @@
 
 namespace app {
 
-/// One attempt that is shown in one view, at any moment of it. It stands in for the servo and the session loop, which
-/// must rest meanwhile: like them it writes states and patches, and only those.
+/// One attempt that is shown in one view, at any moment of it. For the view it stands in for the servo and the session
+/// loop: like them it writes states, patches and sound to channels.
 class ReplayTrack
 {
 public:

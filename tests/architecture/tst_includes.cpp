@@ -169,7 +169,7 @@ const QList<Arrows> kArrows{
                     "haptics/pointer haptics/simulated database database/sql ui/render ui/text ui/tooth "
                     "ui/scoring ui/window app/threads app/school app/devices app/pages"},
     {"app/replay", "core/rt core/servo core/audio core/history core/recording core/session lessons "
-                   "haptics ui/tooth ui/replay ui/window app/threads app/pages app/attempt"},
+                   "haptics ui/tooth ui/replay ui/window app/threads app/devices app/pages app/attempt"},
     {"app", "core/base core/teeth core/servo core/session haptics haptics/pointer "
             "haptics/simulated database database/sql ui/sound ui/text ui/devices ui/tooth "
             "ui/window app/threads app/school app/devices app/pages app/attempt app/replay"},

@@ -1105,6 +1105,45 @@ private slots:
         QVERIFY(events[3].kind == ServoEvent::Kind::Tick);
     }
 
+    /// During a replay: the student's tooth stays as it is, and goes on from there.
+    void aRestingLoopLeavesDeviceAndToothAlone()
+    {
+        Bare bare(block(64));
+        rt::TripleBuffer<audio::SoundState> sound;
+        bare.servo.publishSound(sound);
+        bare.send(SetDrill{true});
+        bare.lean(0.0, 0.0, 0.8, 200);
+        QVERIFY(bare.forceN() > 0.0);
+        QVERIFY(sound.latest().burRpm > 0.0F);
+        QVERIFY(!bare.servo.isResting());
+        const std::vector<float> top = bare.top();
+        const std::uint64_t tick = bare.state.latest().tick;
+        bare.allEvents();
+
+        const glm::dvec3 untouched(9.0);
+        bare.device.forceN = untouched;
+        bare.device.tipMm.z -= 1.0F;
+        bare.servo.setResting(true);
+        bare.tick(50);
+        QVERIFY(bare.servo.isResting());
+        QCOMPARE(bare.device.forceN, untouched);
+        QCOMPARE(bare.top(), top);
+        QCOMPARE(bare.state.latest().tick, tick);
+        QCOMPARE(sound.latest().burRpm, 0.0F);
+        QVERIFY(bare.allEvents().empty());
+        // A tooth that was on its way arrives.
+        bare.give(block(32), 2);
+        bare.tick();
+        QCOMPARE(bare.servo.tooth()->tooth().grid().side, 32);
+        QCOMPARE(bare.freeRetired(), 1);
+
+        bare.servo.setResting(false);
+        bare.tick();
+        QVERIFY(!bare.servo.isResting());
+        QVERIFY(bare.device.forceN != untouched);
+        QVERIFY(!bare.drainEvents().empty());
+    }
+
     void unknownBurIsIgnored()
     {
         Bare bare(block(64));

@@ -24,7 +24,7 @@ char* putFrame(char* data, T value, int channels)
 }  // namespace
 
 BlockSource::BlockSource(core::rt::TripleBuffer<core::audio::SoundState>& state)
-    : m_state(state), m_synthesizer(m_format.rateHz)
+    : m_state(&state), m_synthesizer(m_format.rateHz)
 {
     // A buffer of Qt's own would be filled far ahead.
     open(QIODevice::ReadOnly | QIODevice::Unbuffered);
@@ -52,7 +52,7 @@ qint64 BlockSource::bytesAvailable() const
 core::audio::SoundState BlockSource::next(std::size_t frames)
 {
     if (!m_sampleFrame)
-        return m_isHeard ? m_state.latest() : core::audio::SoundState{};
+        return m_isHeard ? m_state->latest() : core::audio::SoundState{};
     const double seconds = static_cast<double>(*m_sampleFrame) / m_format.rateHz;
     *m_sampleFrame += frames;
     if (seconds >= core::audio::kAuditionS)

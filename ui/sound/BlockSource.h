@@ -24,6 +24,9 @@ public:
     /// @param state  must outlive the source, which is its only reader
     explicit BlockSource(core::rt::TripleBuffer<core::audio::SoundState>& state);
 
+    /// Reads another state from now on; the same holds for it.
+    void setState(core::rt::TripleBuffer<core::audio::SoundState>& state) { m_state = &state; }
+
     /// Starts with a format. Sound from before is discarded.
     void begin(const AudioFormat& format);
     void setVolumes(const core::audio::Volumes& volumes);
@@ -45,7 +48,7 @@ protected:
 private:
     [[nodiscard]] core::audio::SoundState next(std::size_t frames);
 
-    core::rt::TripleBuffer<core::audio::SoundState>& m_state;
+    core::rt::TripleBuffer<core::audio::SoundState>* m_state;
     AudioFormat m_format;
     core::audio::Synthesizer m_synthesizer;
     core::audio::Volumes m_volumes;

@@ -37,6 +37,8 @@ public:
     /// Sets whether the work on the tooth is heard now.
     void setHeard(bool isHeard);
     void playSample();
+    /// Plays another state from now on, which has to outlive the player, too.
+    void setState(core::rt::TripleBuffer<core::audio::SoundState>& state) { m_source.setState(state); }
 
 signals:
     void reported(const ui::sound::SoundReport& report);

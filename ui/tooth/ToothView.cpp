@@ -87,7 +87,7 @@ ToothView::ToothView(core::session::UiChannels& links, QWidget* parent, Way way)
                   "driver (on Debian: libgl1-mesa-dri), then start Cusp again.");
           },
           way, parent),
-      m_links(links)
+      m_links(links), m_shown(&links)
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -114,7 +114,7 @@ ToothView::~ToothView()
 
 void ToothView::setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation)
 {
-    m_servo = m_links.servo.latest();
+    m_servo = m_shown->servo.latest();
     m_control.setSurface(nullptr);
     m_tooth.emplace(anatomy);
     ++m_toothRevision;
@@ -335,7 +335,7 @@ ToothView::Uploads ToothView::uploads() const
 
 QImage ToothView::picture()
 {
-    m_servo = m_links.servo.latest();
+    m_servo = m_shown->servo.latest();
     takePatches();
     if (m_surface && m_surface->isBehind())
         takeAllChanges();
@@ -402,7 +402,7 @@ void ToothView::drawScene(QSize sizePx, int samples)
     }
     if (std::exchange(m_neighboursAreNew, false))
         m_renderer->setNeighbours(m_neighbours);
-    m_servo = m_links.servo.latest();
+    m_servo = m_shown->servo.latest();
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     m_pose = poseAt(m_servo, m_clock.momentFor(std::chrono::nanoseconds(now).count()));
     m_paintedForceN = glm::length(m_servo.forceN);
@@ -682,7 +682,7 @@ void ToothView::advanceFrame()
     const double seconds = std::min(0.1, static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1.0e-9);
     m_sinceFrame.start();
     const core::servo::ServoState before = m_servo;
-    m_servo = m_links.servo.latest();
+    m_servo = m_shown->servo.latest();
     if (m_servo.burIndex < core::bur::burs().size())
         m_control.setBurRadius(core::bur::burs()[m_servo.burIndex].headRadiusMm);
     takePatches();
@@ -757,9 +757,15 @@ void ToothView::followHead(double seconds)
     redrawMoving();
 }
 
+void ToothView::showChannels(core::session::UiChannels& channels)
+{
+    m_shown = &channels;
+    m_servo = m_shown->servo.latest();
+}
+
 void ToothView::takePatches()
 {
-    for (core::servo::TilePatch patch; m_links.patches.tryPop(patch);)
+    for (core::servo::TilePatch patch; m_shown->patches.tryPop(patch);)
         m_inbox.take(patch);
     if (m_inbox.complete().empty() || !m_surface)
         return;

@@ -63,6 +63,10 @@ public:
     void setIdeal(const core::grading::IdealTop& ideal);
     /// The tooth shown as it has been cut so far: its whole top map.
     void setHeights(const std::vector<float>& top);
+    /// Shows the tooth and the bur of other channels: those of a replay, or its own again. The pointer goes on to
+    /// control the own ones. setTooth() follows.
+    /// @param channels  must outlive the view
+    void showChannels(core::session::UiChannels& channels);
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
     void setPushForce(double newtons);
     /// Sets the largest speed at which the pushed bur goes down, mm/s.
@@ -216,6 +220,7 @@ private:
     [[nodiscard]] bool showsInstrument() const;
 
     core::session::UiChannels& m_links;
+    core::session::UiChannels* m_shown;  ///< whose tooth and bur are seen: m_links, or those of a replay
     std::optional<core::terrain::Tooth> m_tooth;  ///< what m_surface draws, for those who look inside
     std::uint64_t m_toothRevision = 0;
     std::unique_ptr<render::ToothSurface> m_surface;

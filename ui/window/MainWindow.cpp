@@ -135,7 +135,7 @@ std::optional<double> towardsIdeal(const core::terrain::ToothAnatomy& tooth, con
 }  // namespace
 
 MainWindow::MainWindow(core::session::UiChannels& links, QWidget* parent)
-    : QMainWindow(parent), m_links(links), m_actions(new kit::Actions(this)),
+    : QMainWindow(parent), m_links(links), m_shown(&links), m_actions(new kit::Actions(this)),
       m_viewMenu(new practice::ViewMenu(*m_actions, this)), m_accountMenu(new AccountMenu(*m_actions, this)),
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
@@ -1500,9 +1500,15 @@ void MainWindow::guide(const core::servo::ServoState& servo)
     m_room->panel().setGuide(marginMm, core::guidance::progressOf(*tooth->anatomy, *m_ideal, tooth->top));
 }
 
+void MainWindow::showChannels(core::session::UiChannels& channels)
+{
+    m_shown = &channels;
+    m_view->showChannels(channels);
+}
+
 void MainWindow::takeSession()
 {
-    const core::session::SessionState& now = m_links.session.latest();
+    const core::session::SessionState& now = m_shown->session.latest();
     const bool moved = now.undoSteps != m_session.undoSteps || now.redoSteps != m_session.redoSteps;
     tellHarm(now);
     const auto marked = replayedPoints();

@@ -224,6 +224,9 @@ public slots:
     /// The student's lesson is an exam, and has not been graded yet.
     [[nodiscard]] bool isExamRunning() const;
     [[nodiscard]] bool isReplaying() const { return m_replaying; }
+    /// Shows the states of other channels: those of a replay, or the own ones again. Commands still go to the own ones.
+    /// @param channels  must outlive the window
+    void showChannels(core::session::UiChannels& channels);
     /// Nothing is cut any more in the exam on the table; in practice nothing.
     void endExam();
     [[nodiscard]] bool isExamOver() const { return m_examIsOver; }
@@ -536,6 +539,7 @@ private:
     void openFile(const QString& path);
 
     core::session::UiChannels& m_links;
+    core::session::UiChannels* m_shown;  ///< m_links, or the channels of a replay
     tooth::SightNotes m_sights{m_links};
     kit::Actions* m_actions;
     bool m_mayEdit = true;
