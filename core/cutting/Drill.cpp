@@ -107,18 +107,10 @@ Drill::Drill(const settings::HardnessPreset& preset, const settings::Handpiece& 
     : m_preset(preset), m_handpiece(handpiece)
 {}
 
-Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
-               double seconds) noexcept
+/// Returns how long each material takes to remove with a push of `forceN` newtons in the direction `towards`.
+contact::RemovalTimes Drill::removalTimes(const contact::LiveTooth& tooth, const glm::dvec3& towards,
+                                          double forceN) const noexcept
 {
-    Cut done;
-    done.tipMm = anchor;
-    const glm::dvec3 pull = device - anchor;
-    const double gap = std::sqrt(glm::dot(pull, pull));
-    m_pressedNS = std::min(kBrushNS, m_pressedNS + forceN * seconds);
-    if (!(gap > 0.0) || m_pressedNS < kBrushNS)
-        return done;
-    const glm::dvec3 towards = pull / gap;
-
     const double sideways = std::sqrt(towards.x * towards.x + towards.y * towards.y);
     const double share = m_preset.shareOfEnd(bur::isFlatEnd(tooth.mask().flatMm));
     const double direction = share + (1.0 - share) * sideways;
@@ -136,6 +128,21 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         secondsPerMm3.leatheryDecay = secondsOf(m_preset.decayZones->leathery);
         secondsPerMm3.firmDecay = secondsOf(m_preset.decayZones->firm);
     }
+    return secondsPerMm3;
+}
+
+Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
+               double seconds) noexcept
+{
+    Cut done;
+    done.tipMm = anchor;
+    const glm::dvec3 pull = device - anchor;
+    const double gap = std::sqrt(glm::dot(pull, pull));
+    m_pressedNS = std::min(kBrushNS, m_pressedNS + forceN * seconds);
+    if (!(gap > 0.0) || m_pressedNS < kBrushNS)
+        return done;
+    const glm::dvec3 towards = pull / gap;
+    const contact::RemovalTimes secondsPerMm3 = removalTimes(tooth, towards, forceN);
 
     // The time that removal takes rises with the advance: bracket it, beginning with the last tick's pace, then
     // close in by false position, kept honest by halving when one end does not move (Illinois).

@@ -101,6 +101,9 @@ public:
     }
 
 private:
+    [[nodiscard]] contact::RemovalTimes removalTimes(const contact::LiveTooth& tooth, const glm::dvec3& towards,
+                                                     double forceN) const noexcept;
+
     settings::HardnessPreset m_preset;
     settings::Handpiece m_handpiece;
     double m_speedShare = 1.0;

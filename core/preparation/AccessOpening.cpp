@@ -220,6 +220,43 @@ double neckAlongAxis(const terrain::ToothAnatomy& anatomy)
     return tip - (sizes ? sizes->crownHeightMm : 0.0);
 }
 
+/// Places of a pulp chamber and, in the same order, the heights of its floor there, mm.
+struct Chamber
+{
+    std::vector<glm::dvec2> places;
+    std::vector<double> floors;
+};
+
+/// @param highest  highestPulpMm()
+Chamber chamberOf(const terrain::ToothAnatomy& anatomy, double highest)
+{
+    const terrain::Grid& grid = anatomy.grid;
+    const bool isMolar = anatomy.fdi % 10 >= 6;
+    const double lingual = -teeth::buccalSign(anatomy.fdi);
+    const bool fromLingual = opensFromLingual(anatomy.lying, anatomy.fdi);
+    const double frontMm =
+        isMolar || fromLingual ? std::numeric_limits<double>::lowest() : edgeOf(anatomy) * lingual + kEdgeMm;
+    const double neck = fromLingual ? neckAlongAxis(anatomy) : 0.0;
+    const glm::dvec3 axis = anatomy.lying.cutFromOwn() * glm::dvec3(0.0, 0.0, 1.0);
+    const auto isChamber = [&](std::size_t k, glm::dvec2 at) {
+        const auto roof = static_cast<double>(anatomy.layers[k].pulpRoof);
+        return fromLingual ? glm::dot(axis, glm::dvec3(at, roof)) >= neck
+                           : roof >= highest - kChamberMm && at.y * lingual >= frontMm;
+    };
+
+    Chamber chamber;
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const glm::dvec2 at = grid.nodeMm(i, j);
+            if (!terrain::hasPulp(anatomy, k) || !isChamber(k, at))
+                continue;
+            chamber.places.push_back(at);
+            chamber.floors.push_back(static_cast<double>(anatomy.layers[k].pulpFloor));
+        }
+    return chamber;
+}
+
 }  // namespace
 
 bool opensFromLingual(const terrain::Lying& lying, int fdi)
@@ -234,27 +271,7 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
     const double lingual = -teeth::buccalSign(anatomy.fdi);
     const bool fromLingual = opensFromLingual(anatomy.lying, anatomy.fdi);
     const double highest = highestPulpMm(anatomy);
-    const double frontMm =
-        isMolar || fromLingual ? std::numeric_limits<double>::lowest() : edgeOf(anatomy) * lingual + kEdgeMm;
-    const double neck = fromLingual ? neckAlongAxis(anatomy) : 0.0;
-    const glm::dvec3 axis = anatomy.lying.cutFromOwn() * glm::dvec3(0.0, 0.0, 1.0);
-    const auto isChamber = [&](std::size_t k, glm::dvec2 at) {
-        const auto roof = static_cast<double>(anatomy.layers[k].pulpRoof);
-        return fromLingual ? glm::dot(axis, glm::dvec3(at, roof)) >= neck
-                           : roof >= highest - kChamberMm && at.y * lingual >= frontMm;
-    };
-
-    std::vector<glm::dvec2> chamber;
-    std::vector<double> floors;
-    for (int j = 0; j < grid.side; ++j)
-        for (int i = 0; i < grid.side; ++i) {
-            const std::size_t k = grid.index(i, j);
-            const glm::dvec2 at = grid.nodeMm(i, j);
-            if (!terrain::hasPulp(anatomy, k) || !isChamber(k, at))
-                continue;
-            chamber.push_back(at);
-            floors.push_back(static_cast<double>(anatomy.layers[k].pulpFloor));
-        }
+    auto [chamber, floors] = chamberOf(anatomy, highest);
     if (chamber.size() < 8)
         return unexpected(
             ErrorCode::BadStructure,

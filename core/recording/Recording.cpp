@@ -38,6 +38,132 @@ tl::unexpected<Error> damaged(std::string_view place)
                                                    ". Use a copy of the file, or make the attempt again.");
 }
 
+/// Checks that a recording begins here, of a version that this program reads.
+Status readHead(ByteReader& in)
+{
+    constexpr const char* kOtherFile = "This is not a Cusp recording; choose a file that Cusp has saved.";
+    if (in.takeBytes(kRecordingMagic.size()) != kRecordingMagic)
+        return unexpected(ErrorCode::WrongKind, kOtherFile);
+    const auto version = in.take<std::uint32_t>();
+    if (in.ok() && version == 0)
+        return unexpected(ErrorCode::WrongKind, kOtherFile);
+    if (in.ok() && version > kFormatVersion)
+        return unexpected(ErrorCode::NewerVersion, "The recording is of version " + std::to_string(version) +
+                                                       ", this Cusp reads up to version " +
+                                                       std::to_string(kFormatVersion) + "; open it with a newer Cusp.");
+    if (in.ok() && version < kOldestVersion)
+        return unexpected(ErrorCode::WrongKind, "The recording is of version " + std::to_string(version) +
+                                                    ", from an older Cusp; this one reads from version " +
+                                                    std::to_string(kOldestVersion) +
+                                                    " on. Make the attempt again, or keep the Cusp that made it.");
+    return {};
+}
+
+/// Reads the sections of a recording in the order in which they are stored.
+class SectionReader
+{
+public:
+    /// Reads one section; `End` is read by readEnd().
+    Status read(Section kind, std::string_view payload)
+    {
+        switch (kind) {
+        case Section::Settings:
+            return readSettings(payload);
+        case Section::Lesson:
+            return readLesson(payload);
+        case Section::Tooth:
+            return readTooth(payload);
+        case Section::Events:
+            return readEvents(payload);
+        case Section::End:
+        case Section::Begun:
+        default:
+            return damaged("in section " + std::to_string(static_cast<std::uint32_t>(kind)));
+        }
+    }
+
+    /// Reads the last section and returns the whole recording.
+    /// @param left  bytes of the file behind this section
+    Result<Recording> readEnd(std::string_view payload, std::size_t left)
+    {
+        ByteReader end(payload);
+        const auto ticks = end.take<std::uint64_t>();
+        const bool hasWitness = end.take<std::uint8_t>() != 0;
+        Witness witness;
+        witness.tick = end.take<std::uint64_t>();
+        witness.stateHash = end.take<std::uint64_t>();
+        if (!end.ok() || !m_recording || ticks != m_recording->ticks() || witness.tick > ticks)
+            return damaged("at its end");
+        if (left != 0)
+            return damaged("behind its end, where nothing should be");
+        if (hasWitness)
+            m_recording->setWitness(witness);
+        return std::move(*m_recording);
+    }
+
+private:
+    Status readSettings(std::string_view payload)
+    {
+        const auto raw = unpack(payload, kMaxChunkBytes);
+        m_settings = raw ? settingsFrom(*raw) : std::nullopt;
+        if (!m_settings)
+            return damaged("in its settings");
+        if (auto servo = servo::makeServoTick(*m_settings); !servo)
+            return tl::unexpected(servo.error());
+        return {};
+    }
+
+    Status readLesson(std::string_view payload)
+    {
+        auto raw = unpack(payload, kMaxLessonBytes);
+        if (!raw || raw->empty() || !checkLesson(*raw) || !m_lesson.empty() || m_recording)
+            return damaged("in its lesson");
+        m_lesson = std::move(*raw);
+        return {};
+    }
+
+    Status readTooth(std::string_view payload)
+    {
+        const auto raw = unpack(payload, kMaxToothBytes);
+        const auto anatomy = raw ? toothFrom(*raw) : nullptr;
+        if (!anatomy || !m_settings || m_recording)
+            return damaged("in its tooth");
+        m_recording.emplace(*m_settings, anatomy, m_lesson);
+        return {};
+    }
+
+    Status readEvents(std::string_view payload)
+    {
+        const auto raw = unpack(payload, kMaxChunkBytes);
+        const auto events = raw ? eventsFrom(*raw) : std::nullopt;
+        if (!events || !m_recording)
+            return damaged("in its events");
+        for (const ServoEvent& event : *events) {
+            switch (m_guard.look(event, *m_recording)) {
+            case EventGuard::Verdict::Sound:
+                break;
+            case EventGuard::Verdict::IntoTheFuture:
+                return damaged("in an undo step");
+            case EventGuard::Verdict::BurOfNewerCusp:
+                return unexpected(ErrorCode::NewerVersion,
+                                  "The recording " + unknownBurWords(event.value) + "; open it with a newer Cusp.");
+            case EventGuard::Verdict::NoSuchHandpiece:
+                return damaged("where another handpiece is taken");
+            case EventGuard::Verdict::TooManySteps:
+                return unexpected(ErrorCode::BadStructure, "The recording has more undo steps than anyone makes; "
+                                                           "it was not made by Cusp and is not replayed.");
+            }
+            m_recording->append(event);
+        }
+        return {};
+    }
+
+    std::optional<servo::ServoSettings> m_settings;
+    std::string m_lesson;
+    std::optional<Recording> m_recording;
+    EventGuard m_guard;
+};
+
 }  // namespace
 
 Recording::Recording(servo::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
@@ -140,25 +266,9 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
     if (bytes.empty())
         return unexpected(ErrorCode::FileEmpty, "The recording is empty; choose another file.");
     ByteReader in(bytes);
-    if (in.takeBytes(kRecordingMagic.size()) != kRecordingMagic)
-        return unexpected(ErrorCode::WrongKind, "This is not a Cusp recording; choose a file that Cusp has saved.");
-    const auto version = in.take<std::uint32_t>();
-    if (in.ok() && version == 0)
-        return unexpected(ErrorCode::WrongKind, "This is not a Cusp recording; choose a file that Cusp has saved.");
-    if (in.ok() && version > kFormatVersion)
-        return unexpected(ErrorCode::NewerVersion, "The recording is of version " + std::to_string(version) +
-                                                       ", this Cusp reads up to version " +
-                                                       std::to_string(kFormatVersion) + "; open it with a newer Cusp.");
-    if (in.ok() && version < kOldestVersion)
-        return unexpected(ErrorCode::WrongKind, "The recording is of version " + std::to_string(version) +
-                                                    ", from an older Cusp; this one reads from version " +
-                                                    std::to_string(kOldestVersion) +
-                                                    " on. Make the attempt again, or keep the Cusp that made it.");
-    std::optional<servo::ServoSettings> settings;
-    std::string lesson;
-    std::shared_ptr<const terrain::ToothAnatomy> anatomy;
-    std::optional<Recording> recording;
-    EventGuard guard;
+    if (const Status head = readHead(in); !head)
+        return tl::unexpected(head.error());
+    SectionReader sections;
     while (in.ok()) {
         const auto kind = in.take<std::uint32_t>();
         const auto size = in.take<std::uint64_t>();
@@ -168,74 +278,10 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
         const std::string_view payload = in.takeBytes(static_cast<std::size_t>(size));
         if (fnv1a(payload) != checksum)
             return damaged("in section " + std::to_string(kind));
-        switch (static_cast<Section>(kind)) {
-        case Section::Settings: {
-            const auto raw = unpack(payload, kMaxChunkBytes);
-            settings = raw ? settingsFrom(*raw) : std::nullopt;
-            if (!settings)
-                return damaged("in its settings");
-            if (auto servo = servo::makeServoTick(*settings); !servo)
-                return tl::unexpected(servo.error());
-            break;
-        }
-        case Section::Lesson: {
-            auto raw = unpack(payload, kMaxLessonBytes);
-            if (!raw || raw->empty() || !checkLesson(*raw) || !lesson.empty() || recording)
-                return damaged("in its lesson");
-            lesson = std::move(*raw);
-            break;
-        }
-        case Section::Tooth: {
-            const auto raw = unpack(payload, kMaxToothBytes);
-            anatomy = raw ? toothFrom(*raw) : nullptr;
-            if (!anatomy || !settings || recording)
-                return damaged("in its tooth");
-            recording.emplace(*settings, anatomy, lesson);
-            break;
-        }
-        case Section::Events: {
-            const auto raw = unpack(payload, kMaxChunkBytes);
-            const auto events = raw ? eventsFrom(*raw) : std::nullopt;
-            if (!events || !recording)
-                return damaged("in its events");
-            for (const ServoEvent& event : *events) {
-                switch (guard.look(event, *recording)) {
-                case EventGuard::Verdict::Sound:
-                    break;
-                case EventGuard::Verdict::IntoTheFuture:
-                    return damaged("in an undo step");
-                case EventGuard::Verdict::BurOfNewerCusp:
-                    return unexpected(ErrorCode::NewerVersion,
-                                      "The recording " + unknownBurWords(event.value) + "; open it with a newer Cusp.");
-                case EventGuard::Verdict::NoSuchHandpiece:
-                    return damaged("where another handpiece is taken");
-                case EventGuard::Verdict::TooManySteps:
-                    return unexpected(ErrorCode::BadStructure, "The recording has more undo steps than anyone makes; "
-                                                               "it was not made by Cusp and is not replayed.");
-                }
-                recording->append(event);
-            }
-            break;
-        }
-        case Section::End: {
-            ByteReader end(payload);
-            const auto ticks = end.take<std::uint64_t>();
-            const bool hasWitness = end.take<std::uint8_t>() != 0;
-            Witness witness;
-            witness.tick = end.take<std::uint64_t>();
-            witness.stateHash = end.take<std::uint64_t>();
-            if (!end.ok() || !recording || ticks != recording->m_ticks || witness.tick > ticks)
-                return damaged("at its end");
-            if (in.left() != 0)
-                return damaged("behind its end, where nothing should be");
-            if (hasWitness)
-                recording->setWitness(witness);
-            return std::move(*recording);
-        }
-        case Section::Begun:
-        default:
-            return damaged("in section " + std::to_string(kind));
-        }
+        if (static_cast<Section>(kind) == Section::End)
+            return sections.readEnd(payload, in.left());
+        if (const Status read = sections.read(static_cast<Section>(kind), payload); !read)
+            return tl::unexpected(read.error());
     }
     return unexpected(ErrorCode::FileTruncated,
                       "The recording ends early: it was cut off while being written or copied. Use a whole copy.");

@@ -212,38 +212,42 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     const double depth = std::sqrt(glm::dot(stretch, stretch));
     m_state.touching = depth > kTouchMm;
 
-    if (m_state.drillOn && m_state.touching) {
-        const double pull = m_force.springN(stretch);
-        const cutting::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), pull, seconds);
-        m_changed = cut.changed;
-        m_state.burRpm = m_drill.rpmUnder(pull, static_cast<double>(m_tooth->mask().radiusMm));
-        m_state.cutting = !cut.changed.isEmpty();
-        double most = 0.0;
-        for (std::size_t m = 0; m < cut.removedMm3.size(); ++m) {
-            m_state.removedMm3[m] += cut.removedMm3[m];
-            if (cut.removedMm3[m] > most) {
-                most = cut.removedMm3[m];
-                m_state.materialUnderBur = static_cast<terrain::Material>(m);
-            }
-        }
-        if (m_state.cutting && m_settings.breakOff.on) {
-            const terrain::PerMaterial broken = cutting::breakOff(*m_tooth, m_settings.breakOff.slenderness, m_changed);
-            for (std::size_t m = 0; m < broken.size(); ++m) {
-                m_state.brokenMm3[m] += broken[m];
-                m_state.removedMm3[m] += broken[m];
-            }
-        }
-        if (m_state.cutting) {
-            m_state.anchorMm = cut.tipMm;
-            m_method->moveTo(cut.tipMm);
-        }
-    } else {
+    if (m_state.drillOn && m_state.touching)
+        cut(reached, m_force.springN(stretch), seconds);
+    else
         m_drill.rest();
-    }
     m_state.forceN = around(m_force.update(m_state.deviceMm, m_state.anchorMm, seconds), seconds);
     if (m_force.clamped())
         m_state.health |= kForceClamped;
     describe();
+}
+
+/// Removes what the bur, pulled towards `reached` with `forceN` newtons, takes away in `seconds`.
+void ServoTick::cut(const glm::dvec3& reached, double forceN, double seconds) noexcept
+{
+    const cutting::Cut done = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), forceN, seconds);
+    m_changed = done.changed;
+    m_state.burRpm = m_drill.rpmUnder(forceN, static_cast<double>(m_tooth->mask().radiusMm));
+    m_state.cutting = !done.changed.isEmpty();
+    double most = 0.0;
+    for (std::size_t m = 0; m < done.removedMm3.size(); ++m) {
+        m_state.removedMm3[m] += done.removedMm3[m];
+        if (done.removedMm3[m] > most) {
+            most = done.removedMm3[m];
+            m_state.materialUnderBur = static_cast<terrain::Material>(m);
+        }
+    }
+    if (m_state.cutting && m_settings.breakOff.on) {
+        const terrain::PerMaterial broken = cutting::breakOff(*m_tooth, m_settings.breakOff.slenderness, m_changed);
+        for (std::size_t m = 0; m < broken.size(); ++m) {
+            m_state.brokenMm3[m] += broken[m];
+            m_state.removedMm3[m] += broken[m];
+        }
+    }
+    if (m_state.cutting) {
+        m_state.anchorMm = done.tipMm;
+        m_method->moveTo(done.tipMm);
+    }
 }
 
 /// True if the hand cannot have come to a place from where it was last.

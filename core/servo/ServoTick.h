@@ -75,6 +75,7 @@ public:
     [[nodiscard]] const ServoSettings& settings() const noexcept { return m_settings; }
 
 private:
+    void cut(const glm::dvec3& reached, double forceN, double seconds) noexcept;
     void lose() noexcept;
     [[nodiscard]] bool leapt(const glm::dvec3& device, double seconds) const noexcept;
     void letGo() noexcept;

@@ -56,6 +56,33 @@ const glm::dmat4& mirror()
     return matrix;
 }
 
+/// Sets the neck of a tooth: the CEJ at its outermost and at its innermost, and as the end of the tooth the distal end
+/// of the CEJ. Returns the height of that end.
+double findNeck(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, const ArchCurve& curve, GumTooth& gum)
+{
+    double outermost = -1.0e9;
+    double innermost = 1.0e9;
+    double distalNeckMm = 0.0;
+    gum.toMm = -1.0e9;
+    for (const std::uint32_t k : tooth.cervix) {
+        const glm::dvec3 p(jawFromTooth * glm::dvec4(tooth.mesh.vertices[k], 1.0));
+        const ArchPlace place = curve.placeOf(glm::dvec2(p));
+        if (place.outwardMm > outermost) {
+            outermost = place.outwardMm;
+            gum.facialNeckMm = p.z;
+        }
+        if (place.outwardMm < innermost) {
+            innermost = place.outwardMm;
+            gum.lingualNeckMm = p.z;
+        }
+        if (place.alongMm > gum.toMm) {
+            gum.toMm = place.alongMm;
+            distalNeckMm = p.z;
+        }
+    }
+    return distalNeckMm;
+}
+
 /// The point of the crown that stands on the arch curve: incisal edge, tip of the canine or of the buccal cusp.
 glm::dvec3 archPoint(const CoarseTooth& tooth, int fdi)
 {
@@ -287,6 +314,10 @@ void Arch::dress(Jaw jaw)
     std::vector<GumTooth> teeth;
     double fromMm = 0.0;
     double firstPapillaMm = 0.0;
+    const auto touching = [&](int mesial, int behind) -> const ArchContact& {
+        return *std::find_if(m_contacts.begin(), m_contacts.end(),
+                             [&](const ArchContact& c) { return c.mesialFdi == mesial && c.distalFdi == behind; });
+    };
     for (int position = 1; position <= 8; ++position) {
         const int fdi = (jaw == Jaw::Upper ? 20 : 30) + position;
         const CoarseTooth& one = tooth(fdi);
@@ -296,33 +327,9 @@ void Arch::dress(Jaw jaw)
         GumTooth gum;
         gum.mesh = meshes.back().get();
         gum.jawFromTooth = stand;
-        // The CEJ at its outermost and innermost, and where the crown ends.
-        double outermost = -1.0e9;
-        double innermost = 1.0e9;
-        double distal = -1.0e9;
-        double distalNeckMm = 0.0;
-        for (const std::uint32_t k : one.cervix) {
-            const glm::dvec3 p(stand * glm::dvec4(one.mesh.vertices[k], 1.0));
-            const ArchPlace place = curve.placeOf(glm::dvec2(p));
-            if (place.outwardMm > outermost) {
-                outermost = place.outwardMm;
-                gum.facialNeckMm = p.z;
-            }
-            if (place.outwardMm < innermost) {
-                innermost = place.outwardMm;
-                gum.lingualNeckMm = p.z;
-            }
-            if (place.alongMm > distal) {
-                distal = place.alongMm;
-                distalNeckMm = p.z;
-            }
-        }
+        const double distalNeckMm = findNeck(one, stand, curve, gum);
         const auto papilla = [&](double lowestMm) {
             return std::min(lowestMm - kBelowContactMm, gum.facialNeckMm + kHighestPapillaMm);
-        };
-        const auto touching = [&](int mesial, int behind) -> const ArchContact& {
-            return *std::find_if(m_contacts.begin(), m_contacts.end(),
-                                 [&](const ArchContact& c) { return c.mesialFdi == mesial && c.distalFdi == behind; });
         };
         if (position == 1)
             firstPapillaMm = papilla(touching(jaw == Jaw::Upper ? 11 : 41, fdi).lowestMm);
@@ -332,7 +339,6 @@ void Arch::dress(Jaw jaw)
             gum.toMm = curve.placeOf(glm::dvec2(contact.middleMm)).alongMm;
             gum.papillaMm = papilla(contact.lowestMm);
         } else {
-            gum.toMm = distal;
             for (std::size_t k = 0; k < one.crownVertices; ++k)
                 gum.toMm = std::max(gum.toMm,
                                     curve.placeOf(glm::dvec2(stand * glm::dvec4(one.mesh.vertices[k], 1.0))).alongMm);

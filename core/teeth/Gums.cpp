@@ -160,49 +160,72 @@ struct Side
     std::vector<glm::dvec2> points;
 };
 
-}  // namespace
-
-Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, double firstPapillaMm)
+/// Builds the gum from sections across the arch: all have the same number of points, so that two neighbouring ones are
+/// joined by triangles.
+class GumBuilder
 {
-    const double lastMm = teeth.back().toMm;
-    const double endMm = lastMm + kBehindMm;
-    const Contour facial(curve, teeth, 1.0, endMm);
-    const Contour lingual(curve, teeth, -1.0, endMm);
+public:
+    GumBuilder(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, double firstPapillaMm)
+        : m_jaw(jaw), m_curve(curve), m_teeth(teeth), m_firstPapillaMm(firstPapillaMm), m_lastMm(teeth.back().toMm),
+          m_endMm(m_lastMm + kBehindMm), m_facial(curve, teeth, 1.0, m_endMm), m_lingual(curve, teeth, -1.0, m_endMm),
+          m_stations(static_cast<int>(std::ceil(m_endMm / kStationMm)) + 1)
+    {}
 
-    // The margin: scalloped, tooth by tooth.
-    const auto marginAt = [&](double along, bool isFacial) {
-        for (std::size_t k = 0; k < teeth.size(); ++k) {
-            const GumTooth& tooth = teeth[k];
+    Gums build()
+    {
+        for (int s = 0; s < m_stations; ++s)
+            addSection(s);
+        for (int s = 0; s < m_stations; ++s)
+            placeBase(s);
+        addPatch(m_all, 0, m_stations - 1, 0, m_columns - 1);
+        smoothNormals(m_all);
+        joinHalves();
+        return divided();
+    }
+
+private:
+    /// Returns the height of the margin: scalloped, tooth by tooth.
+    [[nodiscard]] double marginAt(double along, bool isFacial) const
+    {
+        for (std::size_t k = 0; k < m_teeth.size(); ++k) {
+            const GumTooth& tooth = m_teeth[k];
             if (along > tooth.toMm)
                 continue;
             const double half = 0.5 * (tooth.toMm - tooth.fromMm);
             const double t = (along - tooth.fromMm - half) / half;
             const double neck = (isFacial ? tooth.facialNeckMm : tooth.lingualNeckMm) + kGumMarginMm;
-            const double tip = t > 0.0 ? tooth.papillaMm : k == 0 ? firstPapillaMm : teeth[k - 1].papillaMm;
+            const double tip = t > 0.0 ? tooth.papillaMm : k == 0 ? m_firstPapillaMm : m_teeth[k - 1].papillaMm;
             return neck + (tip - neck) * std::pow(std::min(std::abs(t), 1.0), kScallop);
         }
-        const double behind = std::min((along - lastMm) / kBehindMm, 1.0);
-        return teeth.back().papillaMm + (kGumFootMm + 0.8 - teeth.back().papillaMm) * behind * behind;
-    };
-    const auto evenMarginAt = [&](double along, bool isFacial) {
+        const double behind = std::min((along - m_lastMm) / kBehindMm, 1.0);
+        return m_teeth.back().papillaMm + (kGumFootMm + 0.8 - m_teeth.back().papillaMm) * behind * behind;
+    }
+
+    /// Returns the height of a margin without scallops.
+    [[nodiscard]] double evenMarginAt(double along, bool isFacial) const
+    {
         double sum = 0.0;
         constexpr int kSteps = 16;
         for (int k = -kSteps; k <= kSteps; ++k)
             sum += marginAt(std::abs(along + kEvenMm * k / kSteps), isFacial);
         return sum / (2 * kSteps + 1);
-    };
-    // How thick the gum is over teeth and roots, by the depth below the margin. Further down, the depth below a margin
-    // without scallops counts: otherwise a pleat would hang from each papilla.
-    const auto thicknessMm = [&](double depth, double evenDepth, bool isFacial) {
+    }
+
+    /// Returns the thickness of the gum over teeth and roots. Further down, the depth below a margin without scallops
+    /// counts: otherwise a pleat would hang from each papilla.
+    [[nodiscard]] double thicknessMm(double depth, double evenDepth, bool isFacial) const
+    {
         const double even = 0.30 + 0.55 * eased(0.0, 2.2, depth);
         if (isFacial)
             return even + 0.10 * std::max(evenDepth - 5.0, 0.0);
-        return even + (jaw == Jaw::Upper ? 0.55 : 0.12) * std::max(evenDepth - 1.2, 0.0);
-    };
-    const auto sideAt = [&](double along, bool isFacial, std::span<const double> depths, bool toFoot) {
-        const Contour& contour = isFacial ? facial : lingual;
+        return even + (m_jaw == Jaw::Upper ? 0.55 : 0.12) * std::max(evenDepth - 1.2, 0.0);
+    }
+
+    [[nodiscard]] Side sideAt(double along, bool isFacial, std::span<const double> depths) const
+    {
+        const Contour& contour = isFacial ? m_facial : m_lingual;
         const double margin = marginAt(along, isFacial);
-        const double behind = std::clamp((along - lastMm) / kBehindMm, 0.0, 1.0);
+        const double behind = std::clamp((along - m_lastMm) / kBehindMm, 0.0, 1.0);
         std::vector<double> all(depths.begin(), depths.end());
         const double foot = margin - kGumFootMm;
         const double evenMargin = evenMarginAt(along, isFacial);
@@ -210,7 +233,7 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
         const double deepest = std::clamp(depths.back() + margin - evenMargin, 0.3, std::max(0.9 * foot, 0.3));
         for (double& depth : all)
             depth *= 1.0 + (deepest / depths.back() - 1.0) * depth / depths.back();
-        for (int k = 1; toFoot && k <= kFootColumns; ++k)
+        for (int k = 1; isFacial && k <= kFootColumns; ++k)
             all.push_back(all[depths.size() - 1] + (foot - all[depths.size() - 1]) * k / kFootColumns);
         const double edge = contour.reach(along, margin) - kInsideMm;
         Side side;
@@ -226,137 +249,185 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
             side.points.emplace_back(out * (1.0 - 0.30 * behind * behind), margin - depth);
         }
         return side;
-    };
+    }
 
-    LookMesh all;
-    const int stations = static_cast<int>(std::ceil(endMm / kStationMm)) + 1;
-    int columns = 0;
-    int gumColumns = 0;           ///< with the shell before them
-    std::vector<glm::vec3> ends;  ///< of the gum's lingual side
-    double frontMm = 0.0;         ///< y of the gum's foot at the midline
-    for (int s = 0; s < stations; ++s) {
-        const double along = std::min(s * kStationMm, endMm);
-        const glm::dvec2 middle = curve.point(along);
-        const glm::dvec2 outward = curve.outward(along);
-        Side front = sideAt(along, true, kFacialDepthsMm, true);
-        Side back = sideAt(along, false, kLingualDepthsMm, false);
+    /// Adds the vertices of one section: shell, facial side, crest, lingual side, and room for the base.
+    void addSection(int station)
+    {
+        const double along = std::min(station * kStationMm, m_endMm);
+        const glm::dvec2 middle = m_curve.point(along);
+        const glm::dvec2 outward = m_curve.outward(along);
+        Side front = sideAt(along, true, kFacialDepthsMm);
+        Side back = sideAt(along, false, kLingualDepthsMm);
         // Where teeth touch the two margins meet; they do not pass each other.
         if (const double crossed = -front.points.front().x - back.points.front().x; crossed > 0.0) {
             front.points.front().x += 0.5 * crossed + 0.02;
             back.points.front().x += 0.5 * crossed + 0.02;
         }
-        const auto add = [&](double out, double z, Tissue tissue) {
+        const auto add = [&](double out, double z) {
             const glm::dvec2 p = middle + out * outward;
             // The mirror plane is the end of the left half.
-            all.vertices.push_back({glm::vec3(s == 0 ? 0.0 : std::max(p.x, 0.0), p.y, z), glm::vec3(0.0F), 1.0F,
-                                    static_cast<float>(tissue)});
+            addVertex(glm::vec3(station == 0 ? 0.0 : std::max(p.x, 0.0), p.y, z), Tissue::Gum);
         };
-        // The shell comes from the midline to the foot of the gum, upright where the two meet.
-        const glm::dvec2 foot = middle + front.points.back().x * outward;
-        if (s == 0)
-            frontMm = foot.y;
-        const double backMm = (curve.point(endMm).y - frontMm) * along / endMm;
-        const double rising = 1.0 - std::min(backMm / kShellFrontMm, 1.0);
-        const double bulge = kShellMm * std::sqrt(1.0 - rising * rising);
-        for (int k = 0; k < kShellColumns; ++k) {
-            const double angle = 0.5 * std::numbers::pi * k / kShellColumns;
-            const double x = s == 0 ? 0.0 : std::max(foot.x, 0.0);
-            const double start = frontMm + backMm;
-            all.vertices.push_back({glm::vec3(x * std::sin(angle), start + (foot.y - start) * std::sin(angle),
-                                              kGumFootMm - bulge * std::cos(angle)),
-                                    glm::vec3(0.0F), 1.0F, static_cast<float>(Tissue::Gum)});
-        }
+        addShell(station, along, middle + front.points.back().x * outward);
         for (auto p = front.points.rbegin(); p != front.points.rend(); ++p)
-            add(p->x, p->y, Tissue::Gum);
+            add(p->x, p->y);
+        const glm::dvec2 from = front.points.front();
+        const glm::dvec2 to{-back.points.front().x, back.points.front().y};
         for (int k = 1; k <= kCrestColumns; ++k) {
             const double t = static_cast<double>(k) / (kCrestColumns + 1);
-            const glm::dvec2 from = front.points.front();
-            const glm::dvec2 to{-back.points.front().x, back.points.front().y};
             const glm::dvec2 p = from + t * (to - from);
-            const double dome = along > lastMm
-                                    ? 0.15 * (from.x - to.x) * 4.0 * t * (1.0 - t) * eased(lastMm, lastMm + 2.0, along)
-                                    : 0.0;
-            add(p.x, p.y + dome, Tissue::Gum);
+            const double dome =
+                along > m_lastMm ? 0.15 * (from.x - to.x) * 4.0 * t * (1.0 - t) * eased(m_lastMm, m_lastMm + 2.0, along)
+                                 : 0.0;
+            add(p.x, p.y + dome);
         }
         for (const glm::dvec2& p : back.points)
-            add(-p.x, p.y, Tissue::Gum);
-        ends.push_back(all.vertices.back().positionMm);
-        gumColumns = static_cast<int>(all.vertices.size()) - s * columns;
+            add(-p.x, p.y);
+        m_ends.push_back(m_all.vertices.back().positionMm);
+        m_gumColumns = static_cast<int>(m_all.vertices.size()) - station * m_columns;
         for (int k = 0; k < kBaseColumns; ++k)
-            all.vertices.push_back({glm::vec3(0.0F), glm::vec3(0.0F), 1.0F, static_cast<float>(Tissue::Mucosa)});
-        columns = gumColumns + kBaseColumns;
+            addVertex(glm::vec3(0.0F), Tissue::Mucosa);
+        m_columns = m_gumColumns + kBaseColumns;
     }
-    // From the gum's lingual end to the midline: a vault above, below the tongue. It forgets tooth by tooth on the way.
-    for (int s = 0; s < stations; ++s) {
+
+    /// Adds the shell of one section, from the midline to the foot of the gum: upright where the two meet.
+    void addShell(int station, double along, const glm::dvec2& foot)
+    {
+        if (station == 0)
+            m_frontMm = foot.y;
+        const double backMm = (m_curve.point(m_endMm).y - m_frontMm) * along / m_endMm;
+        const double rising = 1.0 - std::min(backMm / kShellFrontMm, 1.0);
+        const double bulge = kShellMm * std::sqrt(1.0 - rising * rising);
+        const double x = station == 0 ? 0.0 : std::max(foot.x, 0.0);
+        const double start = m_frontMm + backMm;
+        for (int k = 0; k < kShellColumns; ++k) {
+            const double angle = 0.5 * std::numbers::pi * k / kShellColumns;
+            addVertex(glm::vec3(x * std::sin(angle), start + (foot.y - start) * std::sin(angle),
+                                kGumFootMm - bulge * std::cos(angle)),
+                      Tissue::Gum);
+        }
+    }
+
+    /// Places the base of one section, from the gum's lingual end to the midline: a vault above, below the tongue. Its
+    /// rows lose the shape of single teeth on the way.
+    void placeBase(int station)
+    {
         glm::vec3 even(0.0F);
         constexpr int kWide = static_cast<int>(kEvenMm / kStationMm);
-        for (int k = s - kWide; k <= s + kWide; ++k) {
-            const glm::vec3 end = ends[static_cast<std::size_t>(std::min(std::abs(k), stations - 1))];
+        for (int k = station - kWide; k <= station + kWide; ++k) {
+            const glm::vec3 end = m_ends[static_cast<std::size_t>(std::min(std::abs(k), m_stations - 1))];
             even += k < 0 ? glm::vec3(-end.x, end.y, end.z) : end;
         }
         even /= static_cast<float>(2 * kWide + 1);
-        const glm::vec3 own = ends[static_cast<std::size_t>(s)];
+        const glm::vec3 own = m_ends[static_cast<std::size_t>(station)];
         for (int k = 1; k <= kBaseColumns; ++k) {
             const double t = static_cast<double>(k) / kBaseColumns;
             const glm::vec3 from = glm::mix(own, even, static_cast<float>(eased(0.0, 0.4, t)));
-            const double vault = (jaw == Jaw::Upper ? -0.42 : 0.30) * from.x;
+            const double vault = (m_jaw == Jaw::Upper ? -0.42 : 0.30) * from.x;
             const double arc = 1.0 - (1.0 - t) * (1.0 - t);
-            all.vertices[static_cast<std::size_t>(s * columns + gumColumns - 1 + k)].positionMm =
+            m_all.vertices[at(station, m_gumColumns - 1 + k)].positionMm =
                 glm::vec3(from.x * (1.0 - t), from.y, from.z + vault * arc);
         }
     }
-    const auto at = [&](int station, int column) { return static_cast<std::uint32_t>(station * columns + column); };
-    const auto patch = [&](LookMesh& mesh, int fromStation, int toStation, int fromColumn, int toColumn) {
+
+    /// The two halves meet without an edge.
+    void joinHalves()
+    {
+        for (LookVertex& v : m_all.vertices)
+            if (v.positionMm.x < 1.0e-4F && glm::length(glm::vec2(v.normal.y, v.normal.z)) > 1.0e-6F)
+                v.normal = glm::normalize(glm::vec3(0.0F, v.normal.y, v.normal.z));
+    }
+
+    [[nodiscard]] Gums divided() const
+    {
+        Gums gums;
+        int from = 0;
+        for (const GumTooth& tooth : m_teeth) {
+            const bool last = &tooth == &m_teeth.back();
+            const int to = last ? m_stations - 1 : static_cast<int>(std::lround(tooth.toMm / kStationMm));
+            gums.around.push_back(cutOut(from, to, kShellColumns, m_gumColumns - 1));
+            from = to;
+        }
+        gums.base = cutOut(0, m_stations - 1, m_gumColumns - 1, m_columns - 1);
+        gums.shell = cutOut(0, m_stations - 1, 0, kShellColumns);
+        closeBack(gums.shell);
+        return gums;
+    }
+
+    /// Returns a mesh with only the vertices that it uses.
+    [[nodiscard]] LookMesh cutOut(int fromStation, int toStation, int fromColumn, int toColumn) const
+    {
+        LookMesh part;
+        addPatch(part, fromStation, toStation, fromColumn, toColumn);
+        std::vector<std::uint32_t> moved(m_all.vertices.size(), 0xFFFFFFFFU);
+        for (std::uint32_t& k : part.indices) {
+            if (moved[k] == 0xFFFFFFFFU) {
+                moved[k] = static_cast<std::uint32_t>(part.vertices.size());
+                part.vertices.push_back(m_all.vertices[k]);
+            }
+            k = moved[k];
+        }
+        return part;
+    }
+
+    /// Closes the back of the shell: from its last line to the last one of the base, both from the midline outwards.
+    void closeBack(LookMesh& shell) const
+    {
+        const auto first = static_cast<std::uint32_t>(shell.vertices.size());
+        for (int k = 0; k <= kShellColumns; ++k) {
+            for (const int column : {k, m_columns - 1 - k * kBaseColumns / kShellColumns}) {
+                LookVertex vertex = m_all.vertices[at(m_stations - 1, column)];
+                vertex.normal = glm::vec3(0.0F, 1.0F, 0.0F);
+                shell.vertices.push_back(vertex);
+            }
+            for (const std::uint32_t corner : {0U, 1U, 2U, 1U, 3U, 2U})
+                if (k < kShellColumns)
+                    shell.indices.push_back(first + 2U * static_cast<std::uint32_t>(k) + corner);
+        }
+    }
+
+    void addVertex(const glm::vec3& positionMm, Tissue tissue)
+    {
+        m_all.vertices.push_back({positionMm, glm::vec3(0.0F), 1.0F, static_cast<float>(tissue)});
+    }
+
+    [[nodiscard]] std::uint32_t at(int station, int column) const
+    {
+        return static_cast<std::uint32_t>(station * m_columns + column);
+    }
+
+    /// Adds two triangles for every cell of a range of stations and columns.
+    void addPatch(LookMesh& mesh, int fromStation, int toStation, int fromColumn, int toColumn) const
+    {
         for (int s = fromStation; s < toStation; ++s)
             for (int c = fromColumn; c < toColumn; ++c)
                 for (const std::uint32_t k :
                      {at(s, c), at(s + 1, c), at(s + 1, c + 1), at(s, c), at(s + 1, c + 1), at(s, c + 1)})
                     mesh.indices.push_back(k);
-    };
-    patch(all, 0, stations - 1, 0, columns - 1);
-    smoothNormals(all);
-    // The two halves meet without an edge.
-    for (LookVertex& v : all.vertices)
-        if (v.positionMm.x < 1.0e-4F && glm::length(glm::vec2(v.normal.y, v.normal.z)) > 1.0e-6F)
-            v.normal = glm::normalize(glm::vec3(0.0F, v.normal.y, v.normal.z));
+    }
 
-    // One mesh a tooth, with the vertices it uses.
-    const auto cutOut = [&](int fromStation, int toStation, int fromColumn, int toColumn) {
-        LookMesh part;
-        patch(part, fromStation, toStation, fromColumn, toColumn);
-        std::vector<std::uint32_t> moved(all.vertices.size(), 0xFFFFFFFFU);
-        for (std::uint32_t& k : part.indices) {
-            if (moved[k] == 0xFFFFFFFFU) {
-                moved[k] = static_cast<std::uint32_t>(part.vertices.size());
-                part.vertices.push_back(all.vertices[k]);
-            }
-            k = moved[k];
-        }
-        return part;
-    };
-    Gums gums;
-    int from = 0;
-    for (const GumTooth& tooth : teeth) {
-        const bool last = &tooth == &teeth.back();
-        const int to = last ? stations - 1 : static_cast<int>(std::lround(tooth.toMm / kStationMm));
-        gums.around.push_back(cutOut(from, to, kShellColumns, gumColumns - 1));
-        from = to;
-    }
-    gums.base = cutOut(0, stations - 1, gumColumns - 1, columns - 1);
-    gums.shell = cutOut(0, stations - 1, 0, kShellColumns);
-    // Its back: from the last line of the shell to the last one of the base, both from the midline outwards.
-    const auto first = static_cast<std::uint32_t>(gums.shell.vertices.size());
-    for (int k = 0; k <= kShellColumns; ++k) {
-        for (const int column : {k, columns - 1 - k * kBaseColumns / kShellColumns}) {
-            LookVertex vertex = all.vertices[at(stations - 1, column)];
-            vertex.normal = glm::vec3(0.0F, 1.0F, 0.0F);
-            gums.shell.vertices.push_back(vertex);
-        }
-        for (const std::uint32_t corner : {0U, 1U, 2U, 1U, 3U, 2U})
-            if (k < kShellColumns)
-                gums.shell.indices.push_back(first + 2U * static_cast<std::uint32_t>(k) + corner);
-    }
-    return gums;
+    Jaw m_jaw;
+    const ArchCurve& m_curve;
+    std::span<const GumTooth> m_teeth;
+    double m_firstPapillaMm;
+    double m_lastMm;  ///< end of the last tooth along the arch
+    double m_endMm;   ///< end of the gum along the arch
+    Contour m_facial;
+    Contour m_lingual;
+    int m_stations;
+    LookMesh m_all;
+    int m_columns = 0;
+    int m_gumColumns = 0;           ///< with the shell before them
+    std::vector<glm::vec3> m_ends;  ///< of the gum's lingual side
+    double m_frontMm = 0.0;         ///< y of the gum's foot at the midline
+};
+
+}  // namespace
+
+Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, double firstPapillaMm)
+{
+    return GumBuilder(jaw, curve, teeth, firstPapillaMm).build();
 }
 
 }  // namespace core::teeth

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -276,128 +277,179 @@ void divideMesial(const terrain::Grid& grid, const Footprint& print, const Tissu
     canals.push_back(pulledInside(grid, print, middle.x, middle.y + kAsideMm, 0.3));
 }
 
+/// Draws by how much a measure of one tooth differs from the mean: not at all for seed 0.
+class Variation
+{
+public:
+    explicit Variation(std::uint64_t seed) : m_rng(seed ^ 0x70756C70ULL), m_isMean(seed == 0) {}
+    double operator()(double deviation) { return m_isMean ? 0.0 : deviation * std::clamp(m_rng.normal(), -2.0, 2.0); }
+
+private:
+    Rng m_rng;
+    bool m_isMean;
+};
+
+struct Horn
+{
+    Spot at;
+    double apex = 0.0;
+};
+
+/// Form of a pulp before the dentin around it limits it.
+struct PulpForm
+{
+    Footprint print;
+    double chamberHeight = 0.0;  ///< 0: a pulp without a chamber, as in front teeth
+    std::vector<Horn> horns;
+    double roofMid = 0.0;  ///< height of the roof between the horns
+    std::optional<Spot> fossa;
+    double fossaToPulp = 0.0;
+    double deepest = 0.0;  ///< height of the deepest end of a root
+    std::vector<Spot> canals;
+};
+
+/// Sets the horns of a pulp and the height of its roof.
+void raiseRoof(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> top,
+               const TissueFigures& figures, double tipToHorn, Variation& vary, PulpForm& form)
+{
+    const double highest = static_cast<double>(*std::max_element(top.begin(), top.end()));
+    for (const Spot& target : hornTargets(grid, lattice, top, figures, form.print, highest)) {
+        Horn horn{pulledInside(grid, form.print, target.x, target.y, 0.35), 0.0};
+        const double aside = squared(horn.at.x - target.x) + squared(horn.at.y - target.y);
+        const double reach = tipToHorn + vary(0.12);
+        horn.apex = target.z - std::sqrt(std::max(squared(0.8 * reach), squared(reach) - aside));
+        form.roofMid += horn.apex;
+        form.horns.push_back(horn);
+    }
+    form.roofMid = form.horns.empty() ? highest - tipToHorn : form.roofMid / static_cast<double>(form.horns.size());
+    form.roofMid -= figures.hornHeight;
+    form.fossa = centralFossa(grid, lattice, top, figures);
+    form.fossaToPulp = figures.fossaToPulp + (form.fossa ? vary(0.1) : 0.0);
+    if (!form.fossa)
+        return;
+    // Under a deep fossa the whole roof is lower, and its horns with it. The horn of a low cusp is a low one.
+    form.roofMid = std::min(form.roofMid, form.fossa->z - form.fossaToPulp);
+    double tallest = form.roofMid;
+    for (const Horn& horn : form.horns)
+        tallest = std::max(tallest, horn.apex);
+    for (Horn& horn : form.horns)
+        horn.apex = std::max(horn.apex - std::max(0.0, tallest - form.roofMid - figures.hornHeight),
+                             form.roofMid + kLeastHorn * figures.hornHeight);
+}
+
+/// Sets where the canals of a pulp leave its chamber: under the deepest places of the under surface, one to a root.
+/// Where the roots are cut off: over the middle of each one's section, and towards where its end would be.
+/// @param minusBottom  see dentinUnder()
+void openCanals(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> top,
+                std::span<const float> bottom, const std::vector<std::uint8_t>& cut,
+                const std::vector<float>& minusBottom, const TissueFigures& figures, PulpForm& form)
+{
+    const double highest = static_cast<double>(*std::max_element(top.begin(), top.end()));
+    const bool isCut = std::find(cut.begin(), cut.end(), 1) != cut.end();
+    form.deepest = highest;
+    for (std::size_t k = 0; k < grid.count(); ++k)
+        if (top[k] > bottom[k])
+            form.deepest = std::min(form.deepest, static_cast<double>(bottom[k]));
+    if (isCut)
+        form.deepest = std::min(form.deepest, highest - figures.crownHeight - figures.sizes.rootLengthMm);
+    if (form.chamberHeight <= 0.0)
+        return;
+    const std::vector<float> section = isCut ? distanceInside(grid, cut) : minusBottom;
+    const double least = isCut ? 0.6 * static_cast<double>(*std::max_element(section.begin(), section.end()))
+                               : -(highest + 0.75 * (form.deepest - highest));
+    for (const Spot& apex : peaks(grid, lattice, lattice.pick(section, terrain::kEmptyTop), 1.5, least, 4))
+        form.canals.push_back(pulledInside(grid, form.print, apex.x, apex.y, 0.3));
+    divideMesial(grid, form.print, figures, form.canals);
+}
+
+/// Returns roof and floor of a pulp, heights in mm, at a place `inside` mm within its outline.
+/// @param neck  height of the enamel-cement junction there
+std::pair<double, double> roofAndFloor(const PulpForm& form, const glm::dvec2& at, double inside, double neck)
+{
+    const double deepestInside = form.print.deepestMm;
+    const double roundMm = form.chamberHeight > 0.0 ? std::min(0.8, deepestInside) : deepestInside;
+    const double hornWidth = std::max(0.5, 0.55 * deepestInside);
+    const double dome = 1.0 - squared(1.0 - std::min(1.0, inside / roundMm));
+    double roof = 0.0;
+    double floor = 0.0;
+    if (form.chamberHeight > 0.0) {
+        roof = form.roofMid - 0.4 * (1.0 - dome);
+        floor = form.roofMid - form.chamberHeight + 0.4 * (1.0 - dome);
+        for (const Spot& canal : form.canals) {
+            const double aside = std::sqrt(squared(at.x - canal.x) + squared(at.y - canal.y)) / kCanalRadiusMm;
+            if (aside < 1.0)
+                floor = std::min(floor, floor + (form.deepest + 1.5 - floor) * (1.0 - aside));
+        }
+    } else {
+        roof = neck - 1.0 + (form.roofMid - (neck - 1.0)) * dome;
+        const double depth = inside / deepestInside;
+        floor = neck - 1.0 + (form.deepest + 1.5 - (neck - 1.0)) * depth * std::sqrt(depth);
+    }
+    for (const Horn& horn : form.horns) {
+        const double aside = std::sqrt(squared(at.x - horn.at.x) + squared(at.y - horn.at.y)) / hornWidth;
+        if (aside < 1.0)
+            roof = std::max(roof, roof + (horn.apex - roof) * squared(1.0 - aside) * (1.0 + 2.0 * aside));
+    }
+    if (form.fossa) {
+        const double away = squared(at.x - form.fossa->x) + squared(at.y - form.fossa->y);
+        roof = std::min(roof, form.fossa->z - std::sqrt(std::max(0.0, squared(form.fossaToPulp) - away)));
+    }
+    return {roof, floor};
+}
+
+/// Returns the upper end of the dentin in each column. Outside the tooth there is no pulp at any height beside it.
+std::vector<float> dentinOver(std::span<const float> top, std::span<const float> bottom,
+                              const std::vector<terrain::ColumnLayers>& layers)
+{
+    std::vector<float> junction(top.size());
+    for (std::size_t k = 0; k < top.size(); ++k)
+        junction[k] = top[k] > bottom[k] ? std::max(layers[k].dej, bottom[k]) : terrain::kEmptyTop;
+    return junction;
+}
+
+/// Returns the negated lower end of the dentin in each column; a cut bounds no dentin.
+std::vector<float> dentinUnder(std::span<const float> top, std::span<const float> bottom,
+                               const std::vector<std::uint8_t>& cut)
+{
+    std::vector<float> minusBottom(top.size());
+    for (std::size_t k = 0; k < top.size(); ++k)
+        minusBottom[k] = !(top[k] > bottom[k]) ? terrain::kEmptyTop : cut[k] != 0 ? kNoValue : -bottom[k];
+    return minusBottom;
+}
+
 }  // namespace
 
 void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                 std::span<const float> cervixMm, const TissueFigures& figures, std::uint64_t seed,
                 std::vector<terrain::ColumnLayers>& layers)
 {
-    Rng rng(seed ^ 0x70756C70ULL);
-    const auto vary = [&](double deviation) {
-        return seed == 0 ? 0.0 : deviation * std::clamp(rng.normal(), -2.0, 2.0);
-    };
-    const double highest = static_cast<double>(*std::max_element(top.begin(), top.end()));
+    Variation vary(seed);
     const double tipToHorn = figures.tipToHorn + vary(0.35);
-    const double chamberHeight = figures.chamberHeight > 0.0 ? figures.chamberHeight + vary(0.25) : 0.0;
+    PulpForm form;
+    form.chamberHeight = figures.chamberHeight > 0.0 ? figures.chamberHeight + vary(0.25) : 0.0;
     const std::vector<std::uint8_t> cut = cutColumns(grid, top, bottom, figures);
-    const bool isCut = std::find(cut.begin(), cut.end(), 1) != cut.end();
-    const Footprint print = footprintOf(grid, top, bottom, cervixMm, cut, figures, vary(0.15));
-    if (print.deepestMm < 0.1)
+    form.print = footprintOf(grid, top, bottom, cervixMm, cut, figures, vary(0.15));
+    if (form.print.deepestMm < 0.1)
         return;
 
-    // How far the pulp may go before dentin gets thinner than its least on any side.
+    // The pulp may reach as far as dentin keeps its least thickness on every side.
     const Lattice lattice(grid);
-    std::vector<float> junction(grid.count(), kNoValue);
-    std::vector<float> minusBottom(grid.count(), kNoValue);
-    for (std::size_t k = 0; k < grid.count(); ++k) {
-        if (top[k] > bottom[k]) {
-            junction[k] = std::max(layers[k].dej, bottom[k]);
-            minusBottom[k] = cut[k] != 0 ? kNoValue : -bottom[k];  // a cut bounds no dentin
-        } else {
-            junction[k] = terrain::kEmptyTop;  // outside: no pulp beside it at any height
-            minusBottom[k] = terrain::kEmptyTop;
-        }
-    }
+    const std::vector<float> minusBottom = dentinUnder(top, bottom, cut);
     const std::vector<float> above(lattice.count(), kDentinAboveMm);
     const std::vector<float> beside(lattice.count(), kDentinBesideMm);
-    const std::vector<float> ceiling = lattice.ballsBelow(lattice.pick(junction, terrain::kEmptyTop), above);
+    const std::vector<float> ceiling =
+        lattice.ballsBelow(lattice.pick(dentinOver(top, bottom, layers), terrain::kEmptyTop), above);
     const std::vector<float> minusGround = lattice.ballsBelow(lattice.pick(minusBottom, terrain::kEmptyTop), beside);
 
-    struct Horn
-    {
-        Spot at;
-        double apex = 0.0;
-    };
-    std::vector<Horn> horns;
-    double roofMid = 0.0;
-    for (const Spot& target : hornTargets(grid, lattice, top, figures, print, highest)) {
-        Horn horn{pulledInside(grid, print, target.x, target.y, 0.35), 0.0};
-        const double aside = squared(horn.at.x - target.x) + squared(horn.at.y - target.y);
-        const double reach = tipToHorn + vary(0.12);
-        horn.apex = target.z - std::sqrt(std::max(squared(0.8 * reach), squared(reach) - aside));
-        roofMid += horn.apex;
-        horns.push_back(horn);
-    }
-    roofMid = horns.empty() ? highest - tipToHorn : roofMid / static_cast<double>(horns.size());
-    roofMid -= figures.hornHeight;
-    const std::optional<Spot> fossa = centralFossa(grid, lattice, top, figures);
-    const double fossaToPulp = figures.fossaToPulp + (fossa ? vary(0.1) : 0.0);
-    if (fossa) {
-        // Under a deep fossa the whole roof is lower, and its horns with it. The horn of a low cusp is a low one.
-        roofMid = std::min(roofMid, fossa->z - fossaToPulp);
-        double tallest = roofMid;
-        for (const Horn& horn : horns)
-            tallest = std::max(tallest, horn.apex);
-        for (Horn& horn : horns)
-            horn.apex = std::max(horn.apex - std::max(0.0, tallest - roofMid - figures.hornHeight),
-                                 roofMid + kLeastHorn * figures.hornHeight);
-    }
-
-    // Canals open under the deepest places of the under surface: one to a root. Where the roots are cut off: over the
-    // middle of each one's section, and towards where its end would be.
-    double deepest = highest;
-    for (std::size_t k = 0; k < grid.count(); ++k)
-        if (top[k] > bottom[k])
-            deepest = std::min(deepest, static_cast<double>(bottom[k]));
-    if (isCut)
-        deepest = std::min(deepest, highest - figures.crownHeight - figures.sizes.rootLengthMm);
-    std::vector<Spot> canals;
-    if (chamberHeight > 0.0) {
-        const std::vector<float> section = isCut ? distanceInside(grid, cut) : minusBottom;
-        const double least = isCut ? 0.6 * static_cast<double>(*std::max_element(section.begin(), section.end()))
-                                   : -(highest + 0.75 * (deepest - highest));
-        for (const Spot& apex : peaks(grid, lattice, lattice.pick(section, terrain::kEmptyTop), 1.5, least, 4))
-            canals.push_back(pulledInside(grid, print, apex.x, apex.y, 0.3));
-        divideMesial(grid, print, figures, canals);
-    }
-
-    const double roundMm = chamberHeight > 0.0 ? std::min(0.8, print.deepestMm) : print.deepestMm;
-    const double hornWidth = std::max(0.5, 0.55 * print.deepestMm);
+    raiseRoof(grid, lattice, top, figures, tipToHorn, vary, form);
+    openCanals(grid, lattice, top, bottom, cut, minusBottom, figures, form);
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
-            const auto inside = static_cast<double>(print.insideMm[k]);
+            const auto inside = static_cast<double>(form.print.insideMm[k]);
             if (inside <= 0.0)
                 continue;
-            const glm::dvec2 at = grid.nodeMm(i, j);
-            const double dome = 1.0 - squared(1.0 - std::min(1.0, inside / roundMm));
-            const auto neck = static_cast<double>(cervixMm[k]);
-
-            double roof = 0.0;
-            double floor = 0.0;
-            if (chamberHeight > 0.0) {
-                roof = roofMid - 0.4 * (1.0 - dome);
-                floor = roofMid - chamberHeight + 0.4 * (1.0 - dome);
-                for (const Spot& canal : canals) {
-                    const double aside = std::sqrt(squared(at.x - canal.x) + squared(at.y - canal.y)) / kCanalRadiusMm;
-                    if (aside < 1.0)
-                        floor = std::min(floor, floor + (deepest + 1.5 - floor) * (1.0 - aside));
-                }
-            } else {
-                roof = neck - 1.0 + (roofMid - (neck - 1.0)) * dome;
-                const double depth = inside / print.deepestMm;
-                floor = neck - 1.0 + (deepest + 1.5 - (neck - 1.0)) * depth * std::sqrt(depth);
-            }
-            for (const Horn& horn : horns) {
-                const double aside = std::sqrt(squared(at.x - horn.at.x) + squared(at.y - horn.at.y)) / hornWidth;
-                if (aside < 1.0)
-                    roof = std::max(roof, roof + (horn.apex - roof) * squared(1.0 - aside) * (1.0 + 2.0 * aside));
-            }
-
-            if (fossa) {
-                const double away = squared(at.x - fossa->x) + squared(at.y - fossa->y);
-                roof = std::min(roof, fossa->z - std::sqrt(std::max(0.0, squared(fossaToPulp) - away)));
-            }
+            const auto [roof, floor] = roofAndFloor(form, grid.nodeMm(i, j), inside, static_cast<double>(cervixMm[k]));
             const float highLimit = lattice.at(ceiling, i, j);
             const float lowLimit = -lattice.at(minusGround, i, j);
             const float pulpRoof = std::min(static_cast<float>(roof), highLimit);
