@@ -126,14 +126,8 @@ core::Status bringCaptured(const QString& file, const QString& folder)
     return core::preparation::writeCaptured(toPath(there.filePath()), *ideal);
 }
 
-}  // namespace
-
-int newLessonPart(const QStringList& arguments)
+void addNewLessonOptions(QCommandLineParser& parser)
 {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral(
-        "Writes a lesson that can be given as it is, for a teacher to go on from. What it is based on is read when the "
-        "lesson is; only what differs stands in the file. Overwrites nothing."));
     const auto option = [&](const char* name, const char* help, const char* value) {
         parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
     };
@@ -148,6 +142,30 @@ int newLessonPart(const QStringList& arguments)
     option("title", "What students read; made up if not given.", "WORDS");
     option("captured", "The captured ideal to cut (.cuspideal). Its tolerances go into the rubric.", "FILE");
     option("out", "The lesson; in the teacher's folder under its id if not given.", "FILE.lesson.json");
+}
+
+/// Writes a lesson into a file if it can be given to students as it is.
+core::Status writeLesson(const QJsonObject& object, const QString& out)
+{
+    const lessons::ReadLesson read = lessons::readDraft(object, out);
+    for (const lessons::ValidationIssue& fault : read.faults)
+        if (fault.grave)
+            return core::unexpected(core::ErrorCode::BadStructure, fault.sentence().toStdString());
+    if (const auto assigned = lessons::assign(*read.lesson); !assigned)
+        return tl::unexpected(assigned.error());
+    const QByteArray json = QJsonDocument(object).toJson();
+    return core::writeWhole(toPath(out), {json.constData(), static_cast<std::size_t>(json.size())}, "The lesson");
+}
+
+}  // namespace
+
+int newLessonPart(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral(
+        "Writes a lesson that can be given as it is, for a teacher to go on from. What it is based on is read when the "
+        "lesson is; only what differs stands in the file. Overwrites nothing."));
+    addNewLessonOptions(parser);
     const QString usage = QStringLiteral("cusp lesson new --id ID [--from BASE] [--tooth FDI|BLOCK|FILE] [--task TASK] "
                                          "[--captured FILE] [--out FILE.lesson.json]");
     if (const auto code = parse(parser, arguments, usage))
@@ -195,16 +213,7 @@ int newLessonPart(const QStringList& arguments)
     const auto object = lessons::newLesson(wishes, folder);
     if (!object)
         return failed(object.error());
-    const lessons::ReadLesson read = lessons::readDraft(*object, out);
-    for (const lessons::ValidationIssue& fault : read.faults)
-        if (fault.grave)
-            return failed({core::ErrorCode::BadStructure, fault.sentence().toStdString()});
-    if (const auto assigned = lessons::assign(*read.lesson); !assigned)
-        return failed(assigned.error());
-    const QByteArray json = QJsonDocument(*object).toJson();
-    const core::Status written =
-        core::writeWhole(toPath(out), {json.constData(), static_cast<std::size_t>(json.size())}, "The lesson");
-    if (!written)
+    if (const core::Status written = writeLesson(*object, out); !written)
         return failed(written.error());
     leaveNothing.dismiss();
     printText(QStringLiteral("%1\n").arg(printable(QDir::toNativeSeparators(out))));

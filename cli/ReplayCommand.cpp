@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <QElapsedTimer>
 
@@ -45,12 +48,75 @@ core::Result<Explained> explain(const core::recording::Recording& recording, con
     return explained;
 }
 
-QString toText(const lessons::GridSensitivity& noise)
+QString gridsText(const lessons::GridSensitivity& noise)
 {
     return QStringLiteral("other grids    half %1%2%3\n")
         .arg(0.1 * noise.half.totalTenths, 0, 'f', 1)
         .arg(noise.twice ? QStringLiteral(", double %1").arg(0.1 * noise.twice->totalTenths, 0, 'f', 1) : QString(),
              noise.isUncertain() ? QStringLiteral("; the pass mark lies between") : QString());
+}
+
+/// A recording, what a replay of it came to, and how long that took.
+struct Replay
+{
+    core::recording::Recording recording;
+    lessons::Remarked remarked;
+    std::unique_ptr<haptics::TickTimes> tickTimes;
+    double tookS = 0.0;
+    std::optional<Explained> explained;  ///< if it was asked for
+
+    [[nodiscard]] double lastsS() const { return std::chrono::duration<double>(recording.duration()).count(); }
+};
+
+QJsonObject figuresOf(const Replay& replay)
+{
+    const core::terrain::PerMaterial& removedMm3 = replay.remarked.mark.measured.measures.removedMm3;
+    QJsonObject answer{{QStringLiteral("tooth"), QString::fromStdString(replay.recording.anatomy()->name)},
+                       {QStringLiteral("ticks"), static_cast<qint64>(replay.recording.ticks())},
+                       {QStringLiteral("duration_s"), replay.lastsS()},
+                       {QStringLiteral("replay_s"), replay.tookS},
+                       {QStringLiteral("tick_us"), toJson(*replay.tickTimes)},
+                       {QStringLiteral("state_hash"), hashText(replay.remarked.outcome.stateHash)},
+                       {QStringLiteral("preset"), presetText(replay.recording)},
+                       {QStringLiteral("verified"), replay.recording.witness().has_value()},
+                       {QStringLiteral("removed_mm3"), toJson(removedMm3)},
+                       {QStringLiteral("measures"), toJson(replay.remarked.mark.measured)},
+                       {QStringLiteral("score"), toJsonObject(replay.remarked.mark.sheet)},
+                       {QStringLiteral("infractions"), toJson(replay.remarked.conduct.infractions)}};
+    if (replay.explained) {
+        answer.insert(QStringLiteral("moments"), toJson(replay.explained->moments));
+        answer.insert(QStringLiteral("moments_s"), replay.explained->momentsS);
+        answer.insert(QStringLiteral("half_grid_tenths"), replay.explained->noise.half.totalTenths);
+        answer.insert(QStringLiteral("double_grid_tenths"), replay.explained->noise.twice
+                                                                ? QJsonValue(replay.explained->noise.twice->totalTenths)
+                                                                : QJsonValue());
+        answer.insert(QStringLiteral("grids_s"), replay.explained->noiseS);
+    }
+    return answer;
+}
+
+QString textOf(const Replay& replay)
+{
+    const core::terrain::PerMaterial& removedMm3 = replay.remarked.mark.measured.measures.removedMm3;
+    return QStringLiteral("tooth          %1\n"
+                          "attempt        %2 s in %3 ticks, replayed in %4 s\n"
+                          "removed        caries %5, enamel %6, dentin %7, pulp %8 mm3\n"
+                          "state          %9%10\n"
+                          "preset         %11\n")
+               .arg(printable(QString::fromStdString(replay.recording.anatomy()->name)))
+               .arg(replay.lastsS(), 0, 'f', 2)
+               .arg(replay.recording.ticks())
+               .arg(replay.tookS, 0, 'f', 2)
+               .arg(removedMm3[0], 0, 'f', 4)
+               .arg(removedMm3[1], 0, 'f', 4)
+               .arg(removedMm3[2], 0, 'f', 4)
+               .arg(removedMm3[3], 0, 'f', 4)
+               .arg(hashText(replay.remarked.outcome.stateHash),
+                    replay.recording.witness() ? QStringLiteral(" (as recorded)") : QString(),
+                    printable(presetText(replay.recording))) +
+           toText(replay.remarked.mark.sheet) +
+           (replay.explained ? toText(replay.explained->moments) + gridsText(replay.explained->noise) : QString()) +
+           toText(replay.remarked.conduct.infractions);
 }
 
 }  // namespace
@@ -69,14 +135,14 @@ int replayCommand(const QStringList& arguments)
         return *code;
     if (parser.positionalArguments().size() != 1)
         return wrongUsage(QStringLiteral("one recording is wanted; usage: ") + usage);
-    const auto recording = core::recording::readRecording(parser.positionalArguments().front().toStdString());
+    auto recording = core::recording::readRecording(parser.positionalArguments().front().toStdString());
     if (!recording)
         return failed(recording.error());
     QElapsedTimer timer;
     timer.start();
-    const auto tickTimes = std::make_unique<haptics::TickTimes>();
+    auto tickTimes = std::make_unique<haptics::TickTimes>();
     double before = haptics::threadCpuUs();
-    const auto remarked =
+    auto remarked =
         lessons::markAgain(*recording, [&](const core::servo::ServoEvent& event, const core::recording::Replayer&) {
             if (!core::recording::isStep(event))
                 return;
@@ -93,8 +159,6 @@ int replayCommand(const QStringList& arguments)
             {core::ErrorCode::BadStructure,
              "The replay came to another tooth than the one recorded: the recording was altered, or this Cusp "
              "computes differently from the one that made it. Do not trust its score."});
-    const core::grading::Measures& measures = remarked->mark.measured.measures;
-    const lessons::ScoreSheet& sheet = remarked->mark.sheet;
     std::optional<Explained> explained;
     if (parser.isSet(QStringLiteral("moments"))) {
         auto found = explain(*recording, *remarked);
@@ -102,48 +166,11 @@ int replayCommand(const QStringList& arguments)
             return failed(found.error());
         explained = std::move(*found);
     }
-    const double lastsS = std::chrono::duration<double>(recording->duration()).count();
-    if (parser.isSet(QStringLiteral("json"))) {
-        QJsonObject answer{{QStringLiteral("tooth"), QString::fromStdString(recording->anatomy()->name)},
-                           {QStringLiteral("ticks"), static_cast<qint64>(recording->ticks())},
-                           {QStringLiteral("duration_s"), lastsS},
-                           {QStringLiteral("replay_s"), tookS},
-                           {QStringLiteral("tick_us"), toJson(*tickTimes)},
-                           {QStringLiteral("state_hash"), hashText(outcome.stateHash)},
-                           {QStringLiteral("preset"), presetText(*recording)},
-                           {QStringLiteral("verified"), recording->witness().has_value()},
-                           {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
-                           {QStringLiteral("measures"), toJson(remarked->mark.measured)},
-                           {QStringLiteral("score"), toJsonObject(sheet)},
-                           {QStringLiteral("infractions"), toJson(remarked->conduct.infractions)}};
-        if (explained) {
-            answer.insert(QStringLiteral("moments"), toJson(explained->moments));
-            answer.insert(QStringLiteral("moments_s"), explained->momentsS);
-            answer.insert(QStringLiteral("half_grid_tenths"), explained->noise.half.totalTenths);
-            answer.insert(QStringLiteral("double_grid_tenths"),
-                          explained->noise.twice ? QJsonValue(explained->noise.twice->totalTenths) : QJsonValue());
-            answer.insert(QStringLiteral("grids_s"), explained->noiseS);
-        }
-        printJson(answer);
-        return kDone;
-    }
-    printText(QStringLiteral("tooth          %1\n"
-                             "attempt        %2 s in %3 ticks, replayed in %4 s\n"
-                             "removed        caries %5, enamel %6, dentin %7, pulp %8 mm3\n"
-                             "state          %9%10\n"
-                             "preset         %11\n")
-                  .arg(printable(QString::fromStdString(recording->anatomy()->name)))
-                  .arg(lastsS, 0, 'f', 2)
-                  .arg(recording->ticks())
-                  .arg(tookS, 0, 'f', 2)
-                  .arg(measures.removedMm3[0], 0, 'f', 4)
-                  .arg(measures.removedMm3[1], 0, 'f', 4)
-                  .arg(measures.removedMm3[2], 0, 'f', 4)
-                  .arg(measures.removedMm3[3], 0, 'f', 4)
-                  .arg(hashText(outcome.stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString(),
-                       printable(presetText(*recording))) +
-              toText(sheet) + (explained ? toText(explained->moments) + toText(explained->noise) : QString()) +
-              toText(remarked->conduct.infractions));
+    const Replay replay{std::move(*recording), std::move(*remarked), std::move(tickTimes), tookS, std::move(explained)};
+    if (parser.isSet(QStringLiteral("json")))
+        printJson(figuresOf(replay));
+    else
+        printText(textOf(replay));
     return kDone;
 }
 

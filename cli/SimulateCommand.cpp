@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 
 #include <QFile>
 #include <QFileInfo>
@@ -237,11 +238,90 @@ QString clashingFiles(const QCommandLineParser& parser)
     return {};
 }
 
-}  // namespace
-
-int simulateCommand(const QStringList& arguments)
+/// What a simulation works on.
+struct Work
 {
-    QCommandLineParser parser;
+    haptics::SimulationOptions options;
+    core::recording::DevicePath path;
+    bool drillAlways = false;
+    std::shared_ptr<const core::terrain::ToothAnatomy> anatomy;
+
+    [[nodiscard]] std::uint64_t ticks() const { return path.ticks(options.rateHz); }
+};
+
+/// Drives the tick over the path and writes the trace.
+/// @param passedOver  receives the number of readings to which no hand can have come
+core::Result<haptics::SimulationOutcome> run(const Work& work, const QString& out, std::uint64_t& passedOver)
+{
+    TraceWriter trace(out);
+    if (const core::Status opened = trace.open(); !opened)
+        return tl::unexpected(opened.error());
+    const double rateHz = work.options.rateHz;
+    const double startS = work.path.points.front().timeS;
+    haptics::PathDevice device(work.path, rateHz);
+    core::recording::PathCursor drillCursor(work.path);
+    core::recording::PathCursor handCursor(work.path);
+    auto outcome = haptics::simulate(
+        work.anatomy, device, work.ticks(), work.options,
+        [&](std::uint64_t tick, const core::servo::ServoState&, const core::terrain::Tooth&) {
+            return drillCursor.at(static_cast<double>(tick) / rateHz).drill || work.drillAlways;
+        },
+        [&](std::uint64_t tick, const core::servo::ServoState& state) {
+            const double timeS = static_cast<double>(tick) / rateHz;
+            if (glm::vec3(handCursor.at(timeS).tipMm) != glm::vec3(state.deviceMm))
+                ++passedOver;
+            trace.row(startS + timeS, state);
+        });
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    if (const core::Status written = trace.finish(); !written)
+        return tl::unexpected(written.error());
+    return outcome;
+}
+
+/// Prints the figures of a run: as JSON, or as text for a person.
+void printFigures(const Work& work, const haptics::SimulationOutcome& outcome, const std::vector<std::string>& warnings,
+                  bool asJson, std::FILE* figures)
+{
+    const QString hash = hashText(core::terrain::stateHash(outcome.tooth));
+    const QJsonObject tickUs = toJson(*outcome.tickTimes);
+    if (asJson) {
+        printJson({{QStringLiteral("ticks"), static_cast<qint64>(work.ticks())},
+                   {QStringLiteral("tick_us"), tickUs},
+                   {QStringLiteral("removed_mm3"), toJson(outcome.last.removedMm3)},
+                   {QStringLiteral("broken_mm3"), toJson(outcome.last.brokenMm3)},
+                   {QStringLiteral("state_hash"), hash},
+                   {QStringLiteral("warnings"), toJsonArray(warnings)},
+                   {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}},
+                  figures);
+        return;
+    }
+    warn(warnings);
+    const auto& removed = outcome.last.removedMm3;
+    const auto& broken = outcome.last.brokenMm3;
+    printText(QStringLiteral("ticks          %1 at %2 Hz\n"
+                             "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"
+                             "removed        caries %7, enamel %8, dentin %9, pulp %10 mm3\n"
+                             "broke off      %11 mm3 of it\n"
+                             "state          %12\n")
+                  .arg(work.ticks())
+                  .arg(work.options.rateHz)
+                  .arg(tickUs[QStringLiteral("p50")].toDouble(), 0, 'f', 1)
+                  .arg(tickUs[QStringLiteral("p99")].toDouble(), 0, 'f', 1)
+                  .arg(tickUs[QStringLiteral("p999")].toDouble(), 0, 'f', 1)
+                  .arg(tickUs[QStringLiteral("max")].toDouble(), 0, 'f', 1)
+                  .arg(removed[0], 0, 'f', 4)
+                  .arg(removed[1], 0, 'f', 4)
+                  .arg(removed[2], 0, 'f', 4)
+                  .arg(removed[3], 0, 'f', 4)
+                  .arg(std::accumulate(broken.begin(), broken.end(), 0.0), 0, 'f', 4)
+                  .arg(hash),
+              figures);
+}
+
+/// Parses the command line. Returns an exit code if the command is over.
+std::optional<int> parseCommand(QCommandLineParser& parser, const QStringList& arguments)
+{
     parser.setApplicationDescription(QStringLiteral("Drives the servo tick over a device path and writes what "
                                                     "happened, one row a tick. Coordinates are in the tooth "
                                                     "frame, mm; with --frame file they are the mesh file's own."));
@@ -249,13 +329,37 @@ int simulateCommand(const QStringList& arguments)
     addToothOptions(parser);
     const QString usage = QStringLiteral("cusp simulate --tooth FILE|FDI --path P.csv --out T.csv [OPTIONS]");
     if (const auto code = parse(parser, arguments, usage))
-        return *code;
+        return code;
     for (const char* needed : {"tooth", "path", "out"})
         if (parser.value(QLatin1String(needed)).isEmpty())
             return wrongUsage(QStringLiteral("--%1 is missing; usage: ").arg(QLatin1String(needed)) + usage);
     if (!parser.positionalArguments().isEmpty())
         return wrongUsage(
             QStringLiteral("\"%1\" belongs to no option; usage: ").arg(parser.positionalArguments().front()) + usage);
+    return std::nullopt;
+}
+
+/// Reads the path and checks that it is not too long.
+core::Status readPath(const QString& file, Work& work)
+{
+    auto path = core::recording::readDevicePath(file.toStdString(), !work.drillAlways);
+    if (!path)
+        return tl::unexpected(path.error());
+    work.path = std::move(*path);
+    if (work.ticks() > kMostTicks)
+        return core::unexpected(core::ErrorCode::OutOfRange,
+                                "The device path is too long for this rate: " + std::to_string(work.ticks()) +
+                                    " ticks, at most 100 million are run.");
+    return {};
+}
+
+}  // namespace
+
+int simulateCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    if (const auto code = parseCommand(parser, arguments))
+        return *code;
     const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
     const auto build = toothOptions(parser, source);
     if (!build)
@@ -273,50 +377,26 @@ int simulateCommand(const QStringList& arguments)
                        : failed(taken.error());
     }
 
-    const bool drillAlways = parser.isSet(QStringLiteral("drill"));
-    const auto path = core::recording::readDevicePath(parser.value(QStringLiteral("path")).toStdString(), !drillAlways);
-    if (!path)
-        return failed(path.error());
-    const std::uint64_t ticks = path->ticks(options->rateHz);
-    if (ticks > kMostTicks)
-        return failed(
-            {core::ErrorCode::OutOfRange, "The device path is too long for this rate: " + std::to_string(ticks) +
-                                              " ticks, at most 100 million are run."});
+    Work work{std::move(*options), {}, parser.isSet(QStringLiteral("drill")), nullptr};
+    if (const core::Status read = readPath(parser.value(QStringLiteral("path")), work); !read)
+        return failed(read.error());
     auto tooth = core::teeth::buildTooth(source, *build);
     if (!tooth)
         return failed(tooth.error());
     tooth->mesh = {};  // only its maps are drilled
+    work.anatomy = tooth->anatomy;
     std::vector<std::string> warnings = tooth->report.warnings;
-    if (const auto warning = tooDeep(*path, tooth->report.highMm.z))
+    if (const auto warning = tooDeep(work.path, tooth->report.highMm.z))
         warnings.push_back(*warning);
 
     const QString record = parser.value(QStringLiteral("record"));
     if (!record.isEmpty() && !QFileInfo(QFileInfo(record).absolutePath()).isWritable())
         return failed({core::ErrorCode::FileUnwritable, record.toStdString() + " cannot be written: its folder is not "
                                                                                "there or not writable"});
-    TraceWriter trace(parser.value(QStringLiteral("out")));
-    if (const core::Status opened = trace.open(); !opened)
-        return failed(opened.error());
-    const double startS = path->points.front().timeS;
-    haptics::PathDevice device(*path, options->rateHz);
-    core::recording::PathCursor drillCursor(*path);
-    core::recording::PathCursor handCursor(*path);
     std::uint64_t passedOver = 0;
-    const auto outcome = haptics::simulate(
-        tooth->anatomy, device, ticks, *options,
-        [&](std::uint64_t tick, const core::servo::ServoState&, const core::terrain::Tooth&) {
-            return drillCursor.at(static_cast<double>(tick) / options->rateHz).drill || drillAlways;
-        },
-        [&](std::uint64_t tick, const core::servo::ServoState& state) {
-            const double timeS = static_cast<double>(tick) / options->rateHz;
-            if (glm::vec3(handCursor.at(timeS).tipMm) != glm::vec3(state.deviceMm))
-                ++passedOver;
-            trace.row(startS + timeS, state);
-        });
+    const auto outcome = run(work, parser.value(QStringLiteral("out")), passedOver);
     if (!outcome)
         return failed(outcome.error());
-    if (const core::Status written = trace.finish(); !written)
-        return failed(written.error());
     if (passedOver > 0)
         warnings.push_back("The path leaps: " + std::to_string(passedOver) +
                            " ticks of it, to places where no hand can have come in their time, were passed over as bad "
@@ -326,41 +406,8 @@ int simulateCommand(const QStringList& arguments)
             !written)
             return failed(written.error());
 
-    std::FILE* const figures = isStandardOutput(parser.value(QStringLiteral("out"))) ? stderr : stdout;
-    const QString hash = hashText(core::terrain::stateHash(outcome->tooth));
-    const QJsonObject tickUs = toJson(*outcome->tickTimes);
-    if (parser.isSet(QStringLiteral("json"))) {
-        printJson({{QStringLiteral("ticks"), static_cast<qint64>(ticks)},
-                   {QStringLiteral("tick_us"), tickUs},
-                   {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
-                   {QStringLiteral("broken_mm3"), toJson(outcome->last.brokenMm3)},
-                   {QStringLiteral("state_hash"), hash},
-                   {QStringLiteral("warnings"), toJsonArray(warnings)},
-                   {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}},
-                  figures);
-        return kDone;
-    }
-    warn(warnings);
-    const auto& removed = outcome->last.removedMm3;
-    const auto& broken = outcome->last.brokenMm3;
-    printText(QStringLiteral("ticks          %1 at %2 Hz\n"
-                             "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"
-                             "removed        caries %7, enamel %8, dentin %9, pulp %10 mm3\n"
-                             "broke off      %11 mm3 of it\n"
-                             "state          %12\n")
-                  .arg(ticks)
-                  .arg(options->rateHz)
-                  .arg(tickUs[QStringLiteral("p50")].toDouble(), 0, 'f', 1)
-                  .arg(tickUs[QStringLiteral("p99")].toDouble(), 0, 'f', 1)
-                  .arg(tickUs[QStringLiteral("p999")].toDouble(), 0, 'f', 1)
-                  .arg(tickUs[QStringLiteral("max")].toDouble(), 0, 'f', 1)
-                  .arg(removed[0], 0, 'f', 4)
-                  .arg(removed[1], 0, 'f', 4)
-                  .arg(removed[2], 0, 'f', 4)
-                  .arg(removed[3], 0, 'f', 4)
-                  .arg(std::accumulate(broken.begin(), broken.end(), 0.0), 0, 'f', 4)
-                  .arg(hash),
-              figures);
+    printFigures(work, *outcome, warnings, parser.isSet(QStringLiteral("json")),
+                 isStandardOutput(parser.value(QStringLiteral("out"))) ? stderr : stdout);
     return kDone;
 }
 

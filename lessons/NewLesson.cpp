@@ -155,6 +155,86 @@ core::Status nameCaptured(QJsonObject& object, const QString& captured, const QS
     return {};
 }
 
+/// Writes into `object` what differs from the lesson that it is based on.
+core::Status beginFrom(QJsonObject& object, const NewLesson& wishes, const QString& folder)
+{
+    const auto base = baseOf(wishes.from, folder);
+    if (!base)
+        return tl::unexpected(base.error());
+    object.insert(QStringLiteral("based_on"), *base);
+    if (wishes.task) {
+        const Beginning& beginning = kBeginnings[static_cast<std::size_t>(*wishes.task)];
+        const ReadLesson under = readDraft(object, QDir(folder).filePath(QStringLiteral("draft.lesson.json")));
+        if (!under.lesson || under.lesson->task != *wishes.task)
+            object.insert(QStringLiteral("rubric"), QLatin1String(beginning.rubric));
+        object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
+    }
+    if (!wishes.scan.isEmpty()) {
+        object.insert(QStringLiteral("tooth"), toothOf(wishes));
+    } else if (wishes.fdi || wishes.seed || !wishes.block.isEmpty()) {
+        QJsonObject tooth;
+        if (wishes.fdi)
+            tooth.insert(QStringLiteral("fdi"), *wishes.fdi);
+        if (wishes.seed)
+            tooth.insert(QStringLiteral("seed"), *wishes.seed);
+        if (!wishes.block.isEmpty())
+            tooth.insert(QStringLiteral("block"), wishes.block);
+        object.insert(QStringLiteral("tooth"), tooth);
+    }
+    if (!wishes.title.isEmpty())
+        object.insert(QStringLiteral("title"), wishes.title);
+    return {};
+}
+
+QJsonObject inFourLanguages(const QString& en, const QString& de, const QString& es, const QString& ja)
+{
+    return {{"en", en}, {"de", de}, {"es", es}, {"ja", ja}};
+}
+
+/// Writes a whole lesson into `object`.
+core::Status beginAnew(QJsonObject& object, const NewLesson& wishes)
+{
+    const Task usual = !wishes.captured.isEmpty() ? Task::CutIdeal
+                       : wishes.block.isEmpty()   ? Task::RemoveDecay
+                                                  : Task::TraceShape;
+    const Task task = wishes.task.value_or(usual);
+    if (task == Task::TraceShape && wishes.block.isEmpty())
+        return refused(QStringLiteral("a shape is traced in a practice block; name one, such as \"cross\""));
+    const Beginning& beginning = kBeginnings[static_cast<std::size_t>(task)];
+    QString rubric =
+        QLatin1String(task == Task::CutIdeal ? classOneRubric(wishes.fdi.value_or(kUsualTooth)) : beginning.rubric);
+    object.insert(QStringLiteral("title"),
+                  wishes.title.isEmpty()
+                      ? QJsonValue(inFourLanguages(QString::fromUtf8(beginning.titleEn).arg(toothName(wishes)),
+                                                   QString::fromUtf8(beginning.titleDe).arg(toothName(wishes)),
+                                                   QString::fromUtf8(beginning.titleEs).arg(toothName(wishes)),
+                                                   QString::fromUtf8(beginning.titleJa).arg(toothName(wishes))))
+                      : QJsonValue(wishes.title));
+    object.insert(QStringLiteral("goal"),
+                  inFourLanguages(QString::fromUtf8(beginning.goalEn), QString::fromUtf8(beginning.goalDe),
+                                  QString::fromUtf8(beginning.goalEs), QString::fromUtf8(beginning.goalJa)));
+    object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
+    object.insert(QStringLiteral("tooth"), toothOf(wishes));
+    if (task == Task::RemoveDecay)
+        object.insert(QStringLiteral("lesion"), QJsonObject{{"extent", kUsualExtent}});
+    if (task == Task::TraceShape)  // the rubric marks its zones
+        object.insert(QStringLiteral("leeway"),
+                      QJsonObject{{"sides_mm", LeewayZone().sidesMm}, {"bottom_mm", LeewayZone().bottomMm}});
+    if (task == Task::CutIdeal && wishes.captured.isEmpty() && !wishes.scan.isEmpty())
+        return refused(QStringLiteral("an ideal is made by rule for a tooth of ours only; for a scan give a captured "
+                                      "one, or remove decay"));
+    if (task == Task::CutIdeal && wishes.captured.isEmpty()) {
+        const auto kind = kindFor(wishes.fdi.value_or(kUsualTooth));
+        if (!kind)
+            return tl::unexpected(kind.error());
+        object.insert(QStringLiteral("ideal"), QJsonObject{{"kind", kind->first}});
+        rubric = kind->second;
+    }
+    object.insert(QStringLiteral("minutes"), kUsualMinutes);
+    object.insert(QStringLiteral("rubric"), rubric);
+    return {};
+}
+
 }  // namespace
 
 core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& folder)
@@ -163,76 +243,9 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
         return refused(QStringLiteral("a lesson has a tooth or a practice block, not both"));
     QJsonObject object{
         {QStringLiteral("format"), kLessonFormat}, {QStringLiteral("id"), wishes.id}, {QStringLiteral("version"), 1}};
-    if (!wishes.from.isEmpty()) {
-        const auto base = baseOf(wishes.from, folder);
-        if (!base)
-            return tl::unexpected(base.error());
-        object.insert(QStringLiteral("based_on"), *base);
-        if (wishes.task) {
-            const Beginning& beginning = kBeginnings[static_cast<std::size_t>(*wishes.task)];
-            const ReadLesson under = readDraft(object, QDir(folder).filePath(QStringLiteral("draft.lesson.json")));
-            if (!under.lesson || under.lesson->task != *wishes.task)
-                object.insert(QStringLiteral("rubric"), QLatin1String(beginning.rubric));
-            object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
-        }
-        if (!wishes.scan.isEmpty()) {
-            object.insert(QStringLiteral("tooth"), toothOf(wishes));
-        } else if (wishes.fdi || wishes.seed || !wishes.block.isEmpty()) {
-            QJsonObject tooth;
-            if (wishes.fdi)
-                tooth.insert(QStringLiteral("fdi"), *wishes.fdi);
-            if (wishes.seed)
-                tooth.insert(QStringLiteral("seed"), *wishes.seed);
-            if (!wishes.block.isEmpty())
-                tooth.insert(QStringLiteral("block"), wishes.block);
-            object.insert(QStringLiteral("tooth"), tooth);
-        }
-        if (!wishes.title.isEmpty())
-            object.insert(QStringLiteral("title"), wishes.title);
-    } else {
-        const Task usual = !wishes.captured.isEmpty() ? Task::CutIdeal
-                           : wishes.block.isEmpty()   ? Task::RemoveDecay
-                                                      : Task::TraceShape;
-        const Task task = wishes.task.value_or(usual);
-        if (task == Task::TraceShape && wishes.block.isEmpty())
-            return refused(QStringLiteral("a shape is traced in a practice block; name one, such as \"cross\""));
-        const Beginning& beginning = kBeginnings[static_cast<std::size_t>(task)];
-        const auto texts = [](const QString& en, const QString& de, const QString& es, const QString& ja) {
-            return QJsonObject{{"en", en}, {"de", de}, {"es", es}, {"ja", ja}};
-        };
-        QString rubric =
-            QLatin1String(task == Task::CutIdeal ? classOneRubric(wishes.fdi.value_or(kUsualTooth)) : beginning.rubric);
-        object.insert(QStringLiteral("title"),
-                      wishes.title.isEmpty()
-                          ? QJsonValue(texts(QString::fromUtf8(beginning.titleEn).arg(toothName(wishes)),
-                                             QString::fromUtf8(beginning.titleDe).arg(toothName(wishes)),
-                                             QString::fromUtf8(beginning.titleEs).arg(toothName(wishes)),
-                                             QString::fromUtf8(beginning.titleJa).arg(toothName(wishes))))
-                          : QJsonValue(wishes.title));
-        object.insert(QStringLiteral("goal"),
-                      texts(QString::fromUtf8(beginning.goalEn), QString::fromUtf8(beginning.goalDe),
-                            QString::fromUtf8(beginning.goalEs), QString::fromUtf8(beginning.goalJa)));
-        object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
-        object.insert(QStringLiteral("tooth"), toothOf(wishes));
-        if (task == Task::RemoveDecay)
-            object.insert(QStringLiteral("lesion"), QJsonObject{{"extent", kUsualExtent}});
-        if (task == Task::TraceShape)  // the rubric marks its zones
-            object.insert(QStringLiteral("leeway"),
-                          QJsonObject{{"sides_mm", LeewayZone().sidesMm}, {"bottom_mm", LeewayZone().bottomMm}});
-        if (task == Task::CutIdeal && wishes.captured.isEmpty() && !wishes.scan.isEmpty())
-            return refused(
-                QStringLiteral("an ideal is made by rule for a tooth of ours only; for a scan give a captured "
-                               "one, or remove decay"));
-        if (task == Task::CutIdeal && wishes.captured.isEmpty()) {
-            const auto kind = kindFor(wishes.fdi.value_or(kUsualTooth));
-            if (!kind)
-                return tl::unexpected(kind.error());
-            object.insert(QStringLiteral("ideal"), QJsonObject{{"kind", kind->first}});
-            rubric = kind->second;
-        }
-        object.insert(QStringLiteral("minutes"), kUsualMinutes);
-        object.insert(QStringLiteral("rubric"), rubric);
-    }
+    const core::Status begun = wishes.from.isEmpty() ? beginAnew(object, wishes) : beginFrom(object, wishes, folder);
+    if (!begun)
+        return tl::unexpected(begun.error());
     if (!wishes.captured.isEmpty())
         if (core::Status named = nameCaptured(object, wishes.captured, folder, !wishes.from.isEmpty()); !named)
             return tl::unexpected(named.error());
