@@ -68,6 +68,14 @@ BackupPart::BackupPart(QWidget* parent)
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setStretchLastSection(true);
+    arrange();
+    connectButtons();
+    m_findings->hide();
+    text::bindTranslation(this, [this] { retranslateUi(); });
+}
+
+void BackupPart::arrange()
+{
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace2);
@@ -99,6 +107,11 @@ BackupPart::BackupPart(QWidget* parent)
     last->addWidget(m_keep);
     last->addStretch(1);
     column->addLayout(last);
+    column->addStretch(1);  // of a server there is no table
+}
+
+void BackupPart::connectButtons()
+{
     const auto keep = [this] {
         m_thought->end();
         tell();
@@ -106,7 +119,6 @@ BackupPart::BackupPart(QWidget* parent)
     };
     connect(m_keep, &QPushButton::clicked, this, keep);
     connect(m_thought, &kit::InlineConfirmation::withdrawn, this, keep);
-    column->addStretch(1);  // of a server there is no table
     m_restore->setAutoDefault(false);
     m_stop->setAutoDefault(false);
     connect(m_backUp, &QPushButton::clicked, this, &BackupPart::backUpRequested);
@@ -122,8 +134,6 @@ BackupPart::BackupPart(QWidget* parent)
     });
     connect(m_table, &QAbstractItemView::activated, this,
             [this](const QModelIndex& index) { m_table->selectRow(index.row()); });
-    m_findings->hide();
-    text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
 void BackupPart::retranslateUi()

@@ -70,6 +70,8 @@ signals:
     void stopRequested();
 
 private:
+    void arrange();
+    void connectButtons();
     void retranslateUi();
     void tell();
     void tellEnd();

@@ -163,6 +163,23 @@ QWidget* PeoplePart::makeForm()
     m_title = kit::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, form);
     m_title->setTextFormat(Qt::PlainText);
     column->addWidget(m_title);
+    column->addWidget(makeCodeCard(form));
+    addFields(column, form);
+    addClassFields(column, form);
+    auto* whole = new QWidget(this);
+    whole->setFixedWidth(kFormPx);
+    auto* stack = new QVBoxLayout(whole);
+    stack->setContentsMargins(0, 0, 0, 0);
+    m_pane = new ScrollPane(form, QPalette::Window, whole);
+    stack->addWidget(m_pane, 1);
+    addButtons(stack, whole);
+    connectForm();
+    return whole;
+}
+
+/// A card with the one-time code of the person in the form.
+QWidget* PeoplePart::makeCodeCard(QWidget* form)
+{
     m_codeCard = new QFrame(form);
     m_codeCard->setProperty("kind", "card");
     auto* code = new QVBoxLayout(m_codeCard);
@@ -176,7 +193,12 @@ QWidget* PeoplePart::makeForm()
     code->addWidget(m_codeWords);
     code->addWidget(m_code);
     code->addWidget(m_copy, 0, Qt::AlignLeft);
-    column->addWidget(m_codeCard);
+    return m_codeCard;
+}
+
+/// Names and role.
+void PeoplePart::addFields(QVBoxLayout* column, QWidget* form)
+{
     m_username = input("personUsername", form);
     m_given = input("personGiven", form);
     m_family = input("personFamily", form);
@@ -198,6 +220,11 @@ QWidget* PeoplePart::makeForm()
     m_givenWord = headed(m_given);
     m_familyWord = headed(m_family);
     m_roleWord = headed(m_role);
+}
+
+/// The list of classes, and the name of one to add or rename.
+void PeoplePart::addClassFields(QVBoxLayout* column, QWidget* form)
+{
     m_classesWord = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
     column->addWidget(m_classesWord);
     m_classList = new TickList(form);
@@ -214,12 +241,11 @@ QWidget* PeoplePart::makeForm()
     classes->addStretch(1);
     column->addWidget(m_className);
     column->addLayout(classes);
-    auto* whole = new QWidget(this);
-    whole->setFixedWidth(kFormPx);
-    auto* stack = new QVBoxLayout(whole);
-    stack->setContentsMargins(0, 0, 0, 0);
-    m_pane = new ScrollPane(form, QPalette::Window, whole);
-    stack->addWidget(m_pane, 1);
+}
+
+/// The buttons of the form and what is said beside them.
+void PeoplePart::addButtons(QVBoxLayout* stack, QWidget* whole)
+{
     // Answers stand beside the buttons that they answer, however far the form is scrolled.
     m_fault = kit::faultLabel(whole);
     m_fault->setObjectName(QStringLiteral("personFault"));
@@ -239,6 +265,10 @@ QWidget* PeoplePart::makeForm()
     buttons->addStretch(1);
     stack->addWidget(m_save, 0, Qt::AlignLeft);
     stack->addLayout(buttons);
+}
+
+void PeoplePart::connectForm()
+{
     connect(m_save, &QPushButton::clicked, this, &PeoplePart::submit);
     for (QLineEdit* one : {m_username, m_given, m_family})
         connect(one, &QLineEdit::returnPressed, this, &PeoplePart::submit);
@@ -252,40 +282,20 @@ QWidget* PeoplePart::makeForm()
     connect(m_classList, &QListWidget::itemChanged, this, touch);
     connect(m_reset, &QPushButton::clicked, this, &PeoplePart::askToReset);
     m_thought = new kit::InlineConfirmation(*this);
-    const auto keep = [this] {
-        m_thought->end();
-        say({});
-        if (const Person* const person = chosen(); person != nullptr && m_question == Question::OwnRole)
-            m_role->setCurrentIndex(asEntered(*person).role);
-        showForm();
-        (m_question == Question::Password ? m_reset : m_question == Question::OwnRole ? m_save : m_disable)->setFocus();
-    };
-    connect(m_keep, &QPushButton::clicked, this, keep);
-    connect(m_thought, &kit::InlineConfirmation::withdrawn, this, keep);
+    connect(m_keep, &QPushButton::clicked, this, &PeoplePart::keepAsItIs);
+    connect(m_thought, &kit::InlineConfirmation::withdrawn, this, &PeoplePart::keepAsItIs);
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
     connect(m_copy, &QPushButton::clicked, this, [this] {
         QGuiApplication::clipboard()->setText(m_code->text());
         m_codes[m_chosen].isCopied = true;
     });
-    const auto addClass = [this] {
-        endThought();
-        const QString wanted = m_className->text().trimmed();
-        for (int k = 0; k < m_classList->count(); ++k)
-            if (QListWidgetItem* const there = m_classList->item(k); there->text() == wanted) {
-                there->setCheckState(Qt::Checked);
-                m_classList->scrollToItem(there);
-                m_className->clear();
-                //: %1: the name of a class
-                say([wanted] { return tr("There is a class %1 already. It is ticked above.").arg(wanted); });
-                return;
-            }
-        if (wanted.isEmpty() || wanted.toStdString() == m_classAdded)  // it is on its way
-            return;
-        m_classAdded = wanted.toStdString();
-        emit classRequested(wanted);
-    };
-    connect(m_addClass, &QPushButton::clicked, this, addClass);
-    connect(m_className, &QLineEdit::returnPressed, this, addClass);
+    connectClasses();
+}
+
+void PeoplePart::connectClasses()
+{
+    connect(m_addClass, &QPushButton::clicked, this, &PeoplePart::addClass);
+    connect(m_className, &QLineEdit::returnPressed, this, &PeoplePart::addClass);
     connect(m_renameClass, &QPushButton::clicked, this, [this] {
         endThought();
         const QListWidgetItem* item = m_classList->currentItem();
@@ -299,7 +309,37 @@ QWidget* PeoplePart::makeForm()
     connect(m_className, &QLineEdit::textChanged, this, tellRename);
     connect(m_classList, &QListWidget::currentRowChanged, this, tellRename);
     tellRename();
-    return whole;
+}
+
+/// Ticks the class whose name was typed, or asks for a new one of that name.
+void PeoplePart::addClass()
+{
+    endThought();
+    const QString wanted = m_className->text().trimmed();
+    for (int k = 0; k < m_classList->count(); ++k)
+        if (QListWidgetItem* const there = m_classList->item(k); there->text() == wanted) {
+            there->setCheckState(Qt::Checked);
+            m_classList->scrollToItem(there);
+            m_className->clear();
+            //: %1: the name of a class
+            say([wanted] { return tr("There is a class %1 already. It is ticked above.").arg(wanted); });
+            return;
+        }
+    if (wanted.isEmpty() || wanted.toStdString() == m_classAdded)  // it is on its way
+        return;
+    m_classAdded = wanted.toStdString();
+    emit classRequested(wanted);
+}
+
+/// Withdraws the question that the form asks.
+void PeoplePart::keepAsItIs()
+{
+    m_thought->end();
+    say({});
+    if (const Person* const person = chosen(); person != nullptr && m_question == Question::OwnRole)
+        m_role->setCurrentIndex(asEntered(*person).role);
+    showForm();
+    (m_question == Question::Password ? m_reset : m_question == Question::OwnRole ? m_save : m_disable)->setFocus();
 }
 
 void PeoplePart::retranslateUi()

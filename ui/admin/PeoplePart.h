@@ -20,6 +20,7 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
+class QVBoxLayout;
 
 namespace ui::kit {
 class ListTable;
@@ -95,6 +96,14 @@ private:
 
     QWidget* makeList();
     QWidget* makeForm();
+    QWidget* makeCodeCard(QWidget* form);
+    void addFields(QVBoxLayout* column, QWidget* form);
+    void addClassFields(QVBoxLayout* column, QWidget* form);
+    void addButtons(QVBoxLayout* stack, QWidget* whole);
+    void connectForm();
+    void connectClasses();
+    void addClass();
+    void keepAsItIs();
     void retranslateUi();
     void fill();
     void filter();

@@ -90,18 +90,10 @@ void LessonCards::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->restore();
 }
 
-void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+/// Paints the tooth of a lesson, or an icon where it has no picture. A null lesson is a file that is not valid.
+void LessonCards::paintPicture(QPainter& painter, const QRectF& picture, const QPainterPath& shape,
+                               const ::lessons::Lesson* lesson) const
 {
-    const QPalette palette = m_view->parentWidget()->palette();  // the view's own has no ground
-    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-    const bool isHovered = option.state.testFlag(QStyle::State_MouseOver);
-    const QRectF card = QRectF(option.rect).adjusted(kCardEdgePx, kCardEdgePx, -kCardEdgePx, -kCardEdgePx);
-    QPainterPath shape;
-    shape.addRoundedRect(card, kRadius, kRadius);
-    painter.fillPath(shape, palette.color(isHovered || isSelected ? QPalette::Midlight : QPalette::Base));
-    const ::lessons::Lesson* const lesson = m_lessonOf(index.data(CardEntry).toInt());
-
-    const QRectF picture(card.left(), card.top(), card.width(), kPicturePx);
     painter.save();
     painter.setClipPath(shape);
     painter.fillRect(picture, QColor(kPictureGround));
@@ -116,6 +108,19 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
                            icon);
     }
     painter.restore();
+}
+
+void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const QPalette palette = m_view->parentWidget()->palette();  // the view's own has no ground
+    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+    const bool isHovered = option.state.testFlag(QStyle::State_MouseOver);
+    const QRectF card = QRectF(option.rect).adjusted(kCardEdgePx, kCardEdgePx, -kCardEdgePx, -kCardEdgePx);
+    QPainterPath shape;
+    shape.addRoundedRect(card, kRadius, kRadius);
+    painter.fillPath(shape, palette.color(isHovered || isSelected ? QPalette::Midlight : QPalette::Base));
+    const QRectF picture(card.left(), card.top(), card.width(), kPicturePx);
+    paintPicture(painter, picture, shape, m_lessonOf(index.data(CardEntry).toInt()));
     painter.setFont(typeface(kSmall, QFont::DemiBold));
     constexpr double kPillPx = 20.0;
     const auto pill = [&](const QString& words, bool left, bool below = false) {

@@ -8,6 +8,8 @@
 
 #include "lessons/Lesson.h"
 
+class QPainterPath;
+
 namespace ui::catalog {
 
 class LessonThumbs;
@@ -36,6 +38,8 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 private:
+    void paintPicture(QPainter& painter, const QRectF& picture, const QPainterPath& shape,
+                      const ::lessons::Lesson* lesson) const;
     void paintCard(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
 
     LessonThumbs& m_thumbs;

@@ -102,6 +102,35 @@ QWidget* LessonsPage::makeList()
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(kSpace4, 0, 0, 0);
     column->setSpacing(kSpace2);
+    column->addLayout(makeSearch(side));
+    column->addWidget(makeFilters(side));
+    column->addWidget(makeContinue(side));
+    m_feedbackCard = new scoring::FeedbackCard(side);
+    connect(m_feedbackCard, &scoring::FeedbackCard::readRequested, this,
+            [this] { emit feedbackRequested(m_feedback.size() == 1 ? m_feedback.front().attempt.value : 0); });
+    column->addWidget(m_feedbackCard);
+    makeCards(side);
+    column->addWidget(m_list, 1);
+    m_missing = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
+    m_missing->hide();
+    auto* folder = new QPushButton(side);
+    text::bindTranslation(folder, [folder] {
+        folder->setText(tr("Your own lessons …"));
+        folder->setToolTip(tr("Open the folder for lessons that teachers add"));
+        folder->setAccessibleName(tr("Open the folder of your own lessons"));
+    });
+    folder->setAutoDefault(true);
+    folder->setProperty("kind", "quiet");
+    connect(folder, &QPushButton::clicked, this, &LessonsPage::folderRequested);
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_missing, 1);
+    below->addWidget(folder, 0, Qt::AlignRight);
+    column->addLayout(below);
+    return side;
+}
+
+QLayout* LessonsPage::makeSearch(QWidget* side)
+{
     auto* find = new QHBoxLayout;
     find->setSpacing(kSpace2);
     m_search = new QLineEdit(side);
@@ -127,13 +156,12 @@ QWidget* LessonsPage::makeList()
     connect(m_tooth, &QPushButton::clicked, this, &LessonsPage::pickTooth);
     find->addWidget(m_search, 1);
     find->addWidget(m_tooth);
-    column->addLayout(find);
-    column->addWidget(makeFilters(side));
-    column->addWidget(makeContinue(side));
-    m_feedbackCard = new scoring::FeedbackCard(side);
-    connect(m_feedbackCard, &scoring::FeedbackCard::readRequested, this,
-            [this] { emit feedbackRequested(m_feedback.size() == 1 ? m_feedback.front().attempt.value : 0); });
-    column->addWidget(m_feedbackCard);
+    connect(m_search, &QLineEdit::textChanged, this, &LessonsPage::search);
+    return find;
+}
+
+void LessonsPage::makeCards(QWidget* side)
+{
     m_model = new QStandardItemModel(side);
     m_list = new QListView(side);
     m_list->setModel(m_model);
@@ -161,23 +189,6 @@ QWidget* LessonsPage::makeList()
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setProperty("kind", "plain");
     m_list->setObjectName(QStringLiteral("lessonList"));
-    column->addWidget(m_list, 1);
-    m_missing = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
-    m_missing->hide();
-    auto* folder = new QPushButton(side);
-    text::bindTranslation(folder, [folder] {
-        folder->setText(tr("Your own lessons …"));
-        folder->setToolTip(tr("Open the folder for lessons that teachers add"));
-        folder->setAccessibleName(tr("Open the folder of your own lessons"));
-    });
-    folder->setAutoDefault(true);
-    folder->setProperty("kind", "quiet");
-    connect(folder, &QPushButton::clicked, this, &LessonsPage::folderRequested);
-    auto* below = new QHBoxLayout;
-    below->addWidget(m_missing, 1);
-    below->addWidget(folder, 0, Qt::AlignRight);
-    column->addLayout(below);
-    connect(m_search, &QLineEdit::textChanged, this, &LessonsPage::search);
     m_list->installEventFilter(this);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &LessonsPage::describe);
     connect(m_list, &QListView::activated, this, &LessonsPage::start);
@@ -186,7 +197,6 @@ QWidget* LessonsPage::makeList()
         if (m_list->currentIndex().isValid() && !m_list->selectionModel()->hasSelection())
             m_list->selectionModel()->select(m_list->currentIndex(), QItemSelectionModel::Select);
     });
-    return side;
 }
 
 QWidget* LessonsPage::makeFilters(QWidget* parent)
@@ -726,39 +736,50 @@ void LessonsPage::describe()
                     : entry      ? tr("This file is not a valid lesson. The other lessons work.")
                     : isSearched ? tr("Search for another word, or show all lessons.")
                                  : tr("There are no such lessons now. Show all lessons."));
-    int row = 0;
-    const auto fact = [&](const QString& name, const QString& value) {
+    const QList<Fact> facts = entry != nullptr ? factsOf(*entry) : QList<Fact>();
+    for (int row = 0; row < facts.size(); ++row) {
+        const auto& [name, value] = facts[row];
         grid->addWidget(label(name, kBody, QFont::Normal, QPalette::PlaceholderText, m_facts), row, 0, Qt::AlignTop);
         auto* words = label(value, kBody, QFont::Normal, QPalette::WindowText, m_facts);
         words->setMaximumWidth(kDetailsWidthPx - kFactWidthPx);
-        grid->addWidget(words, row++, 1);
+        grid->addWidget(words, row, 1);
+    }
+}
+
+/// Returns the classes that a lesson is assigned to, with the days it is due and the attempts that are left.
+/// @param done  null if nothing is done yet
+QString LessonsPage::assignedWords(const Given& given, const Standing* done)
+{
+    const QDateTime now = QDateTime::currentDateTime();
+    const bool isPassed = done != nullptr && done->passed;
+    const auto whatOf = [&](const QString& className, const QDateTime& due) {
+        QStringList what{className};
+        if (due.isValid())
+            what << (isPassed ? text::dueDayWords(due, now) : text::dueWords(due, now));
+        return what.join(QStringLiteral(", "));
     };
-    if (isSound) {
-        const ::lessons::Lesson& lesson = *entry->read.lesson;
-        if (const Given* const given = givenOf(*entry)) {
-            const QDateTime now = QDateTime::currentDateTime();
-            const Standing* const done = standingOf(*entry);
-            const bool isPassed = done != nullptr && done->passed;
-            const auto whatOf = [&](const QString& className, const QDateTime& due) {
-                QStringList what{className};
-                if (due.isValid())
-                    what << (isPassed ? text::dueDayWords(due, now) : text::dueWords(due, now));
-                return what.join(QStringLiteral(", "));
-            };
-            const QString left =
-                given->attemptsLeft ? tr("%n attempt(s) left", nullptr, *given->attemptsLeft) : QString();
-            QStringList what;
-            if (given->classes.size() > 1) {  // each has its day
-                for (const auto& [className, due] : given->classes)
-                    what << whatOf(className, due);
-                what << left;
-            } else {
-                what << whatOf(given->className, given->due) +
-                            (left.isEmpty() ? QString() : QStringLiteral(", ") + left);
-            }
-            what.removeAll({});
-            fact(tr("Assigned to"), what.join(u'\n'));
-        }
+    const QString left = given.attemptsLeft ? tr("%n attempt(s) left", nullptr, *given.attemptsLeft) : QString();
+    QStringList what;
+    if (given.classes.size() > 1) {  // each has its day
+        for (const auto& [className, due] : given.classes)
+            what << whatOf(className, due);
+        what << left;
+    } else {
+        what << whatOf(given.className, given.due) + (left.isEmpty() ? QString() : QStringLiteral(", ") + left);
+    }
+    what.removeAll({});
+    return what.join(u'\n');
+}
+
+/// Returns what is known of a lesson, line by line, and the faults of its file.
+QList<LessonsPage::Fact> LessonsPage::factsOf(const CatalogEntry& entry) const
+{
+    QList<Fact> facts;
+    const auto fact = [&](const QString& name, const QString& value) { facts.push_back({name, value}); };
+    if (entry.read.lesson) {
+        const ::lessons::Lesson& lesson = *entry.read.lesson;
+        if (const Given* const given = givenOf(entry))
+            fact(tr("Assigned to"), assignedWords(*given, standingOf(entry)));
         const QString lying = text::lyingWords(lesson);
         fact(tr("Tooth"),
              lying.isEmpty() ? text::toothWords(lesson) : text::toothWords(lesson) + QStringLiteral(", ") + lying);
@@ -779,9 +800,9 @@ void LessonsPage::describe()
                                   : tr("%1 in %n attempt(s)", nullptr, standing->second.attempts)
                                         .arg(text::points(standing->second.bestTenths)));
     }
-    if (entry != nullptr)
-        for (const ::lessons::ValidationIssue& fault : entry->read.faults)
-            fact(fault.grave ? tr("Error") : tr("Note"), text::faultWords(fault));
+    for (const ::lessons::ValidationIssue& fault : entry.read.faults)
+        fact(fault.grave ? tr("Error") : tr("Note"), text::faultWords(fault));
+    return facts;
 }
 
 void LessonsPage::start()

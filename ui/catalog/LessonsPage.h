@@ -7,7 +7,9 @@
 #include <vector>
 
 #include <QDateTime>
+#include <QList>
 #include <QSet>
+#include <QString>
 #include <QStringList>
 
 #include "database/AttemptRecord.h"
@@ -18,6 +20,7 @@
 class QButtonGroup;
 class QFrame;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QListView;
 class QPushButton;
@@ -110,6 +113,8 @@ private:
     enum class Filter { All, ToDo, Passed, Exams };
 
     QWidget* makeList();
+    QLayout* makeSearch(QWidget* side);
+    void makeCards(QWidget* side);
     QWidget* makeFilters(QWidget* parent);
     QWidget* makeContinue(QWidget* parent);
     void pickTooth();
@@ -130,6 +135,13 @@ private:
     void fillList();
     void search();
     void describe();
+    struct Fact
+    {
+        QString name;
+        QString value;
+    };
+    [[nodiscard]] static QString assignedWords(const Given& given, const Standing* done);
+    [[nodiscard]] QList<Fact> factsOf(const ::lessons::CatalogEntry& entry) const;
     void turnPage(bool down);
     void start();
     void choose(const ::lessons::Lesson& lesson);

@@ -74,25 +74,9 @@ SetupCard::SetupCard(QWidget* parent)
     choices->addStretch(1);
     form->addLayout(choices);
     form->addSpacing(kSpace2);
-    auto* scale = headingLabel(this);
-    form->addWidget(scale);
-    auto* scaleRow = new QHBoxLayout;
-    scaleRow->setSpacing(kSpace2);
-    m_scale->setObjectName(QStringLiteral("scale"));
-    m_scale->setSingleStep(kScaleStep);
-    m_scale->setFixedWidth(kit::kInputPx);
-    scaleRow->addWidget(m_scale);
-    auto* scaleHelp = headingLabel(this);
-    scaleRow->addWidget(scaleHelp, 1);
-    form->addLayout(scaleRow);
+    addScale(form);
     form->addStretch(1);
     m_columns->addLayout(form, 1);
-    connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        DeviceSetup setup = m_setup;
-        setup.scale = value;
-        setup.restMm = core::session::reachableRestMm(setup.restMm, value);
-        change(setup);
-    });
     text::bindTranslation(this, [=, this] {
         //: How the device is placed on the table
         stand->setText(tr("It stands"));
@@ -104,14 +88,37 @@ SetupCard::SetupCard(QWidget* parent)
         m_sides[0]->setText(tr("in front of you"));
         m_sides[1]->setText(tr("on your right"));
         m_sides[2]->setText(tr("on your left"));
-        //: How far the hand moves for one millimetre of the bur
-        scale->setText(tr("Scale"));
-        scaleHelp->setText(tr("Movement of the hand for 1 mm of the bur, in millimetres"));
-        m_scale->setAccessibleName(tr("Scale"));
         for (auto* button : findChildren<QRadioButton*>())
             button->setAccessibleName(button->text());
     });
     setSetup(m_setup);
+}
+
+void SetupCard::addScale(QVBoxLayout* form)
+{
+    auto* scale = headingLabel(this);
+    form->addWidget(scale);
+    auto* scaleRow = new QHBoxLayout;
+    scaleRow->setSpacing(kSpace2);
+    m_scale->setObjectName(QStringLiteral("scale"));
+    m_scale->setSingleStep(kScaleStep);
+    m_scale->setFixedWidth(kit::kInputPx);
+    scaleRow->addWidget(m_scale);
+    auto* scaleHelp = headingLabel(this);
+    scaleRow->addWidget(scaleHelp, 1);
+    form->addLayout(scaleRow);
+    connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        DeviceSetup setup = m_setup;
+        setup.scale = value;
+        setup.restMm = core::session::reachableRestMm(setup.restMm, value);
+        change(setup);
+    });
+    text::bindTranslation(m_scale, [this, scale, scaleHelp] {
+        //: How far the hand moves for one millimetre of the bur
+        scale->setText(tr("Scale"));
+        scaleHelp->setText(tr("Movement of the hand for 1 mm of the bur, in millimetres"));
+        m_scale->setAccessibleName(tr("Scale"));
+    });
 }
 
 void SetupCard::setNarrow(bool isNarrow)

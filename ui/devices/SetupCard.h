@@ -10,6 +10,7 @@
 class QBoxLayout;
 class QDoubleSpinBox;
 class QRadioButton;
+class QVBoxLayout;
 
 namespace ui::devices {
 
@@ -32,6 +33,7 @@ signals:
     void setupChanged(const core::session::DeviceSetup& setup);
 
 private:
+    void addScale(QVBoxLayout* form);
     void change(const core::session::DeviceSetup& setup);
 
     core::session::DeviceSetup m_setup;

@@ -94,6 +94,13 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
         m_cells.push_back({quietLabel(this), input, input == m_camera ? 2 : 1});
     setNarrow(false);
 
+    connectInputs();
+    text::bindTranslation(this, [this] { retranslateUi(); });
+    setSettings(m_settings);
+}
+
+void TrackingSetupCard::connectInputs()
+{
     const auto applies = [this](auto apply) {
         return [this, apply](auto value) {
             Settings settings = m_settings;
@@ -122,42 +129,43 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
             applies([](Settings& settings, int entry) { settings.isWindow = entry == 1; }));
     connect(m_print, &QPushButton::clicked, this, &TrackingSetupCard::printRequested);
     connect(m_measure, &QPushButton::clicked, this, &TrackingSetupCard::fieldOfViewRequested);
-    text::bindTranslation(this, [this] {
-        const auto name = [this](QWidget* input, const QString& words) {
-            const auto cell =
-                std::find_if(m_cells.begin(), m_cells.end(), [input](const Cell& one) { return one.input == input; });
-            cell->caption->setText(words);
-            if (auto* choice = qobject_cast<QComboBox*>(input))
-                kit::nameInput(choice, words);
-            else
-                input->setAccessibleName(words);
-        };
-        name(m_camera, tr("Camera"));
-        name(m_size, tr("Size of its pictures"));
-        name(m_rate, tr("Pictures a second"));
-        name(m_lens, tr("Its lens"));
-        name(m_fov, tr("Its field of view, sideways"));
-        m_fov->setToolTip(tr("60° fits most cameras. The data sheet of the camera has the exact number."));
-        name(m_tagId, tr("Number of the tag"));
-        name(m_tagMm, tr("Edge of its black square"));
-        name(m_gain, tr("Turn of the view for 1° of the head"));
-        name(m_way, tr("When the head moves"));
-        m_way->clear();
-        m_way->addItem(tr("The tooth turns"));
-        //: The tooth is seen through the screen as through a window
-        m_way->addItem(tr("The screen is a window"));
-        m_way->setCurrentIndex(m_settings.isWindow ? 1 : 0);
-        m_print->setText(tr("Print the tag …"));
-        m_print->setAccessibleName(m_print->text());
-        //: %1: a length in millimetres
-        name(m_measure, tr("Hold the tag %1 mm from the lens").arg(Settings::kMeasuredMm));
-        m_measure->setText(tr("Measure the field of view"));
-        m_measure->setAccessibleDescription(m_measure->accessibleName());
-        m_measure->setAccessibleName(m_measure->text());
-        listCameras();
-        listLenses();
-    });
-    setSettings(m_settings);
+}
+
+void TrackingSetupCard::retranslateUi()
+{
+    const auto name = [this](QWidget* input, const QString& words) {
+        const auto cell =
+            std::find_if(m_cells.begin(), m_cells.end(), [input](const Cell& one) { return one.input == input; });
+        cell->caption->setText(words);
+        if (auto* choice = qobject_cast<QComboBox*>(input))
+            kit::nameInput(choice, words);
+        else
+            input->setAccessibleName(words);
+    };
+    name(m_camera, tr("Camera"));
+    name(m_size, tr("Size of its pictures"));
+    name(m_rate, tr("Pictures a second"));
+    name(m_lens, tr("Its lens"));
+    name(m_fov, tr("Its field of view, sideways"));
+    m_fov->setToolTip(tr("60° fits most cameras. The data sheet of the camera has the exact number."));
+    name(m_tagId, tr("Number of the tag"));
+    name(m_tagMm, tr("Edge of its black square"));
+    name(m_gain, tr("Turn of the view for 1° of the head"));
+    name(m_way, tr("When the head moves"));
+    m_way->clear();
+    m_way->addItem(tr("The tooth turns"));
+    //: The tooth is seen through the screen as through a window
+    m_way->addItem(tr("The screen is a window"));
+    m_way->setCurrentIndex(m_settings.isWindow ? 1 : 0);
+    m_print->setText(tr("Print the tag …"));
+    m_print->setAccessibleName(m_print->text());
+    //: %1: a length in millimetres
+    name(m_measure, tr("Hold the tag %1 mm from the lens").arg(Settings::kMeasuredMm));
+    m_measure->setText(tr("Measure the field of view"));
+    m_measure->setAccessibleDescription(m_measure->accessibleName());
+    m_measure->setAccessibleName(m_measure->text());
+    listCameras();
+    listLenses();
 }
 
 /// In rows of four equal columns, or of two.

@@ -45,6 +45,8 @@ private:
         QWidget* input;
         int columns;
     };
+    void connectInputs();
+    void retranslateUi();
     void listCameras();
     void listLenses();
     void takeCamera(int entry);

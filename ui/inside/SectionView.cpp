@@ -94,6 +94,25 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     planes->addWidget(m_alongY, 1);
     planes->addWidget(m_alongX, 1);
 
+    makeFigures();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpace2, kSpace4, kSpace2, kSpace4);
+    column->setSpacing(kSpace2);
+    column->addLayout(planes);
+    column->addLayout(makeAngle());
+    column->addWidget(m_canvas, 1);
+    column->addWidget(m_figures);
+    setAngle(kAlongYDeg);
+    text::bindTranslation(this, [this] {
+        nameSides();
+        showFigures({}, {});
+        m_sinceFigures.invalidate();
+    });
+}
+
+/// The slider that turns the section, with its caption and value.
+QLayout* SectionView::makeAngle()
+{
     m_angle = new QSlider(Qt::Horizontal, this);
     m_angle->setRange(0, kHalfTurnDeg - 1);
     m_angle->setPageStep(kTurnDeg);
@@ -120,7 +139,11 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     turned->addWidget(turnedWords);
     turned->addWidget(m_angle, 1);
     turned->addWidget(m_angleText);
+    return turned;
+}
 
+void SectionView::makeFigures()
+{
     m_figures = new QWidget(this);
     auto* figures = new QGridLayout(m_figures);
     figures->setContentsMargins(0, 0, 0, 0);
@@ -154,20 +177,6 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
                        QT_TR_NOOP("Straight down from the tip of the bur. A dash: no pulp there."));
     m_nearest = addFigure(QT_TR_NOOP("Bur to the nearest pulp"), "sectionNearest",
                           QT_TR_NOOP("The shortest way in any direction, also out of the plane of the picture."));
-
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(kSpace2, kSpace4, kSpace2, kSpace4);
-    column->setSpacing(kSpace2);
-    column->addLayout(planes);
-    column->addLayout(turned);
-    column->addWidget(m_canvas, 1);
-    column->addWidget(m_figures);
-    setAngle(kAlongYDeg);
-    text::bindTranslation(this, [this] {
-        nameSides();
-        showFigures({}, {});
-        m_sinceFigures.invalidate();
-    });
 }
 
 int SectionView::angleDeg() const

@@ -12,6 +12,7 @@
 #include "core/servo/ServoState.h"
 #include "ui/kit/MaterialLook.h"
 
+class QLayout;
 class QPushButton;
 class QSlider;
 
@@ -53,6 +54,8 @@ public:
     [[nodiscard]] int angleDeg() const;
 
 private:
+    QLayout* makeAngle();
+    void makeFigures();
     void setAngle(int degrees);
     void nameSides();
     void showFigures(const core::servo::ServoState& servo, const core::imaging::DepthReading& reading);

@@ -179,6 +179,37 @@ QWidget* XrayPage::makeControls(const Actions& actions)
     row->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
     row->setSpacing(kSpace4);
 
+    addScenes(row, card);
+    addSliders(row, card);
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    auto* says = new QLabel(holder);
+    text::bindTranslation(
+        says, [says] { says->setText(tr("Simulated: a parallel beam, no scatter, no bone and no gums.")); });
+    says->setFont(typeface(kSmall));
+    says->setWordWrap(true);
+    says->setForegroundRole(QPalette::PlaceholderText);
+    buttons->addWidget(says, 1);
+    m_save = new QPushButton(holder);
+    text::bindTranslation(m_save, [this] {
+        m_save->setText(tr("Save the picture …"));
+        m_save->setToolTip(tr("Save both films side by side as a PNG file"));
+    });
+    m_save->setFocusPolicy(Qt::TabFocus);
+    m_save->setAutoDefault(true);
+    m_save->setObjectName(QStringLiteral("saveFilms"));
+    connect(m_save, &QPushButton::clicked, this, &XrayPage::saveRequested);
+    buttons->addWidget(m_save);
+    m_back = pageButton(actions.back, "filled", holder);
+    buttons->addWidget(m_back);
+    outer->addLayout(buttons);
+    return holder;
+}
+
+/// The choice between one tooth and a bitewing.
+void XrayPage::addScenes(QHBoxLayout* row, QWidget* card)
+{
     const auto segment = [&](const char* words, const char* tip, const char* objectName) {
         auto* button = new QPushButton(card);
         text::bindTranslation(button, [button, words, tip] {
@@ -205,7 +236,11 @@ QWidget* XrayPage::makeControls(const Actions& actions)
     scenes->addWidget(m_oneTooth);
     scenes->addWidget(m_bitewing);
     row->addLayout(scenes);
+}
 
+/// Direction of the beam, and exposure.
+void XrayPage::addSliders(QHBoxLayout* row, QWidget* card)
+{
     const auto slider = [&](const char* caption, const char* tip, int low, int high, const char* objectName,
                             TabularDigitsLabel*& value, const QString& widest) {
         auto* block = new QGridLayout;
@@ -248,30 +283,6 @@ QWidget* XrayPage::makeControls(const Actions& actions)
                kMostSteps, "exposure", m_exposureText, text::number(0.25, 2) + QStringLiteral("×"));
     for (QSlider* angle : {m_angle, m_tilt})
         angle->setPageStep(15);
-
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(kSpace2);
-    auto* says = new QLabel(holder);
-    text::bindTranslation(
-        says, [says] { says->setText(tr("Simulated: a parallel beam, no scatter, no bone and no gums.")); });
-    says->setFont(typeface(kSmall));
-    says->setWordWrap(true);
-    says->setForegroundRole(QPalette::PlaceholderText);
-    buttons->addWidget(says, 1);
-    m_save = new QPushButton(holder);
-    text::bindTranslation(m_save, [this] {
-        m_save->setText(tr("Save the picture …"));
-        m_save->setToolTip(tr("Save both films side by side as a PNG file"));
-    });
-    m_save->setFocusPolicy(Qt::TabFocus);
-    m_save->setAutoDefault(true);
-    m_save->setObjectName(QStringLiteral("saveFilms"));
-    connect(m_save, &QPushButton::clicked, this, &XrayPage::saveRequested);
-    buttons->addWidget(m_save);
-    m_back = pageButton(actions.back, "filled", holder);
-    buttons->addWidget(m_back);
-    outer->addLayout(buttons);
-    return holder;
 }
 
 void XrayPage::showEvent(QShowEvent* event)

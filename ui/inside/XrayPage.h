@@ -10,6 +10,7 @@
 #include "core/imaging/Bitewing.h"
 #include "ui/kit/Page.h"
 
+class QHBoxLayout;
 class QPushButton;
 class QSlider;
 
@@ -59,6 +60,8 @@ private:
     };
 
     QWidget* makeControls(const kit::Actions& actions);
+    void addScenes(QHBoxLayout* row, QWidget* card);
+    void addSliders(QHBoxLayout* row, QWidget* card);
     [[nodiscard]] core::imaging::Beam ownBeam() const;
     [[nodiscard]] Wish wish() const;
     void retranslateUi();

@@ -49,6 +49,18 @@ QList<int> rememberedBurs()
 
 Actions::Actions(QWidget* window) : QObject(window), m_window(window)
 {
+    addDrillActions();
+    addHandpieceActions();
+    addToothActions();
+    addReplayActions();
+    addInsideActions();
+    addViewActions();
+    addWindowActions();
+    text::bindTranslation(window, [this] { retranslateUi(); });
+}
+
+void Actions::addDrillActions()
+{
     m_groups.push_back({QT_TR_NOOP("Drill"), {}});
     drill =
         add("drill", QT_TR_NOOP("Drill on or off"), QT_TR_NOOP("Start or stop the bur"), {Qt::Key_D, Qt::Key_Space});
@@ -63,7 +75,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         add("reload", QT_TR_NOOP("Start again"), QT_TR_NOOP("Reset the tooth; Undo restores your work"), {Qt::Key_R});
     grade =
         add("grade", QT_TR_NOOP("Grade"), QT_TR_NOOP("Measure your preparation and explain the grade"), {Qt::Key_G});
+}
 
+void Actions::addHandpieceActions()
+{
     m_groups.push_back({QT_TR_NOOP("Handpiece"), {}});
     auto* oneBur = new QActionGroup(this);
     for (const core::bur::Bur& bur : core::bur::burs()) {
@@ -89,7 +104,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     otherHand->setCheckable(true);
     bringHome = add("home", QT_TR_NOOP("Return the handpiece"),
                     QT_TR_NOOP("Let the handpiece guide your hand back over the tooth"), {Qt::Key_C});
+}
 
+void Actions::addToothActions()
+{
     m_groups.push_back({QT_TR_NOOP("Tooth and files"), {}});
     lessons = add("lessons", QT_TR_NOOP("Lessons"), QT_TR_NOOP("Choose what to practise"), {Qt::Key_F2});
     editLesson = add("edit", QT_TR_NOOP("Edit the lesson …"),
@@ -119,11 +137,14 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                         {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
     expert = add("expert", QT_TR_NOOP("The expert's attempt"),
                  QT_TR_NOOP("Watch how an expert does it; during a replay, beside this attempt"), {Qt::Key_Y});
-    auto* missing = new QShortcut(expert->shortcut(), window);
+    auto* missing = new QShortcut(expert->shortcut(), m_window);
     missing->setEnabled(false);
     connect(expert, &QAction::enabledChanged, missing, [missing](bool enabled) { missing->setEnabled(!enabled); });
     connect(missing, &QShortcut::activated, this, &Actions::expertMissing);
+}
 
+void Actions::addReplayActions()
+{
     m_groups.push_back({QT_TR_NOOP("Replay"), {}});
     pauseReplay = add("pause", [this] { return m_isReplayPaused ? tr("Resume the replay") : tr("Pause the replay"); },
                       QT_TR_NOOP("Pause or resume the replay"), {Qt::Key_Space});
@@ -145,7 +166,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         add("along", QT_TR_NOOP("Guide my hand"),
             QT_TR_NOOP("Let the handpiece guide your hand along the attempt; push against it to stop"), {Qt::Key_A});
     along->setCheckable(true);
+}
 
+void Actions::addInsideActions()
+{
     m_groups.push_back({QT_TR_NOOP("Seeing inside"), {}});
     section =
         add("section", QT_TR_NOOP("Section"), QT_TR_NOOP("Show or hide a live section through the bur"), {Qt::Key_X});
@@ -159,7 +183,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     outline = add("outline", QT_TR_NOOP("Outline"),
                   QT_TR_NOOP("Show or hide the outline of the ideal preparation on the tooth"), {Qt::Key_O});
     outline->setCheckable(true);
+}
 
+void Actions::addViewActions()
+{
     m_groups.push_back({QT_TR_NOOP("View"), {}});
     resetView = add("view", QT_TR_NOOP("Reset view"), QT_TR_NOOP("Return to the initial view"), {Qt::Key_V});
     turnRound = add("turn", QT_TR_NOOP("Rotate 180°"), QT_TR_NOOP("Look at the tooth from the opposite side"),
@@ -211,7 +238,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                       {Qt::CTRL | Qt::Key_P});
     reducedMotion = choice("calm", QT_TR_NOOP("Less motion"), QT_TR_NOOP("No animations and no spinning bur"),
                            {Qt::ALT | Qt::Key_M});
+}
 
+void Actions::addWindowActions()
+{
     m_groups.push_back({QT_TR_NOOP("Window"), {}});
     panel = add("panel", QT_TR_NOOP("Side panel"), QT_TR_NOOP("Show or hide the figures"), {Qt::Key_F9});
     panel->setCheckable(true);
@@ -238,7 +268,6 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                {Qt::SHIFT | Qt::Key_F1});
     back = add("back", [this] { return wayBack(); }, QT_TR_NOOP("Close this page; nothing is lost"), {Qt::Key_Escape});
     quit = add("close", QT_TR_NOOP("Quit"), QT_TR_NOOP("Close Cusp"), {Qt::CTRL | Qt::Key_Q});
-    text::bindTranslation(window, [this] { retranslateUi(); });
 }
 
 void Actions::showReplayPaused(bool paused)

@@ -147,6 +147,13 @@ signals:
     void bursAtHandChanged();
 
 private:
+    void addDrillActions();
+    void addHandpieceActions();
+    void addToothActions();
+    void addReplayActions();
+    void addInsideActions();
+    void addViewActions();
+    void addWindowActions();
     /// @param text, tip  marked for translation; said again in every language
     QAction* add(const QString& drawing, const char* text, const char* tip, const QList<QKeySequence>& keys);
     QAction* add(const QString& drawing, std::function<QString()> text, const char* tip,

@@ -55,6 +55,33 @@ LoginPage::LoginPage(QWidget* parent)
     m_title->setFont(typeface(kFigure, QFont::DemiBold));
     m_title->setTextFormat(Qt::PlainText);
     m_title->setWordWrap(true);
+    fillCard();
+
+    auto* content = new QWidget(this);
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(m_card);
+    row->addStretch(1);
+    auto* column = new QVBoxLayout(content);
+    column->addStretch(2);
+    column->addLayout(row);
+    column->addStretch(3);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    // In a low window, and in long words, all of it is there.
+    whole->addWidget(new ScrollPane(content, QPalette::Window, this));
+
+    connectInputs();
+    text::bindTranslation(this, [this] {
+        retranslateUi();
+        say(m_saying);
+        tellFault(m_faultWords);
+    });
+    ask(LoginMode::Login);
+}
+
+void LoginPage::fillCard()
+{
     m_column->setContentsMargins(kSpace6 + kSpace2, kSpace6, kSpace6 + kSpace2, kSpace6);
     m_column->setSpacing(kSpace2);
     m_column->addWidget(m_title);
@@ -85,49 +112,17 @@ LoginPage::LoginPage(QWidget* parent)
     });
     m_column->addWidget(m_waiting);
     m_column->addSpacing(kSpace2);
-    m_go->setProperty("kind", "filled");
-    m_go->setObjectName(QStringLiteral("logIn"));
-    m_go->setAutoDefault(true);
-    m_other->setProperty("kind", "quiet");
-    m_other->setObjectName(QStringLiteral("otherLogin"));
-    m_guest->setProperty("kind", "quiet");
-    m_guest->setObjectName(QStringLiteral("practiseAsGuest"));
-    m_change->setProperty("kind", "quiet");
-    m_change->setObjectName(QStringLiteral("changePassword"));
-    for (QPushButton* button : {m_go, m_other, m_guest, m_change})
-        m_column->addWidget(button);
-    m_column->addSpacing(kSpace2);
-    m_column->addWidget(m_said);
-    m_column->addWidget(m_unreachable);
-    m_tryAgain->setObjectName(QStringLiteral("tryAgain"));
-    m_restore->setObjectName(QStringLiteral("restoreBackup"));
-    for (QPushButton* button : {m_restore, m_tryAgain}) {
-        button->setAutoDefault(true);
-        m_column->addWidget(button);
-    }
-    m_restore->hide();
-    setUnreachable({});
+    addButtons();
     m_language->setObjectName(QStringLiteral("language"));
     m_language->setMenu(new LanguageMenu(m_language));
     m_language->setPopupMode(QToolButton::InstantPopup);
     m_language->setAutoRaise(true);
     m_language->setFocusPolicy(Qt::StrongFocus);
     m_column->addWidget(m_language, 0, Qt::AlignHCenter);
+}
 
-    auto* content = new QWidget(this);
-    auto* row = new QHBoxLayout;
-    row->addStretch(1);
-    row->addWidget(m_card);
-    row->addStretch(1);
-    auto* column = new QVBoxLayout(content);
-    column->addStretch(2);
-    column->addLayout(row);
-    column->addStretch(3);
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    // In a low window, and in long words, all of it is there.
-    whole->addWidget(new ScrollPane(content, QPalette::Window, this));
-
+void LoginPage::connectInputs()
+{
     QWidget* before = m_name;
     for (QWidget* next :
          std::initializer_list<QWidget*>{m_given, m_family, m_old, m_password, m_again, m_keep, m_go, m_other, m_guest,
@@ -166,12 +161,32 @@ LoginPage::LoginPage(QWidget* parent)
     };
     offer(m_tryAgain, &LoginPage::againRequested);
     offer(m_restore, &LoginPage::restoreRequested);
-    text::bindTranslation(this, [this] {
-        retranslateUi();
-        say(m_saying);
-        tellFault(m_faultWords);
-    });
-    ask(LoginMode::Login);
+}
+
+void LoginPage::addButtons()
+{
+    m_go->setProperty("kind", "filled");
+    m_go->setObjectName(QStringLiteral("logIn"));
+    m_go->setAutoDefault(true);
+    m_other->setProperty("kind", "quiet");
+    m_other->setObjectName(QStringLiteral("otherLogin"));
+    m_guest->setProperty("kind", "quiet");
+    m_guest->setObjectName(QStringLiteral("practiseAsGuest"));
+    m_change->setProperty("kind", "quiet");
+    m_change->setObjectName(QStringLiteral("changePassword"));
+    for (QPushButton* button : {m_go, m_other, m_guest, m_change})
+        m_column->addWidget(button);
+    m_column->addSpacing(kSpace2);
+    m_column->addWidget(m_said);
+    m_column->addWidget(m_unreachable);
+    m_tryAgain->setObjectName(QStringLiteral("tryAgain"));
+    m_restore->setObjectName(QStringLiteral("restoreBackup"));
+    for (QPushButton* button : {m_restore, m_tryAgain}) {
+        button->setAutoDefault(true);
+        m_column->addWidget(button);
+    }
+    m_restore->hide();
+    setUnreachable({});
 }
 
 QLineEdit* LoginPage::field(const char* name, bool isPassword)
@@ -258,6 +273,49 @@ void LoginPage::retranslateUi()
     m_language->setText(text::Language::nameOf(text::Language::current()));
     m_language->setAccessibleName(tr("Language: %1").arg(m_language->text()));
     m_language->setToolTip(tr("Choose the language"));
+    nameQuestion();
+    //: Back, without having changed the password
+    m_other->setText(m_door == LoginMode::OwnPassword ? tr("Cancel")
+                     : m_door == LoginMode::NewSchool ? tr("Back")
+                                                      : tr("Switch user"));
+    m_change->setText(tr("Change my password"));
+    m_change->setAccessibleName(m_change->text());
+    m_guest->setText(tr("Practise without login"));
+    const auto name = [this](QLineEdit* input, const QString& words) {
+        m_captions[input]->setText(words);
+        input->setAccessibleName(words);
+    };
+    name(m_name, tr("Username"));
+    name(m_given, tr("Given name"));
+    name(m_family, tr("Family name"));
+    name(m_old, tr("Current password"));
+    name(m_password, m_door == LoginMode::Login         ? tr("Password or one-time code")
+                     : m_door == LoginMode::OwnPassword ? tr("New password")
+                                                        : tr("Password"));
+    name(m_again, m_door == LoginMode::OwnPassword ? tr("Confirm new password") : tr("Confirm password"));
+    m_tryAgain->setText(tr("Try again"));
+    //: %1: day and time
+    m_restore->setText(
+        tr("Restore backup (%1)").arg(QLocale().toString(m_backupMade.toLocalTime(), QLocale::ShortFormat)));
+    m_restore->setToolTip(brokenIntoLines(
+        tr("Attempts on this computer that are in no backup are added again. Changes that teachers and admins made "
+           "after the backup are lost. The current file is kept next to the restored one.")));
+    for (QPushButton* button : {m_go, m_other, m_guest, m_tryAgain, m_restore})
+        button->setAccessibleName(button->text());
+    m_waiting->setText(m_isOpening ? tr("Opening the school's database …") : tr("Waiting for the school's database …"));
+    m_keep->setText(tr("Save the attempt just graded as mine"));
+    m_keep->setAccessibleName(m_keep->text());
+    //: %1: a lesson or a tooth
+    m_keep->setToolTip(brokenIntoLines(
+        m_kept ? tr("%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.")
+                     .arg(m_kept())
+               : QString()));
+    m_guest->setToolTip(brokenIntoLines(tr("Drill and get a grade; nothing is saved")));
+}
+
+/// Title, explanation and button of what is asked.
+void LoginPage::nameQuestion()
+{
     switch (m_door) {
     case LoginMode::Login:
         m_title->setText(tr("Cusp"));
@@ -296,43 +354,6 @@ void LoginPage::retranslateUi()
         m_go->setText(tr("Unlock"));
         break;
     }
-    //: Back, without having changed the password
-    m_other->setText(m_door == LoginMode::OwnPassword ? tr("Cancel")
-                     : m_door == LoginMode::NewSchool ? tr("Back")
-                                                      : tr("Switch user"));
-    m_change->setText(tr("Change my password"));
-    m_change->setAccessibleName(m_change->text());
-    m_guest->setText(tr("Practise without login"));
-    const auto name = [this](QLineEdit* input, const QString& words) {
-        m_captions[input]->setText(words);
-        input->setAccessibleName(words);
-    };
-    name(m_name, tr("Username"));
-    name(m_given, tr("Given name"));
-    name(m_family, tr("Family name"));
-    name(m_old, tr("Current password"));
-    name(m_password, m_door == LoginMode::Login         ? tr("Password or one-time code")
-                     : m_door == LoginMode::OwnPassword ? tr("New password")
-                                                        : tr("Password"));
-    name(m_again, m_door == LoginMode::OwnPassword ? tr("Confirm new password") : tr("Confirm password"));
-    m_tryAgain->setText(tr("Try again"));
-    //: %1: day and time
-    m_restore->setText(
-        tr("Restore backup (%1)").arg(QLocale().toString(m_backupMade.toLocalTime(), QLocale::ShortFormat)));
-    m_restore->setToolTip(brokenIntoLines(
-        tr("Attempts on this computer that are in no backup are added again. Changes that teachers and admins made "
-           "after the backup are lost. The current file is kept next to the restored one.")));
-    for (QPushButton* button : {m_go, m_other, m_guest, m_tryAgain, m_restore})
-        button->setAccessibleName(button->text());
-    m_waiting->setText(m_isOpening ? tr("Opening the school's database …") : tr("Waiting for the school's database …"));
-    m_keep->setText(tr("Save the attempt just graded as mine"));
-    m_keep->setAccessibleName(m_keep->text());
-    //: %1: a lesson or a tooth
-    m_keep->setToolTip(brokenIntoLines(
-        m_kept ? tr("%1: saved for the user who logs in. If the box is not checked, the attempt is not saved.")
-                     .arg(m_kept())
-               : QString()));
-    m_guest->setToolTip(brokenIntoLines(tr("Drill and get a grade; nothing is saved")));
 }
 
 void LoginPage::say(std::function<QString()> sentence)

@@ -79,9 +79,13 @@ protected:
 
 private:
     QLineEdit* field(const char* name, bool isPassword);
+    void fillCard();
+    void addButtons();
+    void connectInputs();
     void arrange();
     [[nodiscard]] QWidget* firstInput() const;
     void retranslateUi();
+    void nameQuestion();
     void submit();
     void tellFault(std::function<QString()> sentence);
     void tellWaiting();

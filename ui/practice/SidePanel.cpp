@@ -82,6 +82,47 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
     column->addWidget(m_hand);
     column->addSpacing(kit::kSpace1);
 
+    addFigures(column, content);
+    m_health = new QLabel(content);
+    m_health->setFont(kit::typeface(kit::kSmall, QFont::Medium));
+    m_health->setWordWrap(true);
+    m_health->setObjectName(QStringLiteral("health"));
+    m_health->hide();
+    column->addWidget(m_health);
+
+    column->addSpacing(kit::kSpace1);
+    column->addWidget(kit::line(content));
+    auto* burRow = new QHBoxLayout;
+    m_burWords = quietLabel(content);
+    burRow->addWidget(m_burWords);
+    burRow->addStretch(1);
+    m_rpm = new kit::TabularDigitsLabel(content);
+    m_rpm->setFont(kit::typeface(kit::kSmall, QFont::Medium));
+    m_rpm->setObjectName(QStringLiteral("burRpm"));
+    burRow->addWidget(m_rpm);
+    column->addLayout(burRow);
+    column->addWidget(new BurChooser(actions, content));
+    column->addWidget(new HandpieceChooser(actions.handpieces, content));
+
+    addVolumes(column, content);
+    column->addStretch(1);
+
+    auto* fill = new QVBoxLayout(this);
+    fill->setContentsMargins(0, 0, 0, 0);
+    fill->addWidget(new kit::ScrollPane(content, QPalette::Base, this));
+
+    text::bindTranslation(this, [this] {
+        retranslateUi();
+        nameFigures();
+        // The newest figures come with the next frame.
+        m_sinceWords.invalidate();
+        setFigures({}, {}, {});
+        m_sinceWords.invalidate();
+    });
+}
+
+void SidePanel::addFigures(QVBoxLayout* column, QWidget* content)
+{
     m_swatch = new kit::MaterialSwatch(28, content);
     m_material = addFigure(column, "materialFigure", m_swatch);
     column->addSpacing(kit::kSpace1);
@@ -103,36 +144,19 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
     asked->setStretch(0, 1);
     asked->setStretch(1, 1);
     column->addLayout(asked);
+}
 
-    m_health = new QLabel(content);
-    m_health->setFont(kit::typeface(kit::kSmall, QFont::Medium));
-    m_health->setWordWrap(true);
-    m_health->setObjectName(QStringLiteral("health"));
-    m_health->hide();
-    column->addWidget(m_health);
-
-    column->addSpacing(kit::kSpace1);
-    column->addWidget(kit::line(content));
-    auto* burRow = new QHBoxLayout;
-    auto* bur = quietLabel(content);
-    burRow->addWidget(bur);
-    burRow->addStretch(1);
-    m_rpm = new kit::TabularDigitsLabel(content);
-    m_rpm->setFont(kit::typeface(kit::kSmall, QFont::Medium));
-    m_rpm->setObjectName(QStringLiteral("burRpm"));
-    burRow->addWidget(m_rpm);
-    column->addLayout(burRow);
-    column->addWidget(new BurChooser(actions, content));
-    column->addWidget(new HandpieceChooser(actions.handpieces, content));
-
+/// The volumes removed so far, tissue by tissue.
+void SidePanel::addVolumes(QVBoxLayout* column, QWidget* content)
+{
     m_removedBlock = new QWidget(content);
     auto* volumes = new QVBoxLayout(m_removedBlock);
     volumes->setContentsMargins(0, kit::kSpace1, 0, 0);
     volumes->setSpacing(kit::kSpace1);
     volumes->addWidget(kit::line(m_removedBlock));
     volumes->addSpacing(kit::kSpace1);
-    auto* removed = quietLabel(m_removedBlock);
-    volumes->addWidget(removed);
+    m_removedWords = quietLabel(m_removedBlock);
+    volumes->addWidget(m_removedWords);
     volumes->addSpacing(kit::kSpace1);
     column->addWidget(m_removedBlock);
     const auto addVolume = [&](QWidget* before, QLabel* words, const char* objectName) {
@@ -161,50 +185,41 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
         if (material == Material::Enamel)
             m_enamelSwatch = swatch;
         m_removed.at(at(material)) = value;
-        return value;
     };
     addMaterial(Material::Enamel, "enamelRemoved");
     addMaterial(Material::Dentin, "dentinRemoved");
-    kit::TabularDigitsLabel* pulp = addMaterial(Material::Pulp, "pulpRemoved");
+    addMaterial(Material::Pulp, "pulpRemoved");
     // The part of the removed enamel and dentin that the grade counts: it leaves out what lies vertically above the
     // decay. A line of its own, because it is not another tissue.
     volumes->addSpacing(kit::kSpace1);
     m_overcutWords = new QLabel(content);
     m_overcut = addVolume(nullptr, m_overcutWords, "overcut");
     m_overcutRow = m_overcut->parentWidget();
-    column->addStretch(1);
+}
 
-    auto* fill = new QVBoxLayout(this);
-    fill->setContentsMargins(0, 0, 0, 0);
-    fill->addWidget(new kit::ScrollPane(content, QPalette::Base, this));
-
-    text::bindTranslation(this, [this, removed, pulp, bur] {
-        name(m_material, tr("Under the bur"));
-        name(m_force, tr("Force"));
-        name(m_depth, tr("Depth"));
-        m_depth.block->setToolTip(
-            kit::brokenIntoLines(tr("Depth of the tip below the original surface. No value is shown at the edge of the "
-                                    "tooth, where a vertical depth means little.")));
-        name(m_pulp, tr("To the pulp"));
-        m_pulp.block->setToolTip(kit::brokenIntoLines(
-            tr("Shortest distance from the head of the bur to the pulp, downwards or sideways. Leave two "
-               "millimetres; less than half a millimetre harms the pulp.")));
-        //: How far the bur is from what is to be kept
-        name(m_margin, tr("To the limit"));
-        m_margin.block->setToolTip(kit::brokenIntoLines(
-            tr("Distance from the head of the bur to tissue that must be kept, downwards or sideways. "
-               "No value is shown above one millimetre.")));
-        removed->setText(tr("Removed"));
-        pulp->setToolTip(kit::brokenIntoLines(tr("Volume of removed pulp. The grade uses the exposed area, in mm².")));
-        bur->setText(tr("Bur"));
-        m_rpm->setToolTip(
-            kit::brokenIntoLines(tr("Speed of the bur in revolutions per minute. Load slows it down until it stalls")));
-        nameFigures();
-        // The newest figures come with the next frame.
-        m_sinceWords.invalidate();
-        setFigures({}, {}, {});
-        m_sinceWords.invalidate();
-    });
+void SidePanel::retranslateUi()
+{
+    name(m_material, tr("Under the bur"));
+    name(m_force, tr("Force"));
+    name(m_depth, tr("Depth"));
+    m_depth.block->setToolTip(
+        kit::brokenIntoLines(tr("Depth of the tip below the original surface. No value is shown at the edge of the "
+                                "tooth, where a vertical depth means little.")));
+    name(m_pulp, tr("To the pulp"));
+    m_pulp.block->setToolTip(kit::brokenIntoLines(
+        tr("Shortest distance from the head of the bur to the pulp, downwards or sideways. Leave two "
+           "millimetres; less than half a millimetre harms the pulp.")));
+    //: How far the bur is from what is to be kept
+    name(m_margin, tr("To the limit"));
+    m_margin.block->setToolTip(
+        kit::brokenIntoLines(tr("Distance from the head of the bur to tissue that must be kept, downwards or sideways. "
+                                "No value is shown above one millimetre.")));
+    m_removedWords->setText(tr("Removed"));
+    m_removed.at(at(Material::Pulp))
+        ->setToolTip(kit::brokenIntoLines(tr("Volume of removed pulp. The grade uses the exposed area, in mm².")));
+    m_burWords->setText(tr("Bur"));
+    m_rpm->setToolTip(
+        kit::brokenIntoLines(tr("Speed of the bur in revolutions per minute. Load slows it down until it stalls")));
 }
 
 void SidePanel::name(Figure& figure, const QString& caption)
@@ -363,10 +378,16 @@ void SidePanel::setFigures(const core::servo::ServoState& servo, const core::ses
     if (m_target == ShownTarget::Decay)
         m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 
+    showHealth(servo);
+}
+
+void SidePanel::showHealth(const core::servo::ServoState& servo)
+{
     // The figure tells of a clamped force; a sentence would come and go many times a second.
     QString health = text::healthText(servo.health & ~std::uint32_t{core::servo::kForceClamped});
     if (health.isEmpty() && servo.handpieceOnCrown && !servo.touching)
         health = tr("The handpiece touches the crown, so the bur cannot go deeper.");
+    const kit::Tones tone = kit::tones(palette());
     const bool lost = (servo.health & core::servo::kDeviceLost) != 0;
     QPalette words = palette();
     words.setColor(QPalette::WindowText, lost ? tone.harmText : tone.attentionText);

@@ -15,6 +15,7 @@
 
 class QLabel;
 class QBoxLayout;
+class QVBoxLayout;
 
 namespace ui::kit {
 class Actions;
@@ -58,6 +59,10 @@ public:
     [[nodiscard]] HandControls& hand() { return *m_hand; }
 
 private:
+    void addFigures(QVBoxLayout* column, QWidget* content);
+    void addVolumes(QVBoxLayout* column, QWidget* content);
+    void retranslateUi();
+    void showHealth(const core::servo::ServoState& servo);
     void nameFigures();
     void showFigures();
     [[nodiscard]] QString nameOf(core::terrain::Material material) const;
@@ -79,6 +84,8 @@ private:
     Figure m_pulp{};
     Figure m_decay{};
     Figure m_margin{};
+    QLabel* m_removedWords = nullptr;
+    QLabel* m_burWords = nullptr;
     QLabel* m_overcutWords = nullptr;
     lessons::ShownTarget m_target = lessons::ShownTarget::Decay;
     kit::MaterialSwatch* m_swatch = nullptr;

@@ -197,24 +197,7 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace2);
-    auto* head = new QHBoxLayout;
-    m_name = new QLineEdit(side);
-    m_name->setObjectName(QStringLiteral("presetName"));
-    m_name->setMaxLength(static_cast<int>(lessons::kLongestPresetName));
-    m_name->setMaximumWidth(280);
-    m_version = kit::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, side);
-    m_version->setObjectName(QStringLiteral("presetVersion"));
-    m_version->setTextFormat(Qt::PlainText);
-    m_use = button("", "presetUse", side);
-    head->addWidget(m_name);
-    head->addWidget(m_version, 1);
-    head->addWidget(m_use);
-    column->addLayout(head);
-    m_notes = new QLineEdit(side);
-    m_notes->setMaxLength(static_cast<int>(lessons::kLongestPresetNotes));
-    m_notes->setObjectName(QStringLiteral("presetNotes"));
-    column->addWidget(m_notes);
-
+    addHead(column, side);
     auto* choose = new QHBoxLayout;
     auto* simple = button("segment", "presetSimple", side);
     auto* all = button("segment", "presetExpert", side);
@@ -234,6 +217,84 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
     choose->addWidget(bur);
     column->addLayout(choose);
 
+    addNumbers(column, side);
+    connect(simple, &QPushButton::clicked, this, [this] {
+        m_simple->setPreset(origins(), m_draft);
+        m_ways->setCurrentIndex(0);
+        fit();
+    });
+    connect(all, &QPushButton::clicked, this, [this] {
+        m_table->setPreset(m_draft);
+        m_ways->setCurrentIndex(1);
+        fit();
+    });
+    connect(bur, &QComboBox::currentIndexChanged, this, [this](int index) {
+        if (index >= 0)
+            m_chart->setTool(static_cast<std::size_t>(index));
+    });
+    text::bindTranslation(side, [this, simple, all, bur, burName] {
+        simple->setText(tr("Simple"));
+        simple->setToolTip(tr("A few sliders"));
+        all->setText(tr("All numbers"));
+        all->setToolTip(tr("Every number with its range"));
+        for (QPushButton* way : {simple, all})
+            way->setAccessibleName(way->text());
+        burName->setText(tr("Feed of"));
+        bur->setAccessibleName(tr("Bur whose feed is drawn"));
+        bur->view()->setAccessibleName(bur->accessibleName());
+        const int at = std::max(0, bur->currentIndex() < 0 ? 1 : bur->currentIndex());
+        const QSignalBlocker quiet(bur);
+        bur->clear();
+        for (const core::bur::Bur& one : core::bur::burs())
+            bur->addItem(text::burName(one.id));
+        bur->setCurrentIndex(at);
+    });
+    return new ScrollPane(side, QPalette::Window, parent);
+}
+
+/// The name, version and notes of a preset.
+void PresetsPage::addHead(QVBoxLayout* column, QWidget* side)
+{
+    auto* head = new QHBoxLayout;
+    m_name = new QLineEdit(side);
+    m_name->setObjectName(QStringLiteral("presetName"));
+    m_name->setMaxLength(static_cast<int>(lessons::kLongestPresetName));
+    m_name->setMaximumWidth(280);
+    m_version = kit::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, side);
+    m_version->setObjectName(QStringLiteral("presetVersion"));
+    m_version->setTextFormat(Qt::PlainText);
+    m_use = button("", "presetUse", side);
+    head->addWidget(m_name);
+    head->addWidget(m_version, 1);
+    head->addWidget(m_use);
+    column->addLayout(head);
+    m_notes = new QLineEdit(side);
+    m_notes->setMaxLength(static_cast<int>(lessons::kLongestPresetNotes));
+    m_notes->setObjectName(QStringLiteral("presetNotes"));
+    column->addWidget(m_notes);
+    connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) {
+        m_draft.name = name.trimmed().toStdString();
+        tell();
+    });
+    connect(m_notes, &QLineEdit::textEdited, this, [this](const QString& notes) {
+        m_draft.notes = notes.toStdString();
+        tell();
+    });
+    connect(m_use, &QPushButton::clicked, this, [this] { emit useRequested(m_base); });
+    text::bindTranslation(side, [this] {
+        m_name->setAccessibleName(tr("Name of the preset"));
+        m_name->setPlaceholderText(tr("Name"));
+        m_notes->setAccessibleName(tr("Notes"));
+        m_notes->setPlaceholderText(tr("Notes: what it is for"));
+        m_use->setText(tr("Use for practice"));
+        m_use->setAccessibleName(tr("Use this version for practice"));
+        m_use->setToolTip(tr("Every tooth feels like this, unless its lesson says otherwise"));
+    });
+}
+
+/// The numbers of a preset, simple or all, and the chart of its feed.
+void PresetsPage::addNumbers(QVBoxLayout* column, QWidget* side)
+{
     m_middle = new QBoxLayout(QBoxLayout::LeftToRight);
     m_middle->setSpacing(kSpace6);
     m_ways = new QStackedWidget(side);
@@ -251,57 +312,8 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
     m_middle->addWidget(m_ways, 5);  // with its help in two lines it fits a window of 1280 by 800
     m_middle->addWidget(m_chart, 3);
     column->addLayout(m_middle, 1);
-    connect(simple, &QPushButton::clicked, this, [this] {
-        m_simple->setPreset(origins(), m_draft);
-        m_ways->setCurrentIndex(0);
-        fit();
-    });
-    connect(all, &QPushButton::clicked, this, [this] {
-        m_table->setPreset(m_draft);
-        m_ways->setCurrentIndex(1);
-        fit();
-    });
     connect(m_simple, &SimplePanel::changed, this, &PresetsPage::take);
     connect(m_table, &PresetTable::changed, this, &PresetsPage::take);
-    connect(bur, &QComboBox::currentIndexChanged, this, [this](int index) {
-        if (index >= 0)
-            m_chart->setTool(static_cast<std::size_t>(index));
-    });
-    connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) {
-        m_draft.name = name.trimmed().toStdString();
-        tell();
-    });
-    connect(m_notes, &QLineEdit::textEdited, this, [this](const QString& notes) {
-        m_draft.notes = notes.toStdString();
-        tell();
-    });
-    connect(m_use, &QPushButton::clicked, this, [this] { emit useRequested(m_base); });
-
-    text::bindTranslation(side, [this, simple, all, bur, burName] {
-        m_name->setAccessibleName(tr("Name of the preset"));
-        m_name->setPlaceholderText(tr("Name"));
-        m_notes->setAccessibleName(tr("Notes"));
-        m_notes->setPlaceholderText(tr("Notes: what it is for"));
-        simple->setText(tr("Simple"));
-        simple->setToolTip(tr("A few sliders"));
-        all->setText(tr("All numbers"));
-        all->setToolTip(tr("Every number with its range"));
-        for (QPushButton* way : {simple, all})
-            way->setAccessibleName(way->text());
-        burName->setText(tr("Feed of"));
-        bur->setAccessibleName(tr("Bur whose feed is drawn"));
-        bur->view()->setAccessibleName(bur->accessibleName());
-        const int at = std::max(0, bur->currentIndex() < 0 ? 1 : bur->currentIndex());
-        const QSignalBlocker quiet(bur);
-        bur->clear();
-        for (const core::bur::Bur& one : core::bur::burs())
-            bur->addItem(text::burName(one.id));
-        bur->setCurrentIndex(at);
-        m_use->setText(tr("Use for practice"));
-        m_use->setAccessibleName(tr("Use this version for practice"));
-        m_use->setToolTip(tr("Every tooth feels like this, unless its lesson says otherwise"));
-    });
-    return new ScrollPane(side, QPalette::Window, parent);
 }
 
 QWidget* PresetsPage::makeCompare(QWidget* parent)

@@ -16,6 +16,7 @@ class QListWidget;
 class QPushButton;
 class QSpinBox;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace ui::presets {
 
@@ -75,6 +76,8 @@ private:
     QWidget* makeList();
     QWidget* makeDetails();
     QWidget* makePreset(QWidget* parent);
+    void addHead(QVBoxLayout* column, QWidget* side);
+    void addNumbers(QVBoxLayout* column, QWidget* side);
     QWidget* makeCompare(QWidget* parent);
     void fit();
     void fill();

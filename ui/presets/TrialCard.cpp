@@ -80,26 +80,7 @@ TrialCard::TrialCard(QWidget* parent)
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setObjectName(QStringLiteral("trialWords"));
-    auto* letters = new QHBoxLayout(m_letters);
-    letters->setContentsMargins(0, 0, 0, 0);
-    for (QPushButton* letter : {m_a, m_b}) {
-        letter->setCheckable(true);
-        letter->setFont(typeface(kTitle, QFont::DemiBold));
-        letters->addWidget(letter);
-    }
-    connect(m_a, &QPushButton::clicked, this, [this] { hold(Answer::A); });
-    connect(m_b, &QPushButton::clicked, this, [this] { hold(Answer::B); });
-    auto* answers = new QHBoxLayout(m_answers);
-    answers->setContentsMargins(0, 0, 0, 0);
-    auto* saysA = trialButton("", "trialSaysA", m_answers);
-    auto* saysNone = trialButton("quiet", "trialSaysNone", m_answers);
-    auto* saysB = trialButton("", "trialSaysB", m_answers);
-    answers->addWidget(saysA);
-    answers->addWidget(saysNone, 1);
-    answers->addWidget(saysB);
-    connect(saysA, &QPushButton::clicked, this, [this] { answer(Answer::A); });
-    connect(saysNone, &QPushButton::clicked, this, [this] { answer(Answer::NoDifference); });
-    connect(saysB, &QPushButton::clicked, this, [this] { answer(Answer::B); });
+    makeAnswers();
     connect(m_end, &QPushButton::clicked, this, &TrialCard::end);
     connect(m_back, &QPushButton::clicked, this, &TrialCard::done);
     connect(m_reset, &QPushButton::clicked, this, [this] {
@@ -139,19 +120,7 @@ TrialCard::TrialCard(QWidget* parent)
     column->addWidget(m_answers);
     column->addLayout(buttons);
     column->addStretch(0);
-    text::bindTranslation(this, [this, saysA, saysNone, saysB] {
-        m_a->setText(QStringLiteral("A"));
-        m_b->setText(QStringLiteral("B"));
-        m_a->setAccessibleName(tr("Feel A"));
-        m_b->setAccessibleName(tr("Feel B"));
-        m_a->setToolTip(tr("Drill with the preset behind A from now on"));
-        m_b->setToolTip(tr("Drill with the preset behind B from now on"));
-        //: Which of two presets feels more like a tooth
-        saysA->setText(tr("A does"));
-        saysB->setText(tr("B does"));
-        saysNone->setText(tr("No difference"));
-        for (QPushButton* one : {saysA, saysNone, saysB})
-            one->setAccessibleName(one->text());
+    text::bindTranslation(this, [this] {
         m_reset->setText(tr("All as it was"));
         m_reset->setAccessibleName(tr("Set all sliders back to the preset"));
         m_csv->setText(tr("Save as CSV …"));
@@ -164,6 +133,45 @@ TrialCard::TrialCard(QWidget* parent)
         say();
     });
     hide();
+}
+
+/// The buttons that say which preset is held, and which of the two feels more like a tooth.
+void TrialCard::makeAnswers()
+{
+    auto* letters = new QHBoxLayout(m_letters);
+    letters->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton* letter : {m_a, m_b}) {
+        letter->setCheckable(true);
+        letter->setFont(typeface(kTitle, QFont::DemiBold));
+        letters->addWidget(letter);
+    }
+    connect(m_a, &QPushButton::clicked, this, [this] { hold(Answer::A); });
+    connect(m_b, &QPushButton::clicked, this, [this] { hold(Answer::B); });
+    auto* answers = new QHBoxLayout(m_answers);
+    answers->setContentsMargins(0, 0, 0, 0);
+    auto* saysA = trialButton("", "trialSaysA", m_answers);
+    auto* saysNone = trialButton("quiet", "trialSaysNone", m_answers);
+    auto* saysB = trialButton("", "trialSaysB", m_answers);
+    answers->addWidget(saysA);
+    answers->addWidget(saysNone, 1);
+    answers->addWidget(saysB);
+    connect(saysA, &QPushButton::clicked, this, [this] { answer(Answer::A); });
+    connect(saysNone, &QPushButton::clicked, this, [this] { answer(Answer::NoDifference); });
+    connect(saysB, &QPushButton::clicked, this, [this] { answer(Answer::B); });
+    text::bindTranslation(m_answers, [this, saysA, saysNone, saysB] {
+        m_a->setText(QStringLiteral("A"));
+        m_b->setText(QStringLiteral("B"));
+        m_a->setAccessibleName(tr("Feel A"));
+        m_b->setAccessibleName(tr("Feel B"));
+        m_a->setToolTip(tr("Drill with the preset behind A from now on"));
+        m_b->setToolTip(tr("Drill with the preset behind B from now on"));
+        //: Which of two presets feels more like a tooth
+        saysA->setText(tr("A does"));
+        saysB->setText(tr("B does"));
+        saysNone->setText(tr("No difference"));
+        for (QPushButton* one : {saysA, saysNone, saysB})
+            one->setAccessibleName(one->text());
+    });
 }
 
 void TrialCard::makeBlockChoice()

@@ -51,6 +51,7 @@ signals:
     void csvRequested(const QByteArray& csv);
 
 private:
+    void makeAnswers();
     void makeBlockChoice();
     void takeBlock();
     void say();

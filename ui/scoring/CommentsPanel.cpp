@@ -576,6 +576,58 @@ QPushButton* CommentsPanel::takeBackButton(const database::AttemptComment& comme
     return button;
 }
 
+/// Adds who wrote what, and when. Returns the layout, for what comes below.
+/// @param beside  stands beside the author, or null
+QVBoxLayout* CommentsPanel::addEntry(QVBoxLayout& column, const std::string& author, const std::string& utc,
+                                     const QString& words, QPushButton* beside)
+{
+    auto* inside = new QVBoxLayout;
+    inside->setSpacing(kSpace1);
+    QLabel* who = label(kSmall, QFont::DemiBold, QPalette::PlaceholderText, m_list);
+    who->setText(QStringLiteral("%1, %2").arg(QString::fromStdString(author), text::when(utc)));
+    QLabel* what = label(kBody, QFont::Normal, QPalette::WindowText, m_list);
+    what->setText(words);
+    what->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* head = new QHBoxLayout;
+    head->addWidget(who, 1);
+    if (beside != nullptr)
+        head->addWidget(beside, 0, Qt::AlignTop);
+    inside->addLayout(head);
+    inside->addWidget(what);
+    column.addLayout(inside);
+    return inside;
+}
+
+/// Buttons that show the moment and the place which a comment is pinned to.
+void CommentsPanel::addPins(QVBoxLayout& inside, const database::AttemptComment& comment)
+{
+    auto* pins = new QHBoxLayout;
+    pins->setSpacing(kSpace2);
+    const auto pin = [&](const QString& words, const QString& name) {
+        auto* button = new QPushButton(words, m_list);
+        button->setProperty("kind", "chip");
+        button->setAutoDefault(true);
+        button->setAccessibleName(name);
+        button->setEnabled(m_isRecorded);
+        pins->addWidget(button);
+        return button;
+    };
+    if (comment.momentMs) {
+        const QString at = text::clock(*comment.momentMs);
+        //: %1: minutes and seconds
+        connect(pin(tr("▶ %1").arg(at), tr("Show the moment %1").arg(at)), &QPushButton::clicked, this,
+                [this, ms = *comment.momentMs] {
+                    m_isLooking = true;
+                    emit momentRequested(static_cast<double>(ms) / 1000.0);
+                });
+    }
+    if (comment.placeMm)
+        connect(pin(tr("◎ place"), tr("Show the place")), &QPushButton::clicked, this,
+                [this, place = *comment.placeMm] { emit placeRequested(place); });
+    pins->addStretch(1);
+    inside.addLayout(pins);
+}
+
 /// Comments and given scores, as they followed each other.
 void CommentsPanel::fill()
 {
@@ -584,60 +636,19 @@ void CommentsPanel::fill()
     auto* column = new QVBoxLayout(m_list);
     column->setContentsMargins(0, kSpace2, 0, 0);
     column->setSpacing(kSpace4);
-    const auto entry = [&](const std::string& author, const std::string& utc, const QString& words,
-                           QPushButton* beside = nullptr) {
-        auto* inside = new QVBoxLayout;
-        inside->setSpacing(kSpace1);
-        QLabel* who = label(kSmall, QFont::DemiBold, QPalette::PlaceholderText, m_list);
-        who->setText(QStringLiteral("%1, %2").arg(QString::fromStdString(author), text::when(utc)));
-        QLabel* what = label(kBody, QFont::Normal, QPalette::WindowText, m_list);
-        what->setText(words);
-        what->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        auto* head = new QHBoxLayout;
-        head->addWidget(who, 1);
-        if (beside != nullptr)
-            head->addWidget(beside, 0, Qt::AlignTop);
-        inside->addLayout(head);
-        inside->addWidget(what);
-        column->addLayout(inside);
-        return inside;
-    };
     const auto addComment = [&](const database::AttemptComment& comment) {
-        QVBoxLayout* inside = entry(comment.author, comment.writtenUtc, QString::fromStdString(comment.words),
-                                    comment.isMine && m_mayComment ? takeBackButton(comment) : nullptr);
-        if (!comment.momentMs && !comment.placeMm)
-            return;
-        auto* pins = new QHBoxLayout;
-        pins->setSpacing(kSpace2);
-        const auto pin = [&](const QString& words, const QString& name) {
-            auto* button = new QPushButton(words, m_list);
-            button->setProperty("kind", "chip");
-            button->setAutoDefault(true);
-            button->setAccessibleName(name);
-            button->setEnabled(m_isRecorded);
-            pins->addWidget(button);
-            return button;
-        };
-        if (comment.momentMs) {
-            const QString at = text::clock(*comment.momentMs);
-            //: %1: minutes and seconds
-            connect(pin(tr("▶ %1").arg(at), tr("Show the moment %1").arg(at)), &QPushButton::clicked, this,
-                    [this, ms = *comment.momentMs] {
-                        m_isLooking = true;
-                        emit momentRequested(static_cast<double>(ms) / 1000.0);
-                    });
-        }
-        if (comment.placeMm)
-            connect(pin(tr("◎ place"), tr("Show the place")), &QPushButton::clicked, this,
-                    [this, place = *comment.placeMm] { emit placeRequested(place); });
-        pins->addStretch(1);
-        inside->addLayout(pins);
+        QVBoxLayout* const inside =
+            addEntry(*column, comment.author, comment.writtenUtc, QString::fromStdString(comment.words),
+                     comment.isMine && m_mayComment ? takeBackButton(comment) : nullptr);
+        if (comment.momentMs || comment.placeMm)
+            addPins(*inside, comment);
     };
     const auto addOverride = [&](const database::AttemptOverride& given) {
         const QString reason = QString::fromStdString(given.reason);
-        entry(given.author, given.givenUtc,
-              given.givenTenths ? tr("gave %1 points: %2").arg(text::points(*given.givenTenths), reason)
-                                : tr("let the machine's score count again: %1").arg(reason));
+        addEntry(*column, given.author, given.givenUtc,
+                 given.givenTenths ? tr("gave %1 points: %2").arg(text::points(*given.givenTenths), reason)
+                                   : tr("let the machine's score count again: %1").arg(reason),
+                 nullptr);
     };
     auto comment = m_talk.comments.begin();
     auto given = m_talk.overrides.begin();

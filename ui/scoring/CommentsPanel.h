@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 
 #include <QString>
 #include <QWidget>
@@ -117,6 +118,9 @@ private:
     void makeOverride(QVBoxLayout& column);
     void retell();
     void fill();
+    QVBoxLayout* addEntry(QVBoxLayout& column, const std::string& author, const std::string& utc, const QString& words,
+                          QPushButton* beside);
+    void addPins(QVBoxLayout& inside, const database::AttemptComment& comment);
     /// What an instructor has given; nothing: the machine's score counts.
     [[nodiscard]] std::optional<int> given() const;
     void tellScore();
