@@ -70,88 +70,165 @@ struct Contour
     float heightMm;
 };
 
-}  // namespace
-
-Flanks::Flanks(const core::terrain::Grid& lattice, const std::vector<float>& tops, const std::vector<float>& bottoms,
-               const std::vector<float>& drawnTops, const std::vector<float>& drawnBottoms)
-    : m_nodes(lattice.count())
+/// Finds the flanks of a tooth.
+class FlankFinder
 {
-    const int side = lattice.side;
-    const auto cell = static_cast<float>(lattice.cellMm);
-    const auto isSolid = [&](int i, int j) {
-        return lattice.contains(i, j) && tops[lattice.index(i, j)] > bottoms[lattice.index(i, j)];
-    };
-    // On the rim, the height at which top and bottom would meet: where columns are thin, their middles go there evenly.
-    std::vector<Contour> contour;
-    std::vector<float> distance(lattice.count(), 1.0e9F);
-    std::vector<glm::vec2> inwards(lattice.count(), glm::vec2(0.0F));
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            bool isRim = false;
-            for (int dj = -1; dj <= 1 && !isSolid(i, j); ++dj)
-                for (int di = -1; di <= 1; ++di)
-                    isRim = isRim || isSolid(i + di, j + dj);
-            if (!isRim)
-                continue;
-            m_nodes[lattice.index(i, j)].isRim = true;
-            double sum = 0.0;
-            double thick = 0.0;
-            double thick2 = 0.0;
-            double middle = 0.0;
-            double both = 0.0;
-            for (int dj = -kReach; dj <= kReach; ++dj) {
-                for (int di = -kReach; di <= kReach; ++di) {
-                    if (!isSolid(i + di, j + dj))
-                        continue;
-                    const std::size_t n = lattice.index(i + di, j + dj);
-                    const auto far2 = static_cast<float>(di * di + dj * dj);
-                    distance[n] = std::min(distance[n], std::sqrt(far2));
-                    inwards[n] += glm::vec2(di, dj) / (far2 * far2);
-                    if (std::max(std::abs(di), std::abs(dj)) > kContourReach)
-                        continue;
-                    const auto t = static_cast<double>(tops[n] - bottoms[n]);
-                    const double m = 0.5 * static_cast<double>(tops[n] + bottoms[n]);
-                    const double weight = std::exp(-0.06 * static_cast<double>(far2)) / ((0.3 + t) * (0.3 + t));
-                    sum += weight;
-                    thick += weight * t;
-                    thick2 += weight * t * t;
-                    middle += weight * m;
-                    both += weight * t * m;
-                }
-            }
-            const double spread = sum * thick2 - thick * thick;
-            const double at = spread > 1.0e-3 * sum * sum ? (middle * thick2 - thick * both) / spread : middle / sum;
-            contour.push_back({{i, j}, static_cast<float>(at)});
-        }
+public:
+    FlankFinder(const core::terrain::Grid& lattice, const std::vector<float>& tops, const std::vector<float>& bottoms,
+                std::vector<FlankNode>& nodes)
+        : m_lattice(lattice), m_tops(tops), m_bottoms(bottoms), m_nodes(nodes),
+          m_cell(static_cast<float>(lattice.cellMm)), m_distance(lattice.count(), 1.0e9F),
+          m_inwards(lattice.count(), glm::vec2(0.0F)), m_isFlank(lattice.count(), 0.0F)
+    {}
+
+    /// Finds the height of contour: on the rim, and from there inwards.
+    void findContour()
+    {
+        for (int j = 0; j < m_lattice.side; ++j)
+            for (int i = 0; i < m_lattice.side; ++i)
+                if (isRim(i, j))
+                    addContour(i, j);
+        for (int j = 0; j < m_lattice.side; ++j)
+            for (int i = 0; i < m_lattice.side; ++i)
+                spreadContour(i, j);
+        for (glm::vec2& inward : m_inwards)
+            if (glm::dot(inward, inward) > 0.0F)
+                inward = glm::normalize(inward);
     }
-    // From there inwards.
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            Node& node = m_nodes[lattice.index(i, j)];
-            const float away = node.isRim ? 0.0F : distance[lattice.index(i, j)];
-            if (away > kReach)
-                continue;
-            float sum = 0.0F;
-            float weights = 0.0F;
-            for (const Contour& rim : contour) {
-                const glm::vec2 to(rim.node - glm::ivec2(i, j));
-                const float further = (glm::dot(to, to) - away * away) / (2.0F * kContourBlur * kContourBlur);
-                if (further > 12.0F)
+
+    /// Finds where the upper side is a flank. Beyond a ridge a tooth falls the other way.
+    void findFlanks()
+    {
+        for (int j = 0; j < m_lattice.side; ++j) {
+            for (int i = 0; i < m_lattice.side; ++i) {
+                const std::size_t k = m_lattice.index(i, j);
+                if (m_distance[k] > kReach)
                     continue;
-                const float weight = std::exp(-further);
-                sum += weight * rim.heightMm;
-                weights += weight;
+                Plane ground;
+                around(i, j, m_inwards[k],
+                       [&](std::size_t n, glm::vec2 to, float near) { ground.add(to, m_tops[n], near); });
+                if (ground.isKnown())
+                    m_isFlank[k] =
+                        glm::smoothstep(kFallsFrom, kFallsFull, glm::dot(ground.slopePerCell(), m_inwards[k]) / m_cell);
             }
-            node.contourMm = sum / weights;
-            node.share = 1.0F - glm::smoothstep(kFadesFrom, static_cast<float>(kReach), away);
         }
     }
-    for (std::size_t k = 0; k < inwards.size(); ++k)
-        if (glm::dot(inwards[k], inwards[k]) > 0.0F)
-            inwards[k] = glm::normalize(inwards[k]);
-    // Weights fall as a Gaussian turned to the rim. Its exponent is a polynomial of di and dj: a product of factors for
-    // di², dj² and di dj, the last of which grows evenly along a row, takes a fifth of the exponentials.
-    const auto around = [&](int i, int j, glm::vec2 inward, auto&& use) {
+
+    /// Finds the slopes of a node near the rim; its share is 0 where the nodes around do not determine them.
+    void findSlopes(int i, int j, const std::vector<float>& drawnTops, const std::vector<float>& drawnBottoms)
+    {
+        const std::size_t k = m_lattice.index(i, j);
+        FlankNode& node = m_nodes[k];
+        if (node.share <= 0.0F)
+            return;
+        const glm::vec2 inward = node.isRim ? inwardsFromRim(i, j) : m_inwards[k];
+        Plane upper;
+        Plane lower;
+        Plane contourAround;
+        // The last nodes before the rim lie anywhere on the flank: all of them are to tell the same of it.
+        const float own = node.isRim ? 0.0F : glm::smoothstep(kOwnFrom, kOwnFull, m_distance[k]);
+        const float up = node.isRim ? 0.0F : own * (drawnTops[k] - node.contourMm);
+        const float down = node.isRim ? 0.0F : node.contourMm - drawnBottoms[k];
+        around(i, j, inward, [&](std::size_t n, glm::vec2 to, float near) {
+            const float level = m_nodes[n].contourMm;
+            const auto add = [&](Plane& plane, float here, float there, float weight) {
+                const float apart = kAlikeMm + std::abs(there - here);
+                plane.add(to, there * std::abs(there), weight / (apart * apart));
+            };
+            add(upper, up, m_tops[n] - level, near * m_isFlank[n]);
+            add(lower, down, level - m_bottoms[n], near);
+            contourAround.add(to, level, near);
+        });
+        if (!upper.isKnown() || !lower.isKnown()) {
+            node.share = 0.0F;
+            return;
+        }
+        node.upper = upper.slopePerCell() / m_cell;
+        node.lower = lower.slopePerCell() / m_cell;
+        node.contour = contourAround.slopePerCell() / m_cell;
+        node.upperShare = node.isRim ? node.share : node.share * m_isFlank[k];
+    }
+
+private:
+    [[nodiscard]] bool isSolid(int i, int j) const
+    {
+        return m_lattice.contains(i, j) && m_tops[m_lattice.index(i, j)] > m_bottoms[m_lattice.index(i, j)];
+    }
+
+    [[nodiscard]] bool isRim(int i, int j) const
+    {
+        if (isSolid(i, j))
+            return false;
+        for (int dj = -1; dj <= 1; ++dj)
+            for (int di = -1; di <= 1; ++di)
+                if (isSolid(i + di, j + dj))
+                    return true;
+        return false;
+    }
+
+    /// Finds the height at which top and bottom would meet on the rim: where columns are thin, their middles approach
+    /// that height evenly.
+    void addContour(int i, int j)
+    {
+        m_nodes[m_lattice.index(i, j)].isRim = true;
+        double sum = 0.0;
+        double thick = 0.0;
+        double thick2 = 0.0;
+        double middle = 0.0;
+        double both = 0.0;
+        for (int dj = -kReach; dj <= kReach; ++dj) {
+            for (int di = -kReach; di <= kReach; ++di) {
+                if (!isSolid(i + di, j + dj))
+                    continue;
+                const std::size_t n = m_lattice.index(i + di, j + dj);
+                const auto far2 = static_cast<float>(di * di + dj * dj);
+                m_distance[n] = std::min(m_distance[n], std::sqrt(far2));
+                m_inwards[n] += glm::vec2(di, dj) / (far2 * far2);
+                if (std::max(std::abs(di), std::abs(dj)) > kContourReach)
+                    continue;
+                const auto t = static_cast<double>(m_tops[n] - m_bottoms[n]);
+                const double m = 0.5 * static_cast<double>(m_tops[n] + m_bottoms[n]);
+                const double weight = std::exp(-0.06 * static_cast<double>(far2)) / ((0.3 + t) * (0.3 + t));
+                sum += weight;
+                thick += weight * t;
+                thick2 += weight * t * t;
+                middle += weight * m;
+                both += weight * t * m;
+            }
+        }
+        const double spread = sum * thick2 - thick * thick;
+        const double at = spread > 1.0e-3 * sum * sum ? (middle * thick2 - thick * both) / spread : middle / sum;
+        m_contour.push_back({{i, j}, static_cast<float>(at)});
+    }
+
+    /// Gives a node near the rim the mean height of contour of the rim around it.
+    void spreadContour(int i, int j)
+    {
+        FlankNode& node = m_nodes[m_lattice.index(i, j)];
+        const float away = node.isRim ? 0.0F : m_distance[m_lattice.index(i, j)];
+        if (away > kReach)
+            return;
+        float sum = 0.0F;
+        float weights = 0.0F;
+        for (const Contour& rim : m_contour) {
+            const glm::vec2 to(rim.node - glm::ivec2(i, j));
+            const float further = (glm::dot(to, to) - away * away) / (2.0F * kContourBlur * kContourBlur);
+            if (further > 12.0F)
+                continue;
+            const float weight = std::exp(-further);
+            sum += weight * rim.heightMm;
+            weights += weight;
+        }
+        node.contourMm = sum / weights;
+        node.share = 1.0F - glm::smoothstep(kFadesFrom, static_cast<float>(kReach), away);
+    }
+
+    /// Calls `use` with the solid nodes around, their places and weights. Weights fall as a Gaussian turned to the rim.
+    /// Its exponent is a polynomial of di and dj: a product of factors for di², dj² and di dj, the last of which grows
+    /// evenly along a row, takes a fifth of the exponentials.
+    template <class Use>
+    void around(int i, int j, glm::vec2 inward, const Use& use) const
+    {
         const glm::vec2 across = inward / kBlurAcross;
         const glm::vec2 along = glm::vec2(-inward.y, inward.x) / kBlurAlong;
         const glm::vec2 straight = across * across + along * along;
@@ -163,74 +240,53 @@ Flanks::Flanks(const core::terrain::Grid& lattice, const std::vector<float>& top
             const float onwards = std::exp(-slanted * static_cast<float>(dj));
             float slant = std::exp(slanted * static_cast<float>(dj * kSlopeReach));
             for (int di = -kSlopeReach; di <= kSlopeReach; ++di, slant *= onwards) {
-                if (!isSolid(i + di, j + dj) || distance[lattice.index(i + di, j + dj)] > kReach)
+                if (!isSolid(i + di, j + dj) || m_distance[m_lattice.index(i + di, j + dj)] > kReach)
                     continue;
                 const float near =
                     fall[static_cast<std::size_t>(std::abs(di))].x * fall[static_cast<std::size_t>(std::abs(dj))].y;
-                use(lattice.index(i + di, j + dj), glm::vec2(di, dj), near * slant);
+                use(m_lattice.index(i + di, j + dj), glm::vec2(di, dj), near * slant);
             }
-        }
-    };
-    // Beyond a ridge a tooth falls the other way.
-    std::vector<float> isFlank(lattice.count(), 0.0F);
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const std::size_t k = lattice.index(i, j);
-            if (distance[k] > kReach)
-                continue;
-            Plane ground;
-            around(i, j, inwards[k], [&](std::size_t n, glm::vec2 to, float near) { ground.add(to, tops[n], near); });
-            if (ground.isKnown())
-                isFlank[k] =
-                    glm::smoothstep(kFallsFrom, kFallsFull, glm::dot(ground.slopePerCell(), inwards[k]) / cell);
         }
     }
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const std::size_t k = lattice.index(i, j);
-            Node& node = m_nodes[k];
-            if (node.share <= 0.0F)
-                continue;
-            glm::vec2 inward = inwards[k];
-            if (node.isRim) {
-                for (int dj = -2; dj <= 2; ++dj)
-                    for (int di = -2; di <= 2; ++di)
-                        if (isSolid(i + di, j + dj))
-                            inward += inwards[lattice.index(i + di, j + dj)];
-                inward = glm::normalize(inward);
-            }
-            Plane upper;
-            Plane lower;
-            Plane contourAround;
-            // The last nodes before the rim lie anywhere on the flank: all of them are to tell the same of it.
-            const float own = node.isRim ? 0.0F : glm::smoothstep(kOwnFrom, kOwnFull, distance[k]);
-            const float up = node.isRim ? 0.0F : own * (drawnTops[k] - node.contourMm);
-            const float down = node.isRim ? 0.0F : node.contourMm - drawnBottoms[k];
-            around(i, j, inward, [&](std::size_t n, glm::vec2 to, float near) {
-                const float level = m_nodes[n].contourMm;
-                const auto add = [&](Plane& plane, float here, float there, float weight) {
-                    const float apart = kAlikeMm + std::abs(there - here);
-                    plane.add(to, there * std::abs(there), weight / (apart * apart));
-                };
-                add(upper, up, tops[n] - level, near * isFlank[n]);
-                add(lower, down, level - bottoms[n], near);
-                contourAround.add(to, level, near);
-            });
-            if (!upper.isKnown() || !lower.isKnown()) {
-                node.share = 0.0F;
-                continue;
-            }
-            node.upper = upper.slopePerCell() / cell;
-            node.lower = lower.slopePerCell() / cell;
-            node.contour = contourAround.slopePerCell() / cell;
-            node.upperShare = node.isRim ? node.share : node.share * isFlank[k];
-        }
+
+    [[nodiscard]] glm::vec2 inwardsFromRim(int i, int j) const
+    {
+        glm::vec2 inward = m_inwards[m_lattice.index(i, j)];
+        for (int dj = -2; dj <= 2; ++dj)
+            for (int di = -2; di <= 2; ++di)
+                if (isSolid(i + di, j + dj))
+                    inward += m_inwards[m_lattice.index(i + di, j + dj)];
+        return glm::normalize(inward);
     }
+
+    const core::terrain::Grid& m_lattice;
+    const std::vector<float>& m_tops;
+    const std::vector<float>& m_bottoms;
+    std::vector<FlankNode>& m_nodes;
+    float m_cell;
+    std::vector<Contour> m_contour;
+    std::vector<float> m_distance;     ///< to the rim, nodes
+    std::vector<glm::vec2> m_inwards;  ///< unit vectors from the rim
+    std::vector<float> m_isFlank;      ///< 0 .. 1
+};
+
+}  // namespace
+
+Flanks::Flanks(const core::terrain::Grid& lattice, const std::vector<float>& tops, const std::vector<float>& bottoms,
+               const std::vector<float>& drawnTops, const std::vector<float>& drawnBottoms)
+    : m_nodes(lattice.count())
+{
+    FlankFinder finder(lattice, tops, bottoms, m_nodes);
+    finder.findContour();
+    finder.findFlanks();
+    for (int j = 0; j < lattice.side; ++j)
+        for (int i = 0; i < lattice.side; ++i)
+            finder.findSlopes(i, j, drawnTops, drawnBottoms);
 }
 
 float Flanks::normalAt(std::size_t k, Side side, float heightMm, glm::vec3& normal) const
 {
-    const Node& node = m_nodes[k];
+    const FlankNode& node = m_nodes[k];
     if (node.share <= 0.0F)
         return 0.0F;
     glm::vec3 found;

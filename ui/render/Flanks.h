@@ -10,6 +10,18 @@
 
 namespace ui::render {
 
+/// What Flanks finds at one node; the slopes point inwards.
+struct FlankNode
+{
+    glm::vec2 upper{0.0F};    ///< slope of the square of the height over the contour, mm
+    glm::vec2 lower{0.0F};    ///< of the square of the depth below it, mm
+    float contourMm = 0.0F;   ///< height of contour
+    glm::vec2 contour{0.0F};  ///< its slope
+    float share = 0.0F;       ///< fades out with the distance from the rim
+    float upperShare = 0.0F;  ///< and beyond a ridge
+    bool isRim = false;
+};
+
 /// Where the flanks of an uncut tooth look. Towards the height of contour a flank falls ever steeper, by millimetres
 /// within a cell, and slopes between nodes say more of the lattice than of the tooth. But there a flank is round: the
 /// square of its height over the contour grows evenly with the distance from the outline, and of that the lattice has
@@ -35,18 +47,7 @@ public:
     [[nodiscard]] bool isNear(std::size_t node) const { return m_nodes[node].share > 0.0F; }
 
 private:
-    /// Of one node; the slopes point inwards.
-    struct Node
-    {
-        glm::vec2 upper{0.0F};    ///< slope of the square of the height over the contour, mm
-        glm::vec2 lower{0.0F};    ///< of the square of the depth below it, mm
-        float contourMm = 0.0F;   ///< height of contour
-        glm::vec2 contour{0.0F};  ///< its slope
-        float share = 0.0F;       ///< fades out with the distance from the rim
-        float upperShare = 0.0F;  ///< and beyond a ridge
-        bool isRim = false;
-    };
-    std::vector<Node> m_nodes;
+    std::vector<FlankNode> m_nodes;
 };
 
 }  // namespace ui::render

@@ -37,6 +37,15 @@ float smooth(float from, float to, float value)
     return t * t * (3.0F - 2.0F * t);
 }
 
+/// Calls `use` with column and row of each node of a rectangle.
+template <class Use>
+void each(const NodeRect& in, const Use& use)
+{
+    for (int j = in.beginJ; j < in.endJ; ++j)
+        for (int i = in.beginI; i < in.endI; ++i)
+            use(i, j);
+}
+
 }  // namespace
 
 SteepGround::SteepGround(const core::terrain::Grid& lattice)
@@ -44,20 +53,12 @@ SteepGround::SteepGround(const core::terrain::Grid& lattice)
       m_whole(lattice.count()), m_low(lattice.count()), m_high(lattice.count())
 {}
 
-void SteepGround::draw(const std::vector<float>& tops, const NodeRect& rect, std::vector<float>& drawn,
-                       std::vector<glm::vec2>& shifts)
+/// Blurs what is there, and finds how high and low the ground is that a wall joins.
+void SteepGround::blur(const std::vector<float>& tops, const NodeRect& rect)
 {
     const int side = m_lattice.side;
-    const auto cell = static_cast<float>(m_lattice.cellMm);
     const auto index = [&](int i, int j) { return m_lattice.index(i, j); };
-    const auto each = [](const NodeRect& in, auto&& use) {
-        for (int j = in.beginJ; j < in.endJ; ++j)
-            for (int i = in.beginI; i < in.endI; ++i)
-                use(i, j);
-    };
     const auto isThere = [&](std::size_t k) { return tops[k] > kEmptyTop; };
-
-    // The blur, of what is there; and how high and low the ground is that a wall joins.
     each(grown(rect, 1 + kBlurReach, m_lattice), [&](int i, int j) {
         float sum = 0.0F;
         float weights = 0.0F;
@@ -93,6 +94,16 @@ void SteepGround::draw(const std::vector<float>& tops, const NodeRect& rect, std
         m_blurred[k] = weights > 0.0F ? sum / weights : 0.0F;
         m_whole[k] = smooth(kWholeFrom, 1.0F, weights / (kBlurSum * kBlurSum));
     });
+}
+
+void SteepGround::draw(const std::vector<float>& tops, const NodeRect& rect, std::vector<float>& drawn,
+                       std::vector<glm::vec2>& shifts)
+{
+    const int side = m_lattice.side;
+    const auto cell = static_cast<float>(m_lattice.cellMm);
+    const auto index = [&](int i, int j) { return m_lattice.index(i, j); };
+    const auto isThere = [&](std::size_t k) { return tops[k] > kEmptyTop; };
+    blur(tops, rect);
     each(rect, [&](int i, int j) {
         const std::size_t k = index(i, j);
         shifts[k] = glm::vec2(0.0F);

@@ -31,6 +31,8 @@ public:
               std::vector<glm::vec2>& shifts);
 
 private:
+    void blur(const std::vector<float>& tops, const core::terrain::NodeRect& rect);
+
     core::terrain::Grid m_lattice;
     // Over the lattice.
     std::vector<float> m_passed;   ///< heights blurred along rows, times the weights of what is there
