@@ -12,6 +12,7 @@
 #include "core/grading/Outline.h"
 #include "core/terrain/Rim.h"
 #include "ui/render/Junction.h"
+#include "ui/render/SurfaceLayers.h"
 
 namespace ui::render {
 namespace {
@@ -22,33 +23,12 @@ using core::terrain::kEmptyTop;
 using core::terrain::NodeRect;
 using core::terrain::united;
 
-/// Distances at which the sky is looked for, mm: close ones for fissures, far ones for cusps and cavity walls.
-constexpr std::array<float, 7> kSkyReachMm{0.08F, 0.16F, 0.28F, 0.5F, 0.85F, 1.4F, 2.2F};
-constexpr int kSkyDirections = 8;
-/// The two of them at which a fissure is told from a fossa: the walls of a fissure rise at once and no more after
-/// that, those of a bowl rise ever more.
-constexpr std::size_t kNearSample = 2;
-constexpr std::size_t kFarSample = 4;
-constexpr float kBowlShare = 0.5F;
-/// How far a shadow of the operating light is followed, mm: a 3 mm cusp under a light 55 degrees up throws 2.1 mm.
-constexpr float kShadowReachMm = 2.4F;
 /// Of the light that is brought up to date in haste, from what was cut.
 constexpr float kHurriedReachMm = 0.5F;
-/// Half-width of the light's own disc as a tangent: what makes the edge of a shadow soft.
-constexpr int kSweepNodes = 1000;  ///< of the light, in one go
-constexpr float kPenumbra = 0.5F;
-/// Depth below the whole surface at which a spot counts as cut, mm.
-constexpr float kCutFromMm = 0.01F;
-constexpr float kCutFullMm = 0.06F;
-constexpr double kCrownMm = 8.0;      ///< tallest part of a tooth that is taken for its crown
-constexpr double kInsideMm = 2.0;     ///< from the outline, and more: no flank
-constexpr int kDecayReach = 3;        ///< nodes over which the outline of a lesion is smoothed
-constexpr float kAboveOpenMm = 0.3F;  ///< where the roof of an open lesion is drawn: clear of the surface
-constexpr int kLightBlur = 3;         ///< nodes around one that its light is averaged over
-constexpr float kFreeFull = 0.25F;    ///< z of the normal of a flank up to which it has the sky for itself
-constexpr float kFreeNone = 0.6F;
+constexpr int kSweepNodes = 1000;       ///< of the light, in one go
+constexpr double kCrownMm = 8.0;        ///< tallest part of a tooth that is taken for its crown
+constexpr double kInsideMm = 2.0;       ///< from the outline, and more: no flank
 constexpr int kUncutReach = 3;          ///< to the next cut node, from which a flank is drawn as that of a whole tooth
-constexpr int kRimRings = 3;            ///< beyond the last solid node, in which layers are known
 constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
 constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
 constexpr float kFlankShift = 0.5F;     ///< cells at most that a node at a flank is moved
@@ -63,11 +43,6 @@ constexpr int kFissureReach = 5;     ///< along a fissure to each side, nodes
 constexpr float kGrooveFrom = 1.0F;  ///< bend across less that along, 1/mm, from which a groove is a fissure
 constexpr float kGrooveFull = 3.0F;
 
-std::uint8_t toByte(float value)
-{
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
-}
-
 ToothSurface::PackedNormal pack(glm::vec3 n)
 {
     const auto one = [](float v) {
@@ -79,14 +54,17 @@ ToothSurface::PackedNormal pack(glm::vec3 n)
 }  // namespace
 
 ToothSurface::ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, glm::vec3 towardsLight)
-    : m_anatomy(std::move(anatomy)), m_towardsLight(towardsLight)
+    : m_anatomy(std::move(anatomy))
 {
     takeAnatomy();
+    m_light.emplace(m_lattice, towardsLight);
     findResting();
     smoothFlanks();
     m_flanks.emplace(m_lattice, m_wholeTop, m_wholeBottom, m_flankTop, m_flankBottom);
     smoothFissures();
-    spreadLayers();
+    SurfaceLayers layers = makeLayers(*m_anatomy, m_lattice, m_stride, m_wholeTop, m_wholeBottom, m_flankDej);
+    m_upperLayers = std::move(layers.upper);
+    m_lowerLayers = std::move(layers.lower);
     m_written = wholeOf(m_lattice);
     refresh();
     for (std::size_t k = 0; k < m_tops.size(); ++k)
@@ -139,8 +117,6 @@ void ToothSurface::takeAnatomy()
         normals.assign(count, glm::vec3(0.0F));
     m_topNormals.assign(count, PackedNormal{});
     m_bottomNormals.assign(count, PackedNormal{});
-    m_rawLight.assign(count, glm::vec4(1.0F, 1.0F, 0.0F, 0.5F));
-    m_light.assign(count, Light{});
     m_tilesPerSide = (m_lattice.side - 1 + kTileCells - 1) / kTileCells;
     const auto tiles = static_cast<std::size_t>(m_tilesPerSide) * static_cast<std::size_t>(m_tilesPerSide);
     m_indices.assign(tiles * kTileIndices, 0);
@@ -332,142 +308,6 @@ void ToothSurface::smoothFlanks()
     m_steep->draw(junction, wholeOf(m_lattice), m_flankDej, m_shifts);
 }
 
-/// Mean of a value over the nodes among the eight around one (and itself) that are marked. False when none is.
-template <class Value>
-bool ToothSurface::meanAround(int i, int j, const std::vector<std::uint8_t>& marked, Value&& value,
-                              glm::vec4& mean) const
-{
-    glm::vec4 sum{0.0F};
-    float found = 0.0F;
-    for (int dj = -1; dj <= 1; ++dj) {
-        for (int di = -1; di <= 1; ++di) {
-            if (!m_lattice.contains(i + di, j + dj) || marked[m_lattice.index(i + di, j + dj)] == 0)
-                continue;
-            sum += value(m_lattice.index(i + di, j + dj));
-            found += 1.0F;
-        }
-    }
-    if (found > 0.0F)
-        mean = sum / found;
-    return found > 0.0F;
-}
-
-/// Layers as textures are read between nodes, so a node without decay or pulp needs heights that its neighbours can
-/// be mixed with: the layer closes there.
-void ToothSurface::spreadLayers()
-{
-    const int side = m_lattice.side;
-    const std::size_t count = m_lattice.count();
-    m_upperLayers.assign(count, glm::vec4(0.0F));
-    m_lowerLayers.assign(count, glm::vec4(0.0F));
-    std::vector<std::uint8_t> known(count, 0);
-    std::vector<std::uint8_t> caries(count, 0);
-    std::vector<std::uint8_t> pulp(count, 0);
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const std::size_t k = m_lattice.index(i, j);
-            if (m_wholeTop[k] <= m_wholeBottom[k])
-                continue;
-            const core::terrain::ColumnLayers& column =
-                m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)];
-            m_upperLayers[k] = {column.cariesRoof, column.cariesFloor, m_flankDej[k], column.pulpRoof};
-            m_lowerLayers[k].x = column.pulpFloor;
-            known[k] = 1;
-            caries[k] = column.cariesRoof > column.cariesFloor ? 1 : 0;
-            pulp[k] = column.pulpRoof > column.pulpFloor ? 1 : 0;
-        }
-    }
-    softenDecay(caries);
-    // The rim, and what a texture mixes in beyond it, are read as the solid nodes beside them, like their heights.
-    for (int ring = 0; ring < kRimRings; ++ring) {
-        const std::vector<glm::vec4> own = m_upperLayers;
-        std::vector<std::uint8_t> reached = known;
-        for (int j = 0; j < side; ++j) {
-            for (int i = 0; i < side; ++i) {
-                const std::size_t k = m_lattice.index(i, j);
-                if (known[k] != 0)
-                    continue;
-                float lowestDej = 1.0e9F;
-                const auto layersOf = [&](std::size_t n) {
-                    lowestDej = std::min(lowestDej, own[n].z);
-                    return own[n];
-                };
-                if (!meanAround(i, j, known, layersOf, m_upperLayers[k]))
-                    continue;
-                m_upperLayers[k].z = lowestDej;  // no speck of dentin where enamel ends on the rim
-                reached[k] = 1;
-            }
-        }
-        known = std::move(reached);
-    }
-    const std::vector<glm::vec4> own = m_upperLayers;
-    const std::vector<glm::vec4> ownLower = m_lowerLayers;
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const std::size_t k = m_lattice.index(i, j);
-            if (pulp[k] != 0)
-                continue;
-            glm::vec4 middle{0.0F};
-            const auto middleOf = [&](std::size_t n) { return glm::vec4(0.5F * (own[n].w + ownLower[n].x)); };
-            meanAround(i, j, pulp, middleOf, middle);
-            m_upperLayers[k].w = m_lowerLayers[k].x = middle.x;
-        }
-    }
-}
-
-/// A lesion is whole columns of the lattice; its outline would be their corners. So its heights are carried a little
-/// beyond it, and how far it reaches is told by the share of decayed columns around each node.
-void ToothSurface::softenDecay(const std::vector<std::uint8_t>& caries)
-{
-    const std::vector<glm::vec4> own = m_upperLayers;
-    std::array<float, kDecayReach + 1> fade;
-    for (std::size_t d = 0; d < fade.size(); ++d)
-        fade[d] = std::exp(-0.35F * static_cast<float>(d * d));
-    const auto weightOf = [&](int di, int dj) {
-        return fade[static_cast<std::size_t>(std::abs(di))] * fade[static_cast<std::size_t>(std::abs(dj))];
-    };
-    for (int j = 0; j < m_lattice.side; ++j) {
-        for (int i = 0; i < m_lattice.side; ++i) {
-            const std::size_t k = m_lattice.index(i, j);
-            float depth = 0.0F;
-            float weights = 0.0F;
-            float open = 0.0F;
-            float middle = 0.0F;
-            float found = 0.0F;
-            for (int dj = -kDecayReach; dj <= kDecayReach; ++dj) {
-                for (int di = -kDecayReach; di <= kDecayReach; ++di) {
-                    if (!m_lattice.contains(i + di, j + dj))
-                        continue;
-                    const std::size_t n = m_lattice.index(i + di, j + dj);
-                    const float weight = weightOf(di, dj);
-                    weights += weight;
-                    if (caries[n] == 0)
-                        continue;
-                    const float roof = std::min(own[n].x, m_wholeTop[n]);
-                    depth += weight * (roof - own[n].y);
-                    middle += weight * 0.5F * (roof + own[n].y);
-                    open += own[n].x >= m_wholeTop[n] ? weight : 0.0F;
-                    found += weight;
-                }
-            }
-            glm::vec4& here = m_upperLayers[k];
-            if (found == 0.0F) {
-                here.x = here.y = 0.0F;
-                continue;
-            }
-            depth /= found;
-            m_lowerLayers[k].y = found / weights;
-            m_lowerLayers[k].w = open / weights;
-            // Between columns that are open and such that are not, the roof rises out of the tooth bit by bit: its way
-            // through the surface is then a line and not their corners.
-            const float closed = middle / found;
-            const float isOpen = glm::smoothstep(0.25F, 0.75F, open / found);
-            here.x = glm::mix(closed + 0.5F * depth, m_wholeTop[k] + kAboveOpenMm, isOpen);
-            here.y = glm::mix(closed - 0.5F * depth, m_wholeTop[k] - depth, isOpen);
-        }
-    }
-}
-
 void ToothSurface::write(const core::servo::TilePatch& patch)
 {
     const int x = patch.tileX * core::servo::kTileSide;
@@ -498,9 +338,10 @@ void ToothSurface::write(const std::vector<float>& top)
 
 void ToothSurface::setLight(glm::vec3 towardsLight)
 {
-    if (towardsLight != m_towardsLight)
-        m_lightDue = wholeOf(m_lattice);
-    m_towardsLight = towardsLight;
+    if (towardsLight == m_light->direction())
+        return;
+    m_lightDue = wholeOf(m_lattice);
+    m_light->setDirection(towardsLight);
 }
 
 std::size_t ToothSurface::Changes::bytes() const
@@ -529,7 +370,7 @@ ToothSurface::Changes ToothSurface::refresh(bool hurried)
         smoothOutline(changes.heights);
         changes.triangles = buildTriangles(changes.heights);
         changes.normals = bendNormals(grown(changes.heights, core::terrain::kCalmReach + kLipReach + 1, m_lattice));
-        m_lightDue = united(m_lightDue, reached(kShadowReachMm));
+        m_lightDue = united(m_lightDue, reached(SurfaceLight::kShadowReachMm));
     }
     if (hurried && !changes.heights.isEmpty())
         changes.light = shineLight(reached(kHurriedReachMm));
@@ -785,132 +626,7 @@ NodeRect ToothSurface::bendNormals(const NodeRect& rect)
 
 NodeRect ToothSurface::shineLight(const NodeRect& rect)
 {
-    const int side = m_lattice.side;
-    const auto cell = static_cast<float>(m_lattice.cellMm);
-    struct Sample
-    {
-        int di;
-        int dj;
-        float distanceMm;
-    };
-    std::array<std::array<Sample, kSkyReachMm.size()>, kSkyDirections> sky{};
-    std::array<glm::vec2, kSkyDirections> directions{};
-    for (int d = 0; d < kSkyDirections; ++d) {
-        const float angle = (static_cast<float>(d) + 0.5F) * 6.2831853F / kSkyDirections;
-        directions[static_cast<std::size_t>(d)] = {std::cos(angle), std::sin(angle)};
-        for (std::size_t s = 0; s < kSkyReachMm.size(); ++s) {
-            const int di = static_cast<int>(std::lround(kSkyReachMm[s] * std::cos(angle) / cell));
-            const int dj = static_cast<int>(std::lround(kSkyReachMm[s] * std::sin(angle) / cell));
-            sky[static_cast<std::size_t>(d)][s] = {di, dj, cell * std::sqrt(static_cast<float>(di * di + dj * dj))};
-        }
-    }
-    const glm::vec2 across{m_towardsLight.x, m_towardsLight.y};
-    const float run = glm::length(across);
-    const float rise = run > 1.0e-4F ? m_towardsLight.z / run : 1.0e4F;
-    std::vector<float> lightPath;  // mm
-    for (float t = 1.5F * cell; t < kShadowReachMm && run > 1.0e-4F; t *= 1.12F)
-        lightPath.push_back(t);
-    const auto climb = [&](const std::vector<float>& tops, int i, int j, float here, const Sample& sample) {
-        const int x = i + sample.di;
-        const int y = j + sample.dj;
-        if (sample.distanceMm <= 0.0F || x < 0 || y < 0 || x >= side || y >= side)
-            return -1.0e3F;
-        const std::size_t n = m_lattice.index(x, y);
-        return m_nodes[n] == Node::Solid ? (tops[n] - here) / sample.distanceMm : -1.0e3F;
-    };
-    constexpr glm::vec4 kFreeLight(1.0F, 1.0F, 0.0F, 0.5F);
-    // Raw values on solid nodes; then each node takes the average of the solid ones around it, the rim as well.
-    const NodeRect raw = grown(rect, kLightBlur, m_lattice);
-    for (int j = raw.beginJ; j < raw.endJ; ++j) {
-        for (int i = raw.beginI; i < raw.endI; ++i) {
-            const std::size_t k = m_lattice.index(i, j);
-            if (m_nodes[k] != Node::Solid)
-                continue;
-            const float here = m_drawnTop[k];
-            const glm::vec3& normal = m_rawNormals[0][k];
-            // Nothing stands before an uncut flank; that something seems to is the lattice's doing.
-            const float free = isFlank(k) ? 1.0F - glm::smoothstep(kFreeFull, kFreeNone, normal.z) : 0.0F;
-            if (free == 1.0F) {
-                m_rawLight[k] = kFreeLight;
-                continue;
-            }
-            const glm::vec2 slope = -glm::vec2(normal) / std::max(normal.z, 0.12F);
-            // Towards each side the sky begins at the slope of the surface itself; what stands above that takes away
-            // the square of a sine, as of the light that a flat patch receives.
-            float open = 0.0F;
-            float near = 0.0F;
-            float far = 0.0F;
-            for (std::size_t d = 0; d < sky.size(); ++d) {
-                const float own = glm::dot(slope, directions[d]);
-                float horizon = own;
-                for (std::size_t s = 0; s < sky[d].size(); ++s) {
-                    horizon = std::max(horizon, climb(m_drawnTop, i, j, here, sky[d][s]));
-                    if (s != kNearSample && s != kFarSample)
-                        continue;
-                    // A fissure may be so narrow that little of it is drawn.
-                    const float rises = climb(m_solidTop, i, j, m_solidTop[k], sky[d][s]);
-                    if (rises > -1.0e3F)
-                        (s == kNearSample ? near : far) += rises - own;
-                }
-                const float along = 1.0F + horizon * own;
-                const float above = along > 0.0F ? (horizon - own) / along : 1.0e3F;
-                open += 1.0F / (1.0F + above * above);
-            }
-            // Along the normal, not along the axis: a bend in a flank is no fissure.
-            const float crevice = normal.z * normal.z * (near - kBowlShare * std::max(far, 0.0F)) / kSkyDirections;
-            const float facing = run > 1.0e-4F ? glm::dot(slope, across) / run : -1.0e3F;
-            float blocked = -1.0e3F;
-            for (const float t : lightPath) {
-                // Between nodes, or the edge of a shadow would have their steps.
-                const glm::vec2 at = glm::vec2(i, j) + across * (t / (run * cell));
-                const int x = static_cast<int>(at.x);
-                const int y = static_cast<int>(at.y);
-                if (at.x < 0.0F || at.y < 0.0F || x + 1 >= side || y + 1 >= side)
-                    break;
-                if (!isSolid(x, y) || !isSolid(x + 1, y) || !isSolid(x, y + 1) || !isSolid(x + 1, y + 1))
-                    continue;
-                const float u = at.x - static_cast<float>(x);
-                const float v = at.y - static_cast<float>(y);
-                const float* row = m_drawnTop.data() + m_lattice.index(x, y);
-                const float height = glm::mix(glm::mix(row[0], row[1], u), glm::mix(row[side], row[side + 1], u), v);
-                blocked = std::max(blocked, (height - here) / t);
-            }
-            // A slope that turns away is not in shadow by this measure: its normal says enough.
-            const float lit = (std::max(rise, facing) + kPenumbra - blocked) / (2.0F * kPenumbra);
-            const float cut =
-                (m_wholeTop[k] - std::max(m_top[k], m_drawnTop[k]) - kCutFromMm) / (kCutFullMm - kCutFromMm);
-            const glm::vec4 found(open / kSkyDirections, lit, cut, 0.5F + 0.5F * crevice);
-            m_rawLight[k] = glm::clamp(glm::mix(found, kFreeLight, free), 0.0F, 1.0F);
-        }
-    }
-    NodeRect changed;
-    for (int j = rect.beginJ; j < rect.endJ; ++j) {
-        for (int i = rect.beginI; i < rect.endI; ++i) {
-            // Along a flank, not over the ridge that it ends at.
-            const bool flank = isFlank(m_lattice.index(i, j));
-            const glm::vec3 normal = m_rawNormals[0][m_lattice.index(i, j)];
-            glm::vec4 sum{0.0F};
-            float weights = 0.0F;
-            for (int dj = -kLightBlur; dj <= kLightBlur; ++dj) {
-                for (int di = -kLightBlur; di <= kLightBlur; ++di) {
-                    if (!m_lattice.contains(i + di, j + dj) || !isSolid(i + di, j + dj))
-                        continue;
-                    auto weight = static_cast<float>((kLightBlur + 1 - std::abs(di)) * (kLightBlur + 1 - std::abs(dj)));
-                    if (flank)
-                        weight *= std::max(glm::dot(normal, m_rawNormals[0][m_lattice.index(i + di, j + dj)]), 0.01F);
-                    sum += weight * m_rawLight[m_lattice.index(i + di, j + dj)];
-                    weights += weight;
-                }
-            }
-            const glm::vec4 mean = weights > 0.0F ? sum / weights : glm::vec4(1.0F, 1.0F, 0.0F, 0.5F);
-            const Light now{toByte(mean.r), toByte(mean.g), toByte(mean.b), toByte(mean.a)};
-            if (Light& before = m_light[m_lattice.index(i, j)]; before != now) {
-                before = now;
-                changed = united(changed, {i, j, i + 1, j + 1});
-            }
-        }
-    }
-    return changed;
+    return m_light->shine({m_wholeTop, m_top, m_solidTop, m_drawnTop, m_rawNormals[0], *m_flanks}, rect);
 }
 
 std::vector<ToothSurface::Stretch> ToothSurface::buildTriangles(const NodeRect& rect)

@@ -17,6 +17,7 @@
 #include "core/terrain/Tooth.h"
 #include "ui/render/Flanks.h"
 #include "ui/render/SteepGround.h"
+#include "ui/render/SurfaceLight.h"
 
 namespace ui::render {
 
@@ -122,10 +123,8 @@ public:
     using PackedNormal = std::array<std::int16_t, 2>;  ///< x and y of a unit normal, 32767 is one
     [[nodiscard]] const std::vector<PackedNormal>& topNormals() const { return m_topNormals; }
     [[nodiscard]] const std::vector<PackedNormal>& bottomNormals() const { return m_bottomNormals; }
-    /// Red: openness to the sky. Green: operating light that arrives. Blue: cut since the tooth was whole. Alpha:
-    /// crevice above one half, ridge below. 255 is one.
-    using Light = std::array<std::uint8_t, 4>;
-    [[nodiscard]] const std::vector<Light>& light() const { return m_light; }
+    using Light = SurfaceLight::Light;
+    [[nodiscard]] const std::vector<Light>& light() const { return m_light->nodes(); }
     [[nodiscard]] const std::vector<glm::vec4>& upperLayers() const
     {
         return m_upperLayers;
@@ -150,8 +149,6 @@ private:
     void findResting();
     void smoothFlanks();
     void smoothFissures();
-    void spreadLayers();
-    void softenDecay(const std::vector<std::uint8_t>& caries);
     void sew(const core::terrain::NodeRect& written);
     void smoothRim(const core::terrain::NodeRect& rect);
     void smoothOutline(const core::terrain::NodeRect& rect);
@@ -162,8 +159,6 @@ private:
     [[nodiscard]] core::terrain::NodeRect bendNormals(const core::terrain::NodeRect& rect);
     [[nodiscard]] core::terrain::NodeRect shineLight(const core::terrain::NodeRect& rect);
     [[nodiscard]] std::vector<Stretch> buildTriangles(const core::terrain::NodeRect& rect);
-    template <class Value>
-    bool meanAround(int i, int j, const std::vector<std::uint8_t>& marked, Value&& value, glm::vec4& mean) const;
     template <class Use>
     void forRimAround(int i, int j, Use&& use) const;
     [[nodiscard]] glm::vec2 slope(const std::vector<float>& heights, int i, int j) const;
@@ -184,7 +179,6 @@ private:
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
     core::terrain::Grid m_lattice;
     int m_stride = 1;  ///< nodes of the anatomy's grid to one of the lattice
-    glm::vec3 m_towardsLight;
 
     std::vector<float> m_wholeTop;
     std::vector<float> m_wholeBottom;
@@ -210,8 +204,7 @@ private:
     std::vector<glm::vec3> m_calmNormals[2];
     std::vector<PackedNormal> m_topNormals;
     std::vector<PackedNormal> m_bottomNormals;
-    std::vector<glm::vec4> m_rawLight;
-    std::vector<Light> m_light;
+    std::optional<SurfaceLight> m_light;
     std::vector<glm::vec4> m_upperLayers;
     std::vector<glm::vec4> m_lowerLayers;
     std::vector<glm::vec2> m_ideal;
