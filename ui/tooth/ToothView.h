@@ -190,6 +190,8 @@ private:
     void moveByKeys(double seconds);
     void moveByPad(double seconds);
     void stepByKey(int key, double lengthMm);
+    void pressArrow(const QKeyEvent& event);
+    void moveMirrorByKey(int key);
     void push(PointerKind kind);
     void pushAt(QPointF position, PointerKind kind);
     void touch(const QTouchEvent& event);
