@@ -10659,6 +10659,63 @@ ungesichert</translation>
     </message>
 </context>
 <context>
+    <name>ui::scoring::ScoreHistory</name>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>Von %n Person Ihrer Klasse liegen %1 % der besten Ergebnisse darunter.</numerusform>
+            <numerusform>Von den besten Ergebnissen von %n Personen Ihrer Klasse liegen %1 % darunter.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Person.</numerusform>
+            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Personen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation>andere Regel</translation>
+    </message>
+    <message>
+        <source>No earlier grades.</source>
+        <translation>Keine früheren Bewertungen.</translation>
+    </message>
+    <message>
+        <source>Log in and save</source>
+        <translation>Anmelden und speichern</translation>
+    </message>
+    <message>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig, und hier ist nur Ihr Ergebnis.</translation>
+    </message>
+    <message>
+        <source>You are not logged in, so this grade is not saved.</source>
+        <translation>Sie sind nicht angemeldet, darum wird diese Bewertung nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>Diese Bewertung ist auf diesem Computer gespeichert. Sie wird an die Datenbank der Schule gesendet, sobald die Verbindung wieder besteht.</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
+        <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei.</translation>
+    </message>
+    <message>
+        <source>This grade is not saved and will not be here next time.</source>
+        <translation>Diese Bewertung wird nicht gespeichert und ist beim nächsten Mal nicht mehr da.</translation>
+    </message>
+</context>
+<context>
     <name>ui::scoring::ScorePage</name>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
@@ -10759,31 +10816,6 @@ ungesichert</translation>
         <source>%1 has no place on the tooth; largest deviation: %2</source>
         <translation>%1 hat keinen Ort am Zahn; größte Abweichung: %2</translation>
     </message>
-    <message numerus="yes">
-        <source>Of the best results of %n people in your class, %1 % are below this.</source>
-        <extracomment>%1 is a number of per cent</extracomment>
-        <translation>
-            <numerusform>Von %n Person Ihrer Klasse liegen %1 % der besten Ergebnisse darunter.</numerusform>
-            <numerusform>Von den besten Ergebnissen von %n Personen Ihrer Klasse liegen %1 % darunter.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
-        <extracomment>%1 is a number of people</extracomment>
-        <translation>
-            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Person.</numerusform>
-            <numerusform>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig; hier sind die Ergebnisse von %n Personen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>other rubric</source>
-        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
-        <translation>andere Regel</translation>
-    </message>
-    <message>
-        <source>No earlier grades.</source>
-        <translation>Keine früheren Bewertungen.</translation>
-    </message>
     <message>
         <source>You lost no points.</source>
         <translation>Sie haben keine Punkte verloren.</translation>
@@ -10835,26 +10867,9 @@ ungesichert</translation>
         <translation>%1 von %2 Punkten berührt; der Ring markiert einen ausgelassenen</translation>
     </message>
     <message>
-        <source>Log in and save</source>
-        <translation>Anmelden und speichern</translation>
-    </message>
-    <message>
         <source>Drilled with the hardness preset %1.</source>
         <extracomment>%1 is a hardness preset with its version</extracomment>
         <translation>Gebohrt mit der Härte-Voreinstellung %1.</translation>
-    </message>
-    <message>
-        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
-        <extracomment>%1 is a number of people</extracomment>
-        <translation>Kein Vergleich mit einer Klasse: Damit die Ergebnisse anonym bleiben, sind %1 Personen nötig, und hier ist nur Ihr Ergebnis.</translation>
-    </message>
-    <message>
-        <source>You are not logged in, so this grade is not saved.</source>
-        <translation>Sie sind nicht angemeldet, darum wird diese Bewertung nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
-        <translation>Diese Bewertung ist auf diesem Computer gespeichert. Sie wird an die Datenbank der Schule gesendet, sobald die Verbindung wieder besteht.</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -10881,10 +10896,6 @@ ungesichert</translation>
         <translation>Drucken …</translation>
     </message>
     <message>
-        <source>Attempts</source>
-        <translation>Versuche</translation>
-    </message>
-    <message>
         <source>Grade of %1: %2</source>
         <translation>Bewertung von %1: %2</translation>
     </message>
@@ -10908,14 +10919,6 @@ ungesichert</translation>
     <message>
         <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
         <translation>Von diesem Versuch gibt es keine lesbare Aufzeichnung. Er kann nicht abgespielt werden, und der Zahn wird nicht gezeigt. Punktzahl und Punktverluste werden so gezeigt, wie sie gespeichert wurden.</translation>
-    </message>
-    <message>
-        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
-        <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei.</translation>
-    </message>
-    <message>
-        <source>This grade is not saved and will not be here next time.</source>
-        <translation>Diese Bewertung wird nicht gespeichert und ist beim nächsten Mal nicht mehr da.</translation>
     </message>
     <message>
         <source>Next time</source>

@@ -541,7 +541,7 @@
     </message>
 </context>
 <context>
-    <name>ui::scoring::ScorePage</name>
+    <name>ui::scoring::ScoreHistory</name>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
         <extracomment>%1 is a number of per cent</extracomment>
@@ -558,6 +558,9 @@
             <numerusform>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n people.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>ui::scoring::ScorePage</name>
 </context>
 <context>
     <name>ui::lessoneditor::SweepPage</name>

@@ -10659,6 +10659,63 @@ sin guardar</translation>
     </message>
 </context>
 <context>
+    <name>ui::scoring::ScoreHistory</name>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>De los mejores resultados de %n persona de su grupo, el %1 % está por debajo de este.</numerusform>
+            <numerusform>De los mejores resultados de %n personas de su grupo, el %1 % está por debajo de este.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n persona.</numerusform>
+            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n personas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation>otra rúbrica</translation>
+    </message>
+    <message>
+        <source>No earlier grades.</source>
+        <translation>No hay calificaciones anteriores.</translation>
+    </message>
+    <message>
+        <source>Log in and save</source>
+        <translation>Iniciar sesión y guardar</translation>
+    </message>
+    <message>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y el suyo es el único resultado.</translation>
+    </message>
+    <message>
+        <source>You are not logged in, so this grade is not saved.</source>
+        <translation>No ha iniciado sesión, así que esta calificación no se guarda.</translation>
+    </message>
+    <message>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>Esta calificación está guardada en este ordenador. Se enviará a la base de datos de la escuela cuando vuelva la conexión.</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Intentos</translation>
+    </message>
+    <message>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
+        <translation>Esta calificación aún no está guardada. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>This grade is not saved and will not be here next time.</source>
+        <translation>Esta calificación no se guarda y no estará aquí la próxima vez.</translation>
+    </message>
+</context>
+<context>
     <name>ui::scoring::ScorePage</name>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
@@ -10759,31 +10816,6 @@ sin guardar</translation>
         <source>%1 has no place on the tooth; largest deviation: %2</source>
         <translation>%1 no tiene lugar en el diente; mayor desviación: %2</translation>
     </message>
-    <message numerus="yes">
-        <source>Of the best results of %n people in your class, %1 % are below this.</source>
-        <extracomment>%1 is a number of per cent</extracomment>
-        <translation>
-            <numerusform>De los mejores resultados de %n persona de su grupo, el %1 % está por debajo de este.</numerusform>
-            <numerusform>De los mejores resultados de %n personas de su grupo, el %1 % está por debajo de este.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
-        <extracomment>%1 is a number of people</extracomment>
-        <translation>
-            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n persona.</numerusform>
-            <numerusform>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y aquí están los resultados de %n personas.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>other rubric</source>
-        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
-        <translation>otra rúbrica</translation>
-    </message>
-    <message>
-        <source>No earlier grades.</source>
-        <translation>No hay calificaciones anteriores.</translation>
-    </message>
     <message>
         <source>You lost no points.</source>
         <translation>No perdió ningún punto.</translation>
@@ -10835,26 +10867,9 @@ sin guardar</translation>
         <translation>%1 de %2 puntos tocados; el anillo marca uno sin tocar</translation>
     </message>
     <message>
-        <source>Log in and save</source>
-        <translation>Iniciar sesión y guardar</translation>
-    </message>
-    <message>
         <source>Drilled with the hardness preset %1.</source>
         <extracomment>%1 is a hardness preset with its version</extracomment>
         <translation>Tallado con el ajuste de dureza %1.</translation>
-    </message>
-    <message>
-        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
-        <extracomment>%1 is a number of people</extracomment>
-        <translation>Sin comparación con un grupo: para mantener el anonimato hacen falta %1 personas, y el suyo es el único resultado.</translation>
-    </message>
-    <message>
-        <source>You are not logged in, so this grade is not saved.</source>
-        <translation>No ha iniciado sesión, así que esta calificación no se guarda.</translation>
-    </message>
-    <message>
-        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
-        <translation>Esta calificación está guardada en este ordenador. Se enviará a la base de datos de la escuela cuando vuelva la conexión.</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -10881,10 +10896,6 @@ sin guardar</translation>
         <translation>Imprimir …</translation>
     </message>
     <message>
-        <source>Attempts</source>
-        <translation>Intentos</translation>
-    </message>
-    <message>
         <source>Grade of %1: %2</source>
         <translation>Calificación de %1: %2</translation>
     </message>
@@ -10908,14 +10919,6 @@ sin guardar</translation>
     <message>
         <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
         <translation>Este intento no tiene una grabación legible. No se puede reproducir y no se muestra el diente. La puntuación y los puntos perdidos se muestran tal como se guardaron.</translation>
-    </message>
-    <message>
-        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
-        <translation>Esta calificación aún no está guardada. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco.</translation>
-    </message>
-    <message>
-        <source>This grade is not saved and will not be here next time.</source>
-        <translation>Esta calificación no se guarda y no estará aquí la próxima vez.</translation>
     </message>
     <message>
         <source>Next time</source>

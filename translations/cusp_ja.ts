@@ -10596,6 +10596,61 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::scoring::ScoreHistory</name>
+    <message>
+        <source>Log in and save</source>
+        <translation>ログインして保存</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>クラスの%n人の最高結果のうち、%1 %がこれより下です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにあるのはあなたの結果だけです。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにある結果は%n人分です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation>別の評価基準</translation>
+    </message>
+    <message>
+        <source>You are not logged in, so this grade is not saved.</source>
+        <translation>ログインしていないため、この成績は保存されません。</translation>
+    </message>
+    <message>
+        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
+        <translation>この成績はこのコンピューターに保存されています。接続が回復すると、学校のデータベースに送られます。</translation>
+    </message>
+    <message>
+        <source>No earlier grades.</source>
+        <translation>以前の成績はありません。</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
+        <translation>この評価はまだ保存されていません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>This grade is not saved and will not be here next time.</source>
+        <translation>この成績は保存されません。次回はここに表示されません。</translation>
+    </message>
+</context>
+<context>
     <name>ui::scoring::ScorePage</name>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
@@ -10670,10 +10725,6 @@ unsaved</source>
     <message>
         <source>Finding the moment of each lost point</source>
         <translation>失点した時点を調べています</translation>
-    </message>
-    <message>
-        <source>Log in and save</source>
-        <translation>ログインして保存</translation>
     </message>
     <message>
         <source>Grade</source>
@@ -10755,42 +10806,6 @@ unsaved</source>
         <source>%1 has no place on the tooth; largest deviation: %2</source>
         <translation>%1には歯の上の場所がありません。最大のずれ：%2</translation>
     </message>
-    <message numerus="yes">
-        <source>Of the best results of %n people in your class, %1 % are below this.</source>
-        <extracomment>%1 is a number of per cent</extracomment>
-        <translation>
-            <numerusform>クラスの%n人の最高結果のうち、%1 %がこれより下です。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No comparison with a class: to keep results anonymous it needs %1 people, and yours is the only result.</source>
-        <extracomment>%1 is a number of people</extracomment>
-        <translation>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにあるのはあなたの結果だけです。</translation>
-    </message>
-    <message numerus="yes">
-        <source>No comparison with a class: to keep results anonymous it needs %1 people, and there are results of %n person(s).</source>
-        <extracomment>%1 is a number of people</extracomment>
-        <translation>
-            <numerusform>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにある結果は%n人分です。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>other rubric</source>
-        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
-        <translation>別の評価基準</translation>
-    </message>
-    <message>
-        <source>You are not logged in, so this grade is not saved.</source>
-        <translation>ログインしていないため、この成績は保存されません。</translation>
-    </message>
-    <message>
-        <source>This grade is saved on this computer. It is sent to the school&apos;s database when the connection is back.</source>
-        <translation>この成績はこのコンピューターに保存されています。接続が回復すると、学校のデータベースに送られます。</translation>
-    </message>
-    <message>
-        <source>No earlier grades.</source>
-        <translation>以前の成績はありません。</translation>
-    </message>
     <message>
         <source>Replay</source>
         <translation>再生</translation>
@@ -10816,10 +10831,6 @@ unsaved</source>
         <translation>印刷 …</translation>
     </message>
     <message>
-        <source>Attempts</source>
-        <translation>試行</translation>
-    </message>
-    <message>
         <source>Grade of %1: %2</source>
         <translation>%1さんの評価：%2</translation>
     </message>
@@ -10843,14 +10854,6 @@ unsaved</source>
     <message>
         <source>This attempt has no readable recording. It cannot be replayed, and the tooth is not shown. The score and the lost points are shown as they were saved.</source>
         <translation>この試行には読み取れる記録がないため、再生できず、歯の画像も表示されません。点数と減点の内訳は保存されたときのままです。</translation>
-    </message>
-    <message>
-        <source>This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.</source>
-        <translation>この評価はまだ保存されていません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やしてください。</translation>
-    </message>
-    <message>
-        <source>This grade is not saved and will not be here next time.</source>
-        <translation>この成績は保存されません。次回はここに表示されません。</translation>
     </message>
     <message>
         <source>Next time</source>

@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
@@ -23,7 +20,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/charts/SaveButton.h"
 #include "ui/kit/Accessibility.h"
 #include "ui/kit/Actions.h"
 #include "ui/kit/LineIcon.h"
@@ -31,15 +27,15 @@
 #include "ui/kit/ScrollPane.h"
 #include "ui/kit/TabularDigitsLabel.h"
 #include "ui/kit/Theme.h"
-#include "ui/practice/ExerciseCard.h"
 #include "ui/scoring/AdviceWords.h"
-#include "ui/scoring/AttemptCharts.h"
 #include "ui/scoring/CommentsPanel.h"
 #include "ui/scoring/ConductNotes.h"
 #include "ui/scoring/CriterionRow.h"
 #include "ui/scoring/HeatMap.h"
-#include "ui/scoring/RecentScoresChart.h"
 #include "ui/scoring/ScoreCard.h"
+#include "ui/scoring/ScoreHistory.h"
+#include "ui/scoring/ScoreLabels.h"
+#include "ui/scoring/ScoreWords.h"
 #include "ui/scoring/WorstSection.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/LessonTexts.h"
@@ -59,9 +55,6 @@ constexpr int kFormMarginPx = 48;        ///< kept free about a form that is scr
 constexpr int kPictureBelowPx = 320;     ///< height of a picture that shares its rows with nothing
 constexpr int kPictureBesidePx = 260;    ///< of one on a page that is scrolled in any case
 constexpr std::size_t kFewCriteria = 5;  ///< that leave room for the history below them
-constexpr qsizetype kListed = 4;
-constexpr std::size_t kShownHash = 12;
-constexpr qsizetype kCharted = 12;
 
 QFrame* cardIn(QWidget* parent)
 {
@@ -70,125 +63,12 @@ QFrame* cardIn(QWidget* parent)
     return frame;
 }
 
-QLabel* scoreLabel(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
-{
-    auto* made = new QLabel(words, parent);
-    made->setTextFormat(Qt::PlainText);
-    made->setFont(typeface(size, weight));
-    made->setForegroundRole(role);
-    return made;
-}
-
 /// Whether it is measured across: a wall, a ridge, an isthmus, the depth of a box. How deep the cut is there says
 /// nothing about it.
 bool isAcross(std::string_view measure)
 {
     return measure.starts_with("wall_") || measure.starts_with("ridge_") || measure.starts_with("oblique_") ||
            measure.starts_with("axial_") || measure.starts_with("isthmus_");
-}
-
-/// Words that fold: they take the height that their width asks for, and claim no more than that beforehand.
-void fold(QLabel* words)
-{
-    words->setWordWrap(true);
-    words->setMinimumSize(1, 1);
-}
-
-QString expectation(int expectedTenths, int totalTenths)
-{
-    const int gap = expectedTenths - totalTenths;
-    const QString expected = text::points(expectedTenths);
-    if (gap == 0)
-        return ScorePage::tr("You expected %1 points, which is exactly right.").arg(expected);
-    return (gap > 0 ? ScorePage::tr("You expected %1 points. You overestimated by %2 points.")
-                    : ScorePage::tr("You expected %1 points. You underestimated by %2 points."))
-        .arg(expected, text::points(std::abs(gap)));
-}
-
-/// What was expected to cost most, and what did.
-QString expectedWorst(const std::string& expected, const ::lessons::ScoreSheet& sheet)
-{
-    const auto worst = std::max_element(sheet.criteria.begin(), sheet.criteria.end(),
-                                        [](const auto& a, const auto& b) { return a.lostTenths < b.lostTenths; });
-    const auto said = std::find_if(sheet.criteria.begin(), sheet.criteria.end(),
-                                   [&](const ::lessons::Criterion& criterion) { return criterion.id == expected; });
-    if (worst == sheet.criteria.end() || worst->lostTenths == 0)
-        return said == sheet.criteria.end() ? QString() : ScorePage::tr("You lost no points.");
-    const QString name = text::criterionName(*worst);
-    if (said == sheet.criteria.end())
-        return ScorePage::tr("Your biggest loss: %1.").arg(name);
-    if (said->lostTenths == worst->lostTenths)
-        return ScorePage::tr("You named your biggest loss correctly: %1.").arg(text::criterionName(*said));
-    return ScorePage::tr("You expected \"%1\" to be your biggest loss; it was \"%2\".")
-        .arg(text::criterionName(*said), name);
-}
-
-/// What each pad was, and what it was said to be.
-QString padWords(const core::grading::PadsToName& asked, const core::grading::Named& named)
-{
-    QStringList pads;
-    for (std::size_t pad = 0; pad < core::grading::kPads; ++pad) {
-        const core::terrain::Material is = asked.madeOf.at(pad);
-        const auto said = named.saidToBe.at(pad);
-        //: %1 is "Left", "Middle" or "Right", %2 and %3 are tissues
-        pads << (!said         ? ScorePage::tr("%1: %2, no answer").arg(practice::padName(pad), text::materialName(is))
-                 : *said == is ? ScorePage::tr("%1: %2, correct").arg(practice::padName(pad), text::materialName(is))
-                               : ScorePage::tr("%1: %2, your answer: %3")
-                                     .arg(practice::padName(pad), text::materialName(is), text::materialName(*said)));
-    }
-    return pads.join(QStringLiteral(" · "));
-}
-
-/// What an exercise came to; nothing where it is not known what was asked.
-QString practisedWords(const ScoredWork& work)
-{
-    using namespace core::grading;
-    if (!work.exercise || !work.measured.practised)
-        return {};
-    if (const auto* pads = std::get_if<PadsToName>(&*work.exercise))
-        return padWords(*pads, std::get<Named>(*work.measured.practised));
-    if (const auto* force = std::get_if<ForceToHold>(&*work.exercise)) {
-        const Held& held = std::get<Held>(*work.measured.practised);
-        return ScorePage::tr("Held for %1 of %2 s, mean deviation %3 N")
-            .arg(text::number(held.longestS, 1), text::number(force->seconds, 0), text::number(held.meanErrorN, 2));
-    }
-    const Touched& touched = std::get<Touched>(*work.measured.practised);
-    if (touched.count() == touched.atS.size())
-        return ScorePage::tr("All points were touched");
-    return ScorePage::tr("%1 of %2 points touched; the ring marks a missed point")
-        .arg(touched.count())
-        .arg(touched.atS.size());
-}
-
-/// The column under a point that was to be touched and was not.
-std::optional<std::size_t> missedNode(const ScoredWork& work)
-{
-    const auto* asked = work.exercise ? std::get_if<core::grading::PointsToTouch>(&*work.exercise) : nullptr;
-    const auto& practised = work.measured.practised;
-    const auto* touched = practised ? std::get_if<core::grading::Touched>(&*practised) : nullptr;
-    if (asked == nullptr || touched == nullptr)
-        return std::nullopt;
-    const core::terrain::Grid& grid = work.tooth->grid();
-    for (std::size_t point = 0; point < std::min(asked->pointsMm.size(), touched->atS.size()); ++point) {
-        const glm::dvec2 at = grid.latticeOf(asked->pointsMm[point]);
-        const auto i = static_cast<int>(std::lround(at.x));
-        const auto j = static_cast<int>(std::lround(at.y));
-        if (!touched->atS[point] && grid.contains(i, j))
-            return grid.index(i, j);
-    }
-    return std::nullopt;
-}
-
-/// Which rule marked, so that nobody need guess: name, version and the beginning of the hash.
-QString rubricWords(const ::lessons::ScoreSheet& sheet)
-{
-    const QString name =
-        QString::fromStdString(::lessons::inLanguage(sheet.rubricTitle, QLocale().name().toStdString()));
-    //: %1 is the name of a rubric, %2 its version, %3 the beginning of its hash
-    return ScorePage::tr("Rubric \"%1\", version %2, content %3. Undercuts and walls past 90° are not measured, "
-                         "because the model is a height field.")
-        .arg(name, QString::number(sheet.rubricVersion),
-             QString::fromStdString(sheet.rubricHash.substr(0, kShownHash)));
 }
 
 }  // namespace
@@ -205,7 +85,10 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_criteriaCard = makeCriteria();
     m_placeCard = makePlace();
     m_talkCard = makeTalk();
-    m_historyCard = makeHistory();
+    m_historyCard = new ScoreHistory(this);
+    connect(m_historyCard, &ScoreHistory::keepRequested, this, &ScorePage::keepRequested);
+    connect(m_historyCard, &ScoreHistory::told, this,
+            [this](const QString& sentence) { say([sentence] { return sentence; }); });
     const auto colour = [this](bool distinct) {
         m_heat->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
         m_section->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
@@ -230,6 +113,17 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
         showForm();
     });
 
+    makeButtons(actions);
+    body()->addLayout(m_buttons);
+    text::bindTranslation(this, [this] {
+        retranslateUi();
+        tellSaying();
+    });
+}
+
+/// The row below the cards.
+void ScorePage::makeButtons(const Actions& actions)
+{
     m_buttons = new QHBoxLayout;
     m_buttons->setSpacing(kSpace2);
     m_said = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
@@ -265,17 +159,12 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_next->hide();
     connect(m_next, &QPushButton::clicked, this, &ScorePage::nextRequested);
     m_buttons->addWidget(m_next);
-    body()->addLayout(m_buttons);
-    text::bindTranslation(this, [this] {
-        retranslateUi();
-        tellSaying();
-    });
 }
 
 void ScorePage::arrange()
 {
     const bool beside = width() >= kNarrowestBesidePx && m_scored;
-    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard, m_talkCard})
+    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, static_cast<QWidget*>(m_historyCard), m_talkCard})
         m_cards->removeWidget(card);
     m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
     if (beside && m_talks) {
@@ -541,51 +430,6 @@ QWidget* ScorePage::makePlace()
     return frame;
 }
 
-QWidget* ScorePage::makeHistory()
-{
-    QFrame* frame = cardIn(this);
-    auto* column = new QVBoxLayout(frame);
-    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
-    column->setSpacing(kSpace2);
-    QLabel* title = scoreLabel({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
-    text::bindTranslation(title, [title] { title->setText(tr("Attempts")); });
-    column->addWidget(title);
-    m_remark = scoreLabel({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
-    m_remark->setObjectName(QStringLiteral("historyRemark"));
-    fold(m_remark);
-    column->addWidget(m_remark);
-    m_keep = new QPushButton(frame);
-    m_keep->setObjectName(QStringLiteral("keepGrade"));
-    m_keep->setAutoDefault(true);
-    text::bindTranslation(m_keep, [this] {
-        m_keep->setText(tr("Log in and save"));
-        m_keep->setAccessibleName(m_keep->text());
-    });
-    connect(m_keep, &QPushButton::clicked, this, &ScorePage::keepRequested);
-    column->addWidget(m_keep, 0, Qt::AlignLeft);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(2 * kSpace6);
-    m_chart = new RecentScoresChart(frame);
-    m_saveChart = new charts::SaveButton([this] { return historyChart(); }, frame);
-    m_saveChart->beSmall();
-    connect(m_saveChart, &charts::SaveButton::told, this,
-            [this](const QString& sentence) { say([sentence] { return sentence; }); });
-    auto* chart = new QHBoxLayout;
-    chart->setSpacing(kSpace1);
-    chart->addWidget(m_chart, 1);
-    chart->addWidget(m_saveChart, 0, Qt::AlignTop);
-    row->addLayout(chart, 3);
-    m_listSlot = new QVBoxLayout;
-    row->addLayout(m_listSlot, 2);
-    row->setAlignment(m_listSlot, Qt::AlignTop);
-    column->addLayout(row, 1);
-    m_class = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
-    m_class->setObjectName(QStringLiteral("class"));
-    fold(m_class);
-    column->addWidget(m_class);
-    return frame;
-}
-
 QWidget* ScorePage::makeTalk()
 {
     QFrame* frame = cardIn(this);
@@ -657,7 +501,7 @@ void ScorePage::setScore(std::function<QString()> work, const ::lessons::ScoreSh
     setNext(nullptr);
     say({});
     m_noiseNow.reset();
-    m_standing.reset();
+    m_historyCard->setClass({});
     m_moments.clear();
     m_criterionCount = sheet.criteria.size();
     m_scored = scored;
@@ -667,8 +511,8 @@ void ScorePage::setScore(std::function<QString()> work, const ::lessons::ScoreSh
         m_section->setWork(*m_scored);
     }
     setMomentsProgress({});
-    m_keeping = history.isEmpty() ? Keeping::Nowhere : Keeping::Kept;
     m_history = history;
+    m_historyCard->setKeeping(history.isEmpty() ? Keeping::Nowhere : Keeping::Kept);
     m_chosen.clear();
     retranslateUi();
     m_scroll->verticalScrollBar()->setValue(0);
@@ -727,7 +571,7 @@ void ScorePage::retranslateUi()
         m_expected->setText(tr("The student expected %1 points.").arg(text::points(m_expectation->tenths)));
     else if (m_expectation)
         m_expected->setText(
-            (expectation(m_expectation->tenths, total) + u' ' + expectedWorst(m_expectation->worst, m_sheet))
+            (expectationWords(m_expectation->tenths, total) + u' ' + expectedWorstWords(m_expectation->worst, m_sheet))
                 .trimmed());
     QString how = m_sheet.rubricId.empty() ? QString() : rubricWords(m_sheet);
     QString preset;
@@ -759,7 +603,6 @@ void ScorePage::retranslateUi()
     tellNoise();
     tellUnrecorded();
     tellHistory();
-    tellClass();
 }
 
 /// Of an old attempt: one on the table can always be shown.
@@ -922,31 +765,7 @@ void ScorePage::showPlace(const CriterionRow& row)
 
 void ScorePage::setClass(const ::lessons::ClassStanding& standing)
 {
-    m_standing = standing;
-    tellClass();
-}
-
-void ScorePage::tellClass()
-{
-    m_class->setVisible(m_standing.has_value());
-    if (!m_standing)
-        return;
-    const ::lessons::ClassStanding& standing = *m_standing;
-    if (standing.percentBelow)
-        //: %1 is a number of per cent
-        m_class->setText(tr("Of the best results of %n people in your class, %1 % are below this.", "", standing.people)
-                             .arg(text::number(*standing.percentBelow, 0)));
-    else if (standing.people <= 1)
-        //: %1 is a number of people
-        m_class->setText(tr("No comparison with a class: to keep results anonymous it needs %1 people, and yours is "
-                            "the only result.")
-                             .arg(::lessons::kFewestPeople));
-    else
-        //: %1 is a number of people
-        m_class->setText(tr("No comparison with a class: to keep results anonymous it needs %1 people, and there are "
-                            "results of %n person(s).",
-                            "", standing.people)
-                             .arg(::lessons::kFewestPeople));
+    m_historyCard->setClass(standing);
 }
 
 void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
@@ -955,63 +774,11 @@ void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
     tellHistory();
 }
 
-/// For a file: all of them, along with when they were made.
-charts::Chart ScorePage::historyChart() const
-{
-    ChartedAttempts charted;
-    charted.newestFirst = m_history;
-    charted.isOneLesson = true;
-    charts::Chart chart = scoreChart(charted);
-    const QString work = m_work ? m_work() : QString();
-    chart.of = m_person.isEmpty() ? work : QStringLiteral("%1, %2").arg(m_person, work);
-    return chart;
-}
-
 void ScorePage::tellHistory()
 {
-    const QList<database::AttemptRecord>& history = m_history;
-    const ::lessons::ScoreSheet& sheet = m_sheet;
-    const auto isComparable = [&](const database::AttemptRecord& attempt) {
-        return attempt.rubricHash == sheet.rubricHash;
-    };
-    QList<RecentScoresChart::Score> scores;
-    for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
-        scores << RecentScoresChart::Score{history[k - 1].countingTenths(), isComparable(history[k - 1]),
-                                           text::when(history[k - 1].finishedUtc)};
-    if (scores.isEmpty())
-        scores << RecentScoresChart::Score{sheet.totalTenths, true};
-    m_chart->setScores(scores, sheet.passMarkTenths);
-    m_saveChart->setVisible(!history.isEmpty());
-    m_saveChart->nameIt();
-
-    delete m_list;
-    m_list = new QWidget(this);
-    auto* grid = new QGridLayout(m_list);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(kSpace1);
-    grid->setColumnStretch(0, 1);
-    const QLocale locale;
-    for (qsizetype k = 0; k < std::min(kListed, history.size()); ++k) {
-        const auto& attempt = history[k];
-        const QDateTime when = QDateTime::fromString(QString::fromStdString(attempt.finishedUtc), Qt::ISODate);
-        const QString date = when.isValid() ? locale.toString(when.toLocalTime(), QLocale::ShortFormat)
-                                            : QString::fromStdString(attempt.finishedUtc);
-        auto* score = new TabularDigitsLabel(m_list);
-        score->setFont(typeface(kBody, k == 0 ? QFont::DemiBold : QFont::Normal));
-        score->setAlignment(Qt::AlignRight);
-        score->setText(text::points(attempt.countingTenths()));
-        const int row = static_cast<int>(k);
-        grid->addWidget(
-            scoreLabel(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list),
-            row, 0);
-        if (!isComparable(attempt))
-            //: Beside an earlier grade that cannot be compared with this one
-            grid->addWidget(scoreLabel(tr("other rubric"), kSmall, QFont::Normal, QPalette::PlaceholderText, m_list),
-                            row, 1);
-        grid->addWidget(score, row, 2);
-    }
-    tellKeeping();
-    m_listSlot->addWidget(m_list);
+    const QString work = m_work ? m_work() : QString();
+    m_historyCard->setHistory(m_history, m_sheet,
+                              m_person.isEmpty() ? work : QStringLiteral("%1, %2").arg(m_person, work));
 }
 
 void ScorePage::setTalkVisible(bool visible)
@@ -1058,35 +825,7 @@ void ScorePage::showPin(const std::optional<std::array<double, 3>>& placeMm)
 
 void ScorePage::setKeeping(Keeping keeping)
 {
-    m_keeping = keeping;
-    tellKeeping();
-}
-
-void ScorePage::tellKeeping()
-{
-    const auto words = [this]() -> QString {
-        switch (m_keeping) {
-        case Keeping::Nowhere:
-            return tr("This grade is not saved and will not be here next time.");
-        case Keeping::Refused:
-            return tr(
-                "This grade is not saved yet. Cusp tries again every few seconds while it runs. Free some disk space.");
-        case Keeping::Guest:
-            return tr("You are not logged in, so this grade is not saved.");
-        case Keeping::Waiting:
-            return tr("This grade is saved on this computer. It is sent to the school's database when the connection "
-                      "is back.");
-        case Keeping::Pending:
-            break;
-        case Keeping::Kept:
-            if (m_history.size() == 1)
-                return tr("No earlier grades.");
-        }
-        return {};
-    };
-    m_remark->setText(words());
-    m_remark->setVisible(!m_remark->text().isEmpty());
-    m_keep->setVisible(m_keeping == Keeping::Guest);
+    m_historyCard->setKeeping(keeping);
 }
 
 }  // namespace ui::scoring

@@ -12,6 +12,7 @@
 #include "lessons/PointLossTimeline.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/kit/Page.h"
+#include "ui/scoring/ScoreHistory.h"
 #include "ui/scoring/ScorePrediction.h"
 #include "ui/scoring/ScoredWork.h"
 
@@ -27,19 +28,11 @@ class ScoreBar;
 class ScrollPane;
 class TabularDigitsLabel;
 }  // namespace ui::kit
-namespace ui::scoring {
-class RecentScoresChart;
-class CommentsPanel;
-}  // namespace ui::scoring
-
-namespace ui::charts {
-class SaveButton;
-struct Chart;
-}  // namespace ui::charts
 
 namespace ui::scoring {
 
 struct ScoreCard;
+class CommentsPanel;
 class ConductNotes;
 class CriterionRow;
 class HeatMap;
@@ -71,15 +64,7 @@ public:
     void setNext(const ::lessons::Lesson* lesson);
     /// The same, when the database has answered.
     void setHistory(const QList<database::AttemptRecord>& history);
-    /// What becomes of the grade that is shown.
-    enum class Keeping {
-        Nowhere,  ///< there is no database
-        Refused,  ///< by the disk: it is tried again as long as the program runs
-        Guest,    ///< nobody is logged in: keepRequested() is offered
-        Pending,  ///< it is being kept
-        Waiting,  ///< on this computer, until the database can be reached
-        Kept
-    };
+    using Keeping = ScoreHistory::Keeping;
     void setKeeping(Keeping keeping);
     /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
     [[nodiscard]] CommentsPanel& talk() { return *m_talk; }
@@ -128,12 +113,12 @@ protected:
 
 private:
     void showForm();
+    void makeButtons(const kit::Actions& actions);
     QWidget* makeResult();
     QWidget* makeCriteria();
     QWidget* makeAdvice();
     QWidget* makeDetails();
     QWidget* makePlace();
-    QWidget* makeHistory();
     QWidget* makeTalk();
     QWidget* makeReport();
     /// The criteria beside the pictures; where there is no room for that, above.
@@ -143,15 +128,12 @@ private:
     void fillCriteria();
     void showPlace(const CriterionRow& row);
     void showPin(const std::optional<std::array<double, 3>>& placeMm);
-    void tellKeeping();
     void tellAdvice();
     void showDetails(bool shown);
     void tellNoise();
     void tellUnrecorded();
     void tellMoments();
-    [[nodiscard]] charts::Chart historyChart() const;
     void tellHistory();
-    void tellClass();
 
     // What is shown, so that it can be said again in another language.
     bool m_isShown = false;
@@ -160,7 +142,6 @@ private:
     std::optional<int> m_given;  ///< tenths, by a teacher
     std::optional<ScorePrediction> m_expectation;
     std::optional<::lessons::GridSensitivity> m_noiseNow;
-    std::optional<::lessons::ClassStanding> m_standing;
     std::vector<std::vector<::lessons::Moment>> m_moments;
     QList<database::AttemptRecord> m_history;
     std::string m_chosen;  ///< criterion that is looked at, by id
@@ -171,7 +152,7 @@ private:
     QWidget* m_resultCard = nullptr;
     QWidget* m_criteriaCard = nullptr;
     QWidget* m_placeCard = nullptr;
-    QWidget* m_historyCard = nullptr;
+    ScoreHistory* m_historyCard = nullptr;
     CommentsPanel* m_talk = nullptr;
     QWidget* m_talkCard = nullptr;
     QWidget* m_formInUse = nullptr;  ///< of the talk: where something was written last
@@ -211,15 +192,7 @@ private:
     QPushButton* m_next = nullptr;
     ::lessons::LocalText m_nextTitle;
     QList<QPushButton*> m_ofTheTable;  ///< what they do is done to the work on the table, not to an old attempt
-    QLabel* m_remark = nullptr;
-    QPushButton* m_keep = nullptr;
-    Keeping m_keeping = Keeping::Nowhere;
-    ::lessons::ScoreSheet m_sheet;  ///< that is shown
-    QLabel* m_class = nullptr;
-    RecentScoresChart* m_chart = nullptr;
-    charts::SaveButton* m_saveChart = nullptr;
-    QWidget* m_list = nullptr;
-    QVBoxLayout* m_listSlot = nullptr;
+    ::lessons::ScoreSheet m_sheet;     ///< that is shown
 };
 
 }  // namespace ui::scoring
