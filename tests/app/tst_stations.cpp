@@ -309,7 +309,7 @@ private slots:
         VERIFY_DONE(*answered);
     }
 
-    void aLetterIsTakenOnceAndOnlyAsItWasWritten()
+    void aLetterIsTakenOnce()
     {
         SchoolRig rig(false);
         rig.populate();
@@ -361,8 +361,15 @@ private slots:
         QVERIFY(outbox.arrived().isEmpty());
         VERIFY_DONE(deliver());
         QVERIFY(keptIn(rig.school()) == put);
+    }
+
+    void aLetterIsRefusedThatWasChangedOrIsUnfit()
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        Outbox outbox(m_folder->filePath("outbox"), StationKey::make(), "school.sqlite");
+        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), "recording"));
         // One that was signed with another key waits until that is back.
-        keep();
         VERIFY_REFUSED(Outbox(m_folder->filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
                        core::ErrorCode::NotAllowed);
         // The database refuses an attempt whose file was changed, and one that it could never store and that others

@@ -2,7 +2,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
+#include <memory>
 #include <thread>
+#include <vector>
 
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
@@ -24,11 +26,90 @@ void rest(std::chrono::microseconds time)
     std::this_thread::sleep_for(time);  // the threads' periods make the mix that is tested
 }
 
+/// The ui thread: it polls, sends commands and looks at the attempt, as a person may.
+class Person
+{
+public:
+    Person(support::Rig& rig, JournalLoop& journal, std::shared_ptr<const terrain::ToothAnatomy> anatomy)
+        : m_rig(rig), m_journal(journal), m_anatomy(std::move(anatomy))
+    {}
+
+    /// Polls what a view polls.
+    void look()
+    {
+        const ServoState& state = m_rig.uiLinks->servo.latest();
+        if (state.toothGeneration == m_lastGeneration && state.tick < m_lastTick)
+            ++m_backwards;
+        m_lastTick = state.tick;
+        m_lastGeneration = state.toothGeneration;
+        static_cast<void>(m_rig.uiLinks->session.latest().undoSteps);
+        for (TilePatch patch; m_rig.uiLinks->patches.tryPop(patch);) {
+        }
+    }
+
+    /// Does one thing, or nothing. Returns false if a command could not be sent.
+    bool act()
+    {
+        if (const std::uint64_t version = m_rig.uiLinks->session.latest().historyVersion; version != m_version) {
+            m_version = version;
+            m_history = m_rig.session->historySoFar();
+        }
+        const auto anyMoment = [&] {
+            return m_history.empty()
+                       ? history::MomentId{}
+                       : m_history[static_cast<std::size_t>(m_rng.below(static_cast<int>(m_history.size())))].id;
+        };
+        const int what = m_rng.below(40);
+        bool sent = true;
+        if (what < 3)
+            sent = m_rig.uiLinks->commands.tryPush(Undo{});
+        else if (what == 3)
+            sent = m_rig.uiLinks->commands.tryPush(Redo{});
+        else if (what == 4)
+            sent = m_rig.uiLinks->commands.tryPush(SetBur{static_cast<std::uint8_t>(m_rng.below(4))});
+        else if (what == 5)
+            sent = m_rig.uiLinks->commands.tryPush(Reload{});
+        else if (what == 6)
+            static_cast<void>(m_rig.session->toothSoFar());
+        else if (what == 7)
+            static_cast<void>(m_rig.session->recordingSoFar());
+        else if (what == 8)
+            sent = m_rig.uiLinks->commands.tryPush(GoTo{anyMoment()});
+        else if (what == 9)
+            static_cast<void>(m_rig.session->momentHeights(anyMoment()));
+        else if (what == 10)
+            sent = m_rig.uiLinks->commands.tryPush(AddNote{m_rng.next()});
+        else if (what == 11)
+            static_cast<void>(m_journal.failure());
+        else if (what == 12 && m_generation < 4) {
+            sent = m_rig.uiLinks->commands.tryPush(
+                ReplaceTooth{std::make_unique<terrain::Tooth>(m_anatomy), m_generation + 1});
+            m_generation += sent ? 1 : 0;
+        }
+        return sent;
+    }
+
+    /// Returns how often a state of the servo was older than the one before.
+    [[nodiscard]] int backwards() const { return m_backwards; }
+    [[nodiscard]] std::uint64_t teeth() const { return m_generation; }
+
+private:
+    support::Rig& m_rig;
+    JournalLoop& m_journal;
+    std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
+    Rng m_rng{17};
+    std::uint64_t m_generation = 1;
+    std::uint64_t m_version = 0;
+    std::uint64_t m_lastTick = 0;
+    std::uint64_t m_lastGeneration = 0;
+    int m_backwards = 0;
+    std::vector<history::MomentInfo> m_history;
+};
+
 }  // namespace
 
 /// The five threads of the program at full speed, for ThreadSanitizer: std::thread only, since Qt's are not
 /// instrumented.
-
 class TestThreads : public QObject
 {
     Q_OBJECT
@@ -80,60 +161,11 @@ private slots:
             }
         });
 
-        // This is the ui thread: it polls, sends commands, looks at the attempt.
-        Rng rng(17);
-        std::uint64_t generation = 1;
-        std::uint64_t lastTick = 0;
-        std::uint64_t lastGeneration = 0;
-        std::uint64_t lastVersion = 0;
-        std::vector<history::MomentInfo> history;
-        int backwards = 0;
+        // This is the ui thread.
+        Person person(rig, journal, anatomy);
         for (int round = 0; round < 600; ++round) {
-            const ServoState& state = rig.uiLinks->servo.latest();
-            if (state.toothGeneration == lastGeneration && state.tick < lastTick)
-                ++backwards;
-            lastTick = state.tick;
-            lastGeneration = state.toothGeneration;
-            static_cast<void>(rig.uiLinks->session.latest().undoSteps);
-            for (TilePatch patch; rig.uiLinks->patches.tryPop(patch);) {
-            }
-            if (const std::uint64_t version = rig.uiLinks->session.latest().historyVersion; version != lastVersion) {
-                lastVersion = version;
-                history = rig.session->historySoFar();
-            }
-            const auto anyMoment = [&] {
-                return history.empty()
-                           ? history::MomentId{}
-                           : history[static_cast<std::size_t>(rng.below(static_cast<int>(history.size())))].id;
-            };
-            const int what = rng.below(40);
-            bool sent = true;
-            if (what < 3)
-                sent = rig.uiLinks->commands.tryPush(Undo{});
-            else if (what == 3)
-                sent = rig.uiLinks->commands.tryPush(Redo{});
-            else if (what == 4)
-                sent = rig.uiLinks->commands.tryPush(SetBur{static_cast<std::uint8_t>(rng.below(4))});
-            else if (what == 5)
-                sent = rig.uiLinks->commands.tryPush(Reload{});
-            else if (what == 6)
-                static_cast<void>(rig.session->toothSoFar());
-            else if (what == 7)
-                static_cast<void>(rig.session->recordingSoFar());
-            else if (what == 8)
-                sent = rig.uiLinks->commands.tryPush(GoTo{anyMoment()});
-            else if (what == 9)
-                static_cast<void>(rig.session->momentHeights(anyMoment()));
-            else if (what == 10)
-                sent = rig.uiLinks->commands.tryPush(AddNote{rng.next()});
-            else if (what == 11)
-                static_cast<void>(journal.failure());
-            else if (what == 12 && generation < 4) {
-                sent = rig.uiLinks->commands.tryPush(
-                    ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy), generation + 1});
-                generation += sent ? 1 : 0;
-            }
-            QVERIFY(sent);
+            person.look();
+            QVERIFY(person.act());
             rest(5ms);
         }
         stop = true;
@@ -144,7 +176,7 @@ private slots:
         syncer.join();
         journal.end();
 
-        QCOMPARE(backwards, 0);
+        QCOMPARE(person.backwards(), 0);
         QCOMPARE(rig.uiLinks->servo.latest().health & kRecordGap, 0U);
         QCOMPARE(rig.mirrorHash(), rig.liveHash());
         const auto outcome = recording::replay(rig.session->recordingSoFar().value());
@@ -154,7 +186,7 @@ private slots:
         QVERIFY(!journal.failure());
         QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
         qInfo("%llu ticks, %llu teeth", static_cast<unsigned long long>(rig.servo->state().tick),
-              static_cast<unsigned long long>(generation));
+              static_cast<unsigned long long>(person.teeth()));
     }
 };
 
