@@ -5,10 +5,10 @@ class QWidget;
 
 namespace ui::kit {
 
-/// Has a screen reader say what a widget shows now, wherever the focus is. Ui thread.
+/// Announces a widget's name and description to a screen reader, wherever the focus is. Ui thread.
 ///
-/// Qt 6.4 sends this on to the reader on Windows and macOS, but not over AT-SPI. There a reader says the description of
-/// the widget with the focus when that changes: give the words to the button that was pressed as well.
+/// Qt 6.4 forwards this to the reader on Windows and macOS, but not over AT-SPI. There a reader speaks the description
+/// of the focused widget when that changes: also set the text as the description of the button that was pressed.
 void announce(QWidget& widget);
 
 }  // namespace ui::kit

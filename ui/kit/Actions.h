@@ -17,8 +17,8 @@ class QWidget;
 
 namespace ui::kit {
 
-/// The action table: everything the window can be asked to do, each with text, keys, tooltip, status tip and drawing.
-/// Buttons, shortcuts and the help overlay are made from it, so none of them can disagree.
+/// The table of the window's actions, each with text, shortcuts, tooltip, status tip and icon. Buttons, shortcuts and
+/// the help overlay are generated from it, so they always agree.
 class Actions : public QObject
 {
     Q_OBJECT
@@ -31,29 +31,31 @@ public:
         [[nodiscard]] QString title() const { return tr(name); }
     };
 
-    /// @param window  where the shortcuts are heard
+    /// @param window  the widget in which the shortcuts are active
     explicit Actions(QWidget* window);
 
     [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
-    /// What pauseReplay offers: to let the recording go on, or to hold it.
+    /// Updates `pauseReplay`: it resumes the replay if that is paused, and pauses it otherwise.
     void showReplayPaused(bool paused);
+    /// Updates `account` and everything that depends on whether a user is logged in.
     /// @param username  empty: a guest
     void showAccount(const QString& username);
-    /// What `devices` shows.
-    /// @param drawing  its icon
-    /// @param state    the hand in use and its state
+    /// Updates the icon and the tooltip of `devices`.
+    /// @param drawing  name of the icon
+    /// @param state    the device in use and its state
     void showDevice(const QString& drawing, const QString& state);
     [[nodiscard]] bool isGuest() const { return m_username.isEmpty(); }
-    /// Where `back` leads from the page that is shown.
+    /// The target of `back` on the current page.
     enum class Back { Tooth, Lessons, Attempts, Class };
     void showWayBack(Back to);
-    /// An aid that the lesson does not allow says so in its tooltip, or why else it is not to be had. Whether it is
-    /// enabled is the window's business.
+    /// Sets the tooltip of an action: its own if it is allowed, otherwise the reason why it is not available. Does not
+    /// enable or disable the action; the window does.
+    /// @param whyNot  empty: the lesson does not allow it
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
     /// Returns whether setAllowed() has forbidden an action.
     [[nodiscard]] static bool isRefused(const QAction* aid);
-    /// Indices of the burs that are at hand where a lesson names none. Stored between runs. An index without a bur and
-    /// all after the fourth are ignored.
+    /// Sets the indices of the burs that are at hand when the lesson names none, and stores them for the next run.
+    /// Invalid indices and all after the fourth valid one are ignored.
     void setFavouriteBurs(const QList<int>& favourites);
     [[nodiscard]] const QList<int>& favouriteBurs() const { return m_favouriteBurs; }
     static constexpr int kMostFavouriteBurs = 4;
@@ -69,55 +71,56 @@ public:
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;
-    QAction* bringHome = nullptr;  ///< hidden where the device cannot lead a hand
+    QAction* bringHome = nullptr;  ///< hidden if the device cannot move the hand
     QAction* resetView = nullptr;
     QAction* recentreHead = nullptr;  ///< hidden while the view does not follow the head
-    QList<QAction*> handpieces;       ///< the same, of core::settings::handpieces(); visible where at hand
-    QList<QAction*> burs;             ///< checkable, one of them; in the order of core::bur::burs()
-    QAction* allBurs = nullptr;       ///< opens the picker of burs
+    QList<QAction*> handpieces;       ///< checkable, exclusive; in the order of core::settings::handpieces(); visible
+                                      ///< if available
+    QList<QAction*> burs;             ///< checkable, exclusive; in the order of core::bur::burs()
+    QAction* allBurs = nullptr;       ///< opens the bur picker
     QAction* undo = nullptr;
     QAction* redo = nullptr;
     QAction* reload = nullptr;
     QAction* grade = nullptr;
     QAction* lessons = nullptr;
-    QAction* editLesson = nullptr;  ///< on the page of lessons
+    QAction* editLesson = nullptr;  ///< on the lessons page
     QAction* presets = nullptr;
     QAction* attempts = nullptr;   ///< hidden for a guest
-    QAction* school = nullptr;     ///< hidden for who is no admin
-    QAction* classes = nullptr;    ///< hidden for who has none
-    QAction* readAgain = nullptr;  ///< on the page of classes
+    QAction* school = nullptr;     ///< hidden unless the user is an admin
+    QAction* classes = nullptr;    ///< hidden if the user has no classes
+    QAction* readAgain = nullptr;  ///< on the classes page
     QAction* search = nullptr;     ///< opens the lessons if the page has no search field
     QAction* chooseTooth = nullptr;
-    QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
+    QAction* mouth = nullptr;  ///< hidden if there is no OpenGL to draw the mouth
     QAction* openScan = nullptr;
     QAction* saveRecording = nullptr;
     QAction* saveReference = nullptr;
     QAction* openRecording = nullptr;
-    QAction* history = nullptr;  ///< checkable: the undo history is there
-    // While a recording is played. Otherwise they are hidden, and their keys mean something else to the tooth.
-    QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
+    QAction* history = nullptr;  ///< checkable: the undo history is shown
+    // Of the replay. Hidden and disabled when no recording is played; their keys then have other meanings.
+    QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of the two is always disabled
     QAction* stepBack = nullptr;
     QAction* stepOn = nullptr;
     QAction* replayBegin = nullptr;
     QAction* replayEnd = nullptr;
     QAction* slower = nullptr;
     QAction* faster = nullptr;
-    QAction* beside = nullptr;   ///< checkable: another attempt is shown beside
-    QAction* along = nullptr;    ///< checkable: the device leads the hand; hidden where it cannot lead one
-    QAction* expert = nullptr;   ///< also in practice; hidden in an exam, and where nothing is to be cut and no
-                                 ///< recording lies with the lesson
-    QAction* section = nullptr;  ///< checkable: the cross-section is there
+    QAction* beside = nullptr;   ///< checkable: another attempt is shown beside this one
+    QAction* along = nullptr;    ///< checkable: the device guides the hand; hidden if it cannot
+    QAction* expert = nullptr;   ///< also in practice; hidden in an exam, and if the lesson cuts nothing and has no
+                                 ///< recording
+    QAction* section = nullptr;  ///< checkable: the cross-section is shown
     QAction* turnSection = nullptr;
     QAction* radiograph = nullptr;
     QAction* outline = nullptr;  ///< checkable: the ideal preparation is outlined on the tooth
     QAction* turnRound = nullptr;
-    // Of the view (ViewMenu); all but the last two checkable.
+    // Of the view (ViewMenu); all but the last two are checkable.
     QAction* mirror = nullptr;
     QAction* burLight = nullptr;
     QAction* depthColours = nullptr;
     QAction* idealColours = nullptr;
     QAction* burColour = nullptr;
-    QAction* fixture = nullptr;  ///< checkable: the outline holds the hand
+    QAction* fixture = nullptr;  ///< checkable: a force keeps the bur inside the outline
     QAction* handPlace = nullptr;
     QAction* neighbours = nullptr;
     QAction* distinctColours = nullptr;
@@ -128,13 +131,13 @@ public:
     QAction* reducedMotion = nullptr;
     QAction* stereoPage = nullptr;
     QAction* savePicture = nullptr;
-    QAction* panel = nullptr;  ///< checkable: the side panel is there
+    QAction* panel = nullptr;  ///< checkable: the side panel is shown
     QAction* console = nullptr;
     QAction* settings = nullptr;
-    QAction* devices = nullptr;  ///< its icon and tooltip show the hand in use
-    QAction* account = nullptr;  ///< who is logged in; opens what he can do about it, or leads to the login
+    QAction* devices = nullptr;  ///< its icon and tooltip show the device in use
+    QAction* account = nullptr;  ///< shows the user; opens the account menu, or the login page for a guest
     QAction* lock = nullptr;
-    QAction* sound = nullptr;  ///< checkable: the handpiece is heard
+    QAction* sound = nullptr;  ///< checkable: the sound of the handpiece is on
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
     QAction* tour = nullptr;
@@ -154,7 +157,7 @@ private:
     void addInsideActions();
     void addViewActions();
     void addWindowActions();
-    /// @param text, tip  marked for translation; said again in every language
+    /// @param text, tip  marked for translation; translated again when the language changes
     QAction* add(const QString& drawing, const char* text, const char* tip, const QList<QKeySequence>& keys);
     QAction* add(const QString& drawing, std::function<QString()> text, const char* tip,
                  const QList<QKeySequence>& keys);
@@ -180,16 +183,16 @@ private:
     bool m_isReplayPaused = false;
 };
 
-/// Says something now, and again whenever the words of the action are others.
+/// Calls `say` now, and again whenever the text or the tooltip of the action changes.
 void followWords(QAction* action, QWidget* listener, const std::function<void()>& say);
 
-/// A flat icon button for a bar of the practice room. Reached with Tab; a click leaves the focus with the tooth.
+/// Returns a flat icon button for a bar of the practice room. Tab reaches it; a click leaves the focus on the tooth.
 [[nodiscard]] QToolButton* barButton(QAction* action, bool withText, QWidget* parent);
 
-/// Says that nothing is kept, while nobody is logged in.
+/// Returns a label that says that nothing is saved. Hidden while a user is logged in.
 [[nodiscard]] QLabel* guestSign(const Actions& actions, QWidget* parent);
 
-/// A button of a page that does what the action does, with its text and icon in the page's colours.
+/// Returns a push button for a page that triggers the action and shows its text and icon in the colours of the page.
 /// @param kind  "filled", "quiet" or "" (see cusp.qss)
 [[nodiscard]] QPushButton* pageButton(QAction* action, const char* kind, QWidget* parent);
 

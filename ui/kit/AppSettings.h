@@ -6,11 +6,12 @@
 
 namespace ui::kit {
 
-/// What the window remembers from run to run: ~/.config/cusp/cusp.conf.
+/// Returns the settings that are stored between runs (~/.config/cusp/cusp.conf on Linux).
 [[nodiscard]] QSettings memory();
 
-/// A yes or no as it was kept. Only the words that are written there count, since to Qt any word is a yes; for all
-/// else the answer is `otherwise`.
+/// Returns a stored boolean. Any value but "true" and "false" counts as missing, because Qt converts every other word
+/// to true.
+/// @param otherwise  the value if the key is missing
 [[nodiscard]] bool recalled(const QSettings& kept, const QString& key, bool otherwise);
 
 }  // namespace ui::kit

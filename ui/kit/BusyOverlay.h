@@ -9,8 +9,8 @@ class QLabel;
 
 namespace ui::kit {
 
-/// What the program is working on, over the middle of the window. Comes only when the work takes a while, so that a
-/// quick one does not flash.
+/// Shows over the middle of the window what the program is working on. Appears after kPatienceMs, so that short work
+/// does not make it flash.
 class BusyOverlay : public QFrame
 {
     Q_OBJECT

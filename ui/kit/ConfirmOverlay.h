@@ -12,9 +12,10 @@ class QPushButton;
 
 namespace ui::kit {
 
-/// A question inside the window, before something would be lost: three answers, or two where nobody here can save it,
-/// over a veil that keeps the rest of the window and its keys waiting. Esc, and a click on the veil, leave all as it
-/// is. It goes when it is answered. Without `discard`, nothing would be lost, and the card only asks whether to begin.
+/// A modal question inside the window, asked before data would be lost. It offers to discard, to cancel and, if that is
+/// possible, to save; a veil blocks the rest of the window and its shortcuts. Esc and a click on the veil cancel. The
+/// overlay deletes itself after an answer. Without `discard` no data is at stake, and the question only asks for
+/// consent.
 class ConfirmOverlay final : public QWidget
 {
     Q_OBJECT
@@ -22,12 +23,12 @@ public:
     struct Question
     {
         QString text;
-        QString detail;    ///< quieter, beneath
-        QString saveText;  ///< of the answer that loses nothing; empty: there is none but to stay
+        QString detail;    ///< in smaller type, below the text
+        QString saveText;  ///< of the button that saves; empty: saving is not possible
         std::function<void()> save;
         std::function<void()> discard;
-        QString stayText = {};  ///< of the answer that changes nothing, if there is no saveText; empty: the usual one
-        QString drawing = QStringLiteral("warning");  ///< of its icon
+        QString stayText = {};  ///< of the button that cancels, if saveText is empty; empty: "Stay"
+        QString drawing = QStringLiteral("warning");  ///< name of its icon
     };
 
     ConfirmOverlay(const Question& question, QWidget* parent);
@@ -47,7 +48,7 @@ private:
 
     QFrame* m_card;
     QList<QPushButton*> m_answers;
-    QPointer<QWidget> m_before;  ///< which had the keys
+    QPointer<QWidget> m_before;  ///< the widget that had the focus
 };
 
 }  // namespace ui::kit

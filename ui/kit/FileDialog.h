@@ -8,26 +8,26 @@ class QLabel;
 
 namespace ui::kit {
 
-/// Asks for a file, in Qt's own dialog, and goes when it is closed. It looks at the names of files only: whoever opens
-/// and closes a database's file to see what it is takes away all locks that this program's SQLite has on it, and
-/// another program then deletes the log with what was just entered (POSIX fcntl; "How To Corrupt An SQLite Database
-/// File", section 2.2).
+/// Asks for a file in Qt's own dialog, and deletes itself when it is closed. It reads names only, never contents:
+/// opening and closing a database file would drop all locks that this program's SQLite holds on it, and another program
+/// would then delete the log with the newest entries (POSIX fcntl; "How To Corrupt An SQLite Database File", section
+/// 2.2).
 class FileDialog final : public QFileDialog
 {
     Q_OBJECT
 public:
-    /// @param folder  where it begins
+    /// @param folder  the folder that is shown first
     /// @param filter  "Tables (*.csv)"; empty: all files
     FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter = {});
 
-    /// Asks where something that is given away is saved: begins where the last was, in this run or in one before.
-    /// @param name    what the file may be called: words, made fit for a file's name
+    /// Opens the dialog to save an exported file. Starts in the folder of the last export, also of earlier runs.
+    /// @param name    suggested file name; characters that do not fit a file name are replaced
     /// @param ending  "pdf"
     void askWhere(const QString& name, const QString& ending);
 
 protected:
-    /// Where something is saved: a file that is there is replaced by one of its own kind only, as its name tells. A
-    /// school's file never becomes a table by a slip.
+    /// When saving, refuses to replace a file of another type (judged by its suffix), so that no database is
+    /// overwritten by mistake.
     void accept() override;
 
 private:

@@ -9,8 +9,8 @@ class QToolButton;
 
 namespace ui::kit {
 
-/// A bar of buttons. Where it is too narrow, what may go goes first; then all buttons that may fold show their drawing
-/// alone.
+/// A bar of buttons. When it is too narrow, it first hides the widget of mayGo(), then reduces the buttons of mayFold()
+/// to their icons.
 class FoldingBar : public QFrame
 {
     Q_OBJECT
@@ -18,11 +18,12 @@ public:
     explicit FoldingBar(QWidget* parent);
 
     [[nodiscard]] QHBoxLayout& row() { return *m_row; }
-    /// A button that shows words beside its drawing, and has a tooltip. It must stand in the row.
+    /// Lets the bar reduce a button to its icon. The button must be in row() and have text, an icon and a tooltip.
     void mayFold(QToolButton* button);
-    /// What says nothing that is not said elsewhere. It must stand in the row, which shows and hides it.
+    /// Lets the bar hide a widget whose content is also shown elsewhere. The widget must be in row(). There is one at
+    /// most.
     void mayGo(QWidget* widget);
-    /// Looks again what there is room for, after words in the row have changed.
+    /// Lays the bar out again. Call after the text of a widget in row() has changed.
     void fold();
 
 protected:

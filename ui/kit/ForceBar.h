@@ -5,15 +5,17 @@
 
 namespace ui::kit {
 
-/// The force on the hand as a bar, with a mark at the force the pointer is set to push with. It has the scale of the
-/// slider that sets it: both reach to the same force.
+/// Shows the force on the hand as a bar, with a mark at the push force that is set for the pointer. Has the scale of
+/// the slider that sets the push force.
 class ForceBar : public QWidget
 {
     Q_OBJECT
 public:
+    /// @param fullN  the force at the right end, N
     ForceBar(double fullN, QWidget* parent);
 
-    /// @param limited  the force wanted more than the device may give: drawn in the colour of attention
+    /// @param setN     the push force that is set for the pointer, N
+    /// @param limited  the force was clamped to what the device may give; the bar then has the attention colour
     void setForce(double forceN, double setN, bool limited);
     [[nodiscard]] QSize sizeHint() const override { return {160, 12}; }
 

@@ -11,33 +11,36 @@ class QLabel;
 class QSpinBox;
 class QWidget;
 
-/// What the forms of the lesson editor are made of. Ui thread.
+/// Widgets for the forms of the lesson editor. Ui thread.
 namespace ui::kit {
 
-/// Words that fold.
+/// Returns a word-wrapping label.
 [[nodiscard]] QLabel* formWords(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role,
                                 QWidget* parent);
 
-/// A place for what is wrong, beside the input it is about; hidden while there is nothing.
+/// Returns a hidden label for the error of the input beside it.
 [[nodiscard]] QLabel* faultLabel(QWidget* parent);
-/// @param what  empty: nothing any more
+/// Shows an error and its icon, or hides the label.
+/// @param what  empty: no error
 void showFault(QLabel* label, const QString& what);
 
-/// Undo and redo in this input are the page's, which knows all steps; and a wheel over it scrolls the form unless
-/// somebody has chosen it.
+/// Disables undo and redo in an input, because the page has its own undo history. The mouse wheel scrolls the form
+/// unless the input has the focus.
 void bindToForm(QWidget* input);
 
-/// A point and a comma are its decimal sign alike.
-/// @param unit  behind the number; may be empty
-/// @param name  for who hears it
+/// Returns a number input that accepts both a point and a comma as the decimal sign.
+/// @param unit  shown after the number; may be empty
+/// @param name  for screen readers
 [[nodiscard]] QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString& unit,
                                           const QString& name, QWidget* parent);
-/// Has it show a number. Where that is the one it has, it is left alone: somebody may be about to type its decimals.
+/// Sets the number of an input. Does not touch an input that has this number already: the user may be typing its
+/// decimals.
 void showNumber(QDoubleSpinBox& input, double number);
-/// A whole number. One that is beyond the range can be typed, and is not taken: what was there before comes back.
+/// Returns an input for a whole number. A number beyond the range can be typed; leaving the input restores the number
+/// before.
 [[nodiscard]] QSpinBox* countInput(int low, int high, QWidget* parent);
 [[nodiscard]] QComboBox* choiceInput(const QString& name, QWidget* parent);
-/// Names it, and the list that it opens.
+/// Sets the accessible name of a choice and of its list.
 void nameInput(QComboBox* choice, const QString& name);
 
 inline constexpr int kInputPx = 112;

@@ -6,8 +6,8 @@
 
 namespace ui::kit {
 
-/// Asks once more, within a part of a page, before something is done that nobody can undo. Esc, and leaving the part,
-/// withdraw it.
+/// Asks for confirmation within a part of a page before something that cannot be undone. Pressing Esc or hiding the
+/// part withdraws the question.
 class InlineConfirmation final : public QObject
 {
     Q_OBJECT
@@ -16,13 +16,14 @@ public:
 
     [[nodiscard]] bool isAsked() const { return m_isAsked; }
     void ask();
-    /// It is being asked, and a click is an answer: the second of a double click is none.
+    /// Returns whether a click may count as the answer. False for the time of two double clicks after ask(), so that a
+    /// double click does not confirm.
     [[nodiscard]] bool mayBeAnswered() const;
-    /// It is answered, or nobody asks any more.
+    /// Ends the question without a signal.
     void end();
 
 signals:
-    /// It is not to be done.
+    /// Emitted when the user has pressed Esc or left the part.
     void withdrawn();
 
 protected:

@@ -5,16 +5,16 @@
 
 namespace ui::kit {
 
-/// The languages, each named in itself. The one that is chosen is spoken at once, and at the next start.
+/// The menu of languages, each in its own name. A chosen language is used at once and stored for the next run.
 class LanguageMenu final : public QMenu
 {
     Q_OBJECT
 public:
     explicit LanguageMenu(QWidget* parent);
 
-    /// The code of the language that was chosen in the run before; empty: none was.
+    /// Returns the code of the stored language; empty: none is stored.
     [[nodiscard]] static QString remembered();
-    /// From now on, and in the next run.
+    /// Switches the program to a language and stores it.
     static void choose(const QString& code);
 };
 

@@ -9,11 +9,11 @@
 
 namespace ui::kit {
 
-/// One of our line drawings (ui/assets/icons/<name>.svg) in the palette's word colour, faint when disabled. Drawn from
-/// the vectors at every size and screen density. Null when there is no such drawing.
+/// Returns a line drawing (ui/assets/icons/<name>.svg) in the text colour of the palette, faint when disabled. Rendered
+/// from vectors at every size and screen density. Null if there is no such drawing.
 [[nodiscard]] QIcon lineIcon(const QString& name, const QPalette& palette);
 
-/// The same in one colour, as a picture of side `sizePx` for a label.
+/// Returns the same drawing in one colour, with sides of `sizePx`, for a label.
 [[nodiscard]] QPixmap linePixmap(const QString& name, const QColor& colour, int sizePx, double devicePixelRatio);
 
 }  // namespace ui::kit

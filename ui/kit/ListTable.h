@@ -5,9 +5,9 @@
 
 namespace ui::kit {
 
-/// A table of a page: sorts by its headings, and keeps the arrow keys to itself, whatever else they are keys of; with
-/// Alt they sort: to the sides by the column beside, up and down from the least or the most. What it is sorted by is
-/// its description. Tab leaves it.
+/// A table that sorts by its headings and uses the arrow keys itself, whatever shortcuts they have elsewhere. Alt with
+/// an arrow key sorts: left and right by the neighbouring column, up and down in ascending or descending order. The
+/// accessible description names the sorting. Tab leaves the table.
 class ListTable final : public QTableView
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
 
     void setModel(QAbstractItemModel* model) override;
 
-    /// Enter or the space bar, not the pointer, is opening a row just now.
+    /// Returns whether a row is being activated by Enter or the space bar, not by the pointer.
     [[nodiscard]] bool isByKey() const { return m_isByKey; }
 
 protected:
@@ -24,7 +24,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    /// @param columns  further along the headings that are seen
+    /// @param columns  steps along the visible headings
     void sortBeside(int columns);
     void describeSorting();
 

@@ -9,12 +9,12 @@
 
 namespace ui::kit {
 
-/// How a material is painted on the screen's flat pictures: distinct colours after Okabe and Ito, with patterns on what
-/// matters most.
+/// The look of a material in flat pictures: distinct colours after Okabe and Ito, and a pattern for the materials that
+/// matter most.
 struct MaterialLook
 {
     QColor fill;
-    QColor letter;                         ///< of its letter on that fill, and of the pattern
+    QColor letter;                         ///< of the material's letter on that fill, and of the pattern
     Qt::BrushStyle pattern = Qt::NoBrush;  ///< over the fill
 };
 

@@ -10,15 +10,15 @@
 
 namespace ui::kit {
 
-/// A small disc in the colour of a material with its letter, so that it is told by more than its colour. Patterns are
-/// left out: under the letter there is no room for them.
+/// A small disc in the colour of a material with its letter, so that colour is not the only sign. It has no pattern:
+/// there is no room for one under the letter.
 class MaterialSwatch : public QWidget
 {
     Q_OBJECT
 public:
     explicit MaterialSwatch(int sidePx, QWidget* parent);
 
-    /// Nothing: an empty ring.
+    /// @param material  empty: an empty ring
     void setMaterial(std::optional<core::terrain::Material> material);
     void setColours(render::Palette colours);
     [[nodiscard]] QSize sizeHint() const override { return {m_sidePx, m_sidePx}; }

@@ -15,23 +15,17 @@ class QToolButton;
 
 namespace ui::kit {
 
-/// One message inside the window: what happened, what to do, and a button for doing it; where there are several things
-/// to choose from, the button opens a menu of them. An offer has a second button, for declining it.
+/// Shows one message inside the window: what happened, what to do, and a button for doing it. If there are several
+/// choices, the button opens a menu. An offer has a second button that declines it.
 ///
-/// The newest comes at once: it answers what was just done. News goes away by itself, warnings and errors stay until
-/// they are closed; then what they covered comes back.
+/// The newest message is shown at once, because it answers the last action. News disappears after kNewsMs. Warnings and
+/// errors stay until they are closed; then the message that they covered is shown again.
 class MessageBar : public QFrame
 {
     Q_OBJECT
 public:
     enum class Kind { News, Warning, Error };
-    /// What a message is about: one about a tooth that is no longer on the table is taken back, and so is the offer of
-    /// an attempt that was taken up or discarded, and that a grade is not kept, or an attempt while it is made, once it
-    /// is. What cannot be read of the school is over once something can, and that a preset was kept when another is
-    /// refused. What is said of a lesson's course stays in the practice room, and what could not be read for a page is
-    /// over when another is opened, or it is read again. What is said of a device, or of
-    /// head tracking, is over when its state is another.
-    /// What somebody has typed is for nobody else.
+    /// The subject of a message, by which withdraw() removes it when it no longer applies.
     enum class Topic {
         General,
         Tooth,
@@ -56,42 +50,44 @@ public:
     {
         Kind kind = Kind::News;
         QString sentence;
-        QString detail;      ///< quieter, beneath; may be empty
+        QString detail;      ///< in smaller type, below the sentence; may be empty
         QString actionText;  ///< empty: no button
         std::function<void()> action;
         Topic topic = Topic::General;
-        QString technical = {};               ///< exact and English, for whoever points at the message
-        QList<Choice> choices = {};           ///< of the button's menu, in place of `action`
-        Choice declining = {};                ///< the second button; no text: none
-        std::function<Message()> again = {};  ///< in the language of the moment; empty: it stays as it was said
+        QString technical = {};               ///< exact, in English; shown as a tooltip
+        QList<Choice> choices = {};           ///< the button's menu, instead of `action`
+        Choice declining = {};                ///< the second button; hidden if its text is empty
+        std::function<Message()> again = {};  ///< returns the message in the current language; empty: it is not
+                                              ///< translated again
     };
 
-    /// How long news stays.
+    /// Time after which news disappears.
     static constexpr int kNewsMs = 7000;
 
     explicit MessageBar(QWidget* parent);
 
     void say(const Message& message);
-    /// Says it again in each language that is chosen while it stands or waits: who cannot read it changes the language.
+    /// Shows a message and translates it again when the language changes, also while it waits behind another.
     void say(const std::function<Message()>& words);
-    /// Closes the present message; the next one follows. False when there was none.
+    /// Closes the current message and shows the next one. Returns false if there was none.
     bool dismiss();
-    /// Takes back every message of a topic, shown or waiting.
+    /// Removes all messages of a topic, shown or waiting.
     void withdraw(Topic topic);
 
+    /// Returns the sentence that is shown; empty if the bar is hidden.
     [[nodiscard]] QString sentence() const;
-    /// Of the message that is shown.
+    /// Returns the topic of the message that is shown.
     [[nodiscard]] Topic topic() const { return m_now.topic; }
-    /// It stands until somebody closes it.
+    /// Returns whether the message stays until the user closes it.
     [[nodiscard]] bool stays() const { return isVisibleTo(parentWidget()) && m_now.kind != Kind::News; }
-    /// Over the middle of the tooth's view; on a page in the line of its title, or above the page where it stays.
+    /// Over the middle of the tooth's view, or in the title line of a page.
     enum class Place { OverTheView, BesideTheTitle };
-    /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs. Over the view, puts it at the
-    /// foot if it would cover the bur.
+    /// Places the bar at the top of `area` (coordinates of the parent), as wide as needed. Over the view, places it at
+    /// the bottom if it would cover the bur.
     void placeIn(const QRect& area, Place place, const std::optional<QPointF>& bur = {});
 
 signals:
-    /// Another message is shown, or none any more.
+    /// Emitted when another message, or none, is shown.
     void changed();
 
 protected:

@@ -8,7 +8,7 @@
 
 namespace ui::kit {
 
-/// Radius of the circle around the bur that stays free of words and panels, pixels.
+/// Radius of the circle around the bur that overlays leave free, pixels.
 inline constexpr double kOffBurPx = 90.0;
 
 /// Returns the usual place of an overlay if it leaves the circle around the bur free, or else the other place. If both

@@ -10,24 +10,24 @@ namespace ui::kit {
 
 class Actions;
 
-/// A page beside the practice room: a way back and a title at the top, its content beneath.
+/// A page beside the practice room: a back button and a title at the top, the content below.
 class Page : public QWidget
 {
     Q_OBJECT
 public:
     Page(const Actions& actions, QWidget* parent);
-    /// Said again by the page in every language.
+    /// Sets the title. The page calls this again when the language changes.
     void setTitle(const QString& title);
-    /// Puts the cursor into the search field. False if the page has none, or is not shown.
+    /// Focuses the search field. Returns false if the page has none or is hidden.
     [[nodiscard]] virtual bool focusSearch() const;
-    /// Goes back within the page. False if the page itself is to be left.
+    /// Goes back one step within the page. Returns false if there is none: the window then leaves the page.
     [[nodiscard]] virtual bool stepBack() { return false; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// Where a page puts its content.
+    /// Returns the layout for the content of the page.
     [[nodiscard]] QVBoxLayout* body() { return m_body; }
-    /// What is done on this page is kept, whoever does it.
+    /// Removes the note that a guest's work is not saved, on pages where everything is saved.
     void removeGuestSign();
 
 private:

@@ -5,8 +5,8 @@ class QSaveFile;
 
 namespace ui::kit {
 
-/// Opens a file that something about people is saved into: one that is new only its owner may read, where the file
-/// system knows such rights; of one that is there it stays who may. False: see QSaveFile::errorString().
+/// Opens a file for data about people. A new file is readable by its owner only, if the file system has such
+/// permissions; an existing file keeps its permissions. Returns false on failure: see QSaveFile::errorString().
 [[nodiscard]] bool openForOwner(QSaveFile& file);
 
 }  // namespace ui::kit

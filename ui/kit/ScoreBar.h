@@ -5,7 +5,7 @@
 
 namespace ui::kit {
 
-/// A score of 0 to 100 points as a bar, with the pass mark upon it.
+/// A bar of 0 to 100 points with a mark at the pass mark.
 class ScoreBar : public QWidget
 {
     Q_OBJECT

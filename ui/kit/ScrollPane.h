@@ -5,17 +5,17 @@
 
 namespace ui::kit {
 
-/// What may be higher than there is room for. While some of it lies below, its lower edge fades and an arrow points
-/// there. It never scrolls sideways. Whatever gets the keyboard within comes into sight, and the keys that it has no
-/// use for scroll; where nothing within can have it and there is something to scroll, Tab stops at the pane itself.
+/// A vertical scroll area. While content is hidden below, the lower edge fades and shows an arrow. A widget inside that
+/// gets the focus is scrolled into view, and keys that it does not use scroll. If no widget inside can have the focus
+/// and there is something to scroll, the pane itself takes it.
 class ScrollPane : public QScrollArea
 {
     Q_OBJECT
 public:
-    /// @param ground  what lies behind the content
+    /// @param ground  colour role of the background behind the content
     ScrollPane(QWidget* content, QPalette::ColorRole ground, QWidget* parent);
 
-    /// Some of the content lies below what is shown.
+    /// Returns whether content is hidden below the visible part.
     [[nodiscard]] bool hasMoreBelow() const;
 
 protected:

@@ -5,7 +5,7 @@
 
 namespace ui::kit {
 
-/// Where files of the user's own are looked for first: his documents, or his home where he has no such folder.
+/// Returns the user's documents folder, or the home folder if there is none.
 [[nodiscard]] QString documentsFolder();
 
 }  // namespace ui::kit

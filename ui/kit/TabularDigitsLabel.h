@@ -5,8 +5,8 @@
 
 namespace ui::kit {
 
-/// One line of text in which every digit takes the width of the widest, so that a running figure stays in place.
-/// (Qt 6.4 cannot ask a font for its tabular digits.)
+/// A one-line label in which every digit has the width of the widest, so that a changing number does not move. (Qt 6.4
+/// cannot request the tabular digits of a font.)
 class TabularDigitsLabel : public QWidget
 {
     Q_OBJECT
@@ -15,9 +15,9 @@ public:
 
     [[nodiscard]] QString text() const { return m_text; }
     [[nodiscard]] QString unit() const { return m_unit; }
-    /// @param unit  set smaller behind the figure, quiet
+    /// @param unit  shown after the number, smaller and paler
     void setText(const QString& text, const QString& unit = {});
-    void setColour(const QColor& colour);  ///< invalid: the palette's words
+    void setColour(const QColor& colour);  ///< invalid: the text colour of the palette
     void setAlignment(Qt::Alignment alignment) { m_alignment = alignment; }
 
     [[nodiscard]] QSize sizeHint() const override;

@@ -10,69 +10,68 @@ class QApplication;
 class QFrame;
 class QWidget;
 
-/// The looks of every page, in one place: palettes, a handful of tokens and one style sheet (ui/assets/cusp.qss).
-///
-/// Palette roles mean the same everywhere, so that one style sheet serves both rooms and both themes:
-///   Window page, Base card, Button control, Mid line, Midlight hovered control, WindowText words,
-///   PlaceholderText quiet words, Highlight filled button and slider, Link accent as words and focus ring.
+/// The look of all pages: palettes, sizes and one style sheet (ui/assets/cusp.qss).
+/// Palette roles have the same meaning everywhere, so that one style sheet serves both rooms and both themes:
+///   Window page, Base card, Button control, Mid line, Midlight hovered control, WindowText text,
+///   PlaceholderText secondary text, Highlight filled button and slider, Link accent of text and focus ring.
 namespace ui::kit {
 
 enum class ThemeChoice { System, Light, Dark };
 
-/// Spacing and corner, px.
+/// Spacing and corner radius, px.
 inline constexpr int kSpace1 = 4;
 inline constexpr int kSpace2 = 8;
 inline constexpr int kSpace4 = 16;
 inline constexpr int kSpace6 = 24;
-inline constexpr int kBelowMessagePx = 88;  ///< from the top of the view: what lies below the place of a message
+inline constexpr int kBelowMessagePx = 88;  ///< from the top of the view; below the place of a message
 inline constexpr int kRadius = 6;
 
-/// Type sizes, px. kHero is for one number a page.
+/// Font sizes, px. kHero is for one number on a page.
 inline constexpr int kSmall = 12;
 inline constexpr int kBody = 14;
 inline constexpr int kTitle = 18;
 inline constexpr int kFigure = 28;
 inline constexpr int kHero = 72;
 
-/// What a palette has no role for. Shapes in these colours reach 3:1 on their page, words 4.5:1.
+/// Colours for which a palette has no role. Shapes have a contrast of 3:1 with their page, text 4.5:1.
 struct Tones
 {
     QColor accent;         ///< shapes: bars, marks
-    QColor attention;      ///< shapes: look here
-    QColor attentionText;  ///< the same as words
-    QColor harm;           ///< shapes: harm done
+    QColor attention;      ///< shapes that need attention
+    QColor attentionText;  ///< text that needs attention
+    QColor harm;           ///< shapes that show harm
     QColor harmText;
 };
 
-/// The pages that were chosen for the next run (Memory); System if none were.
+/// Returns the stored theme; System if none is stored.
 [[nodiscard]] ThemeChoice rememberedTheme();
 void rememberTheme(ThemeChoice choice);
 
-/// Light or dark pages. System asks the palette of the desktop, so call it on a fresh application.
+/// Applies a light or dark palette. System reads the palette of the desktop, so call this on a fresh application.
 void applyTheme(QApplication& application, ThemeChoice choice);
 
-/// Pages other than the practice room.
+/// Returns the palette of all pages but the practice room.
 [[nodiscard]] QPalette pagePalette(bool dark);
-/// The practice room: dark neutral grey in either theme.
+/// Returns the palette of the practice room: dark neutral grey in both themes.
 [[nodiscard]] QPalette roomPalette();
 
-/// Puts a widget and all it will hold into another room than the application's: palette and style sheet. A style sheet
-/// knows the application's palette only, so each room has its own copy of the one sheet. Call before making children.
+/// Gives a widget and its future children another palette than the application's. Each room needs its own copy of the
+/// style sheet, because a style sheet uses the application's palette. Call before children are created.
 void dress(QWidget& widget, const QPalette& palette);
 
 [[nodiscard]] bool isDark(const QPalette& palette);
 [[nodiscard]] Tones tones(const QPalette& palette);
 
-/// The application's family at one of the sizes above.
+/// Returns the application's font family at one of the sizes above.
 [[nodiscard]] QFont typeface(int pixelSize, QFont::Weight weight = QFont::Normal);
 
-/// A thin line between two parts of a page.
+/// Returns a thin horizontal line between two parts of a page.
 [[nodiscard]] QFrame* line(QWidget* parent);
 
-/// The words of a tooltip that may be long: Qt breaks only rich text into lines, all else runs across the screen.
+/// Returns a long tooltip as rich text. Qt wraps only rich text; plain text stays on one line.
 [[nodiscard]] QString brokenIntoLines(const QString& words);
 
-/// Ratio of WCAG 2 between two opaque colours, 1 .. 21.
+/// Returns the WCAG 2 contrast ratio of two opaque colours, 1 to 21.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
 
 }  // namespace ui::kit

@@ -11,7 +11,7 @@
 
 namespace ui::kit {
 
-/// What the user has typed on the pages of a window and not saved. It is asked about once, wherever it would be lost.
+/// The unsaved changes on the pages of a window, for one question wherever they would be lost.
 class UnsavedChanges
 {
     Q_DECLARE_TR_FUNCTIONS(UnsavedChanges)

@@ -5,7 +5,7 @@
 
 namespace ui::kit {
 
-/// The rows of a table in one of whose columns the words that are searched for occur.
+/// Keeps the rows in which one column contains the searched words.
 class WordFilter final : public QSortFilterProxyModel
 {
     Q_OBJECT
