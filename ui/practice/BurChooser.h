@@ -18,13 +18,12 @@ namespace ui::practice {
 
 class BurPicker;
 
-/// One bur as a tile: its outline drawn to scale, tip down, with its number beneath. Checks and unchecks with its
-/// action.
+/// A tile that shows one bur: its outline to scale, tip down, with its number below. It is checked when its action is.
 class BurTile : public QAbstractButton
 {
     Q_OBJECT
 public:
-    /// @param heightPx  a head that would not fit is drawn smaller
+    /// @param heightPx  a larger bur head is scaled down to fit
     BurTile(const core::bur::Bur& bur, QAction* action, int heightPx, QWidget* parent);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] const core::bur::Bur& bur() const { return m_bur; }
@@ -37,8 +36,8 @@ private:
     int m_heightPx;
 };
 
-/// The burs at hand side by side (Actions::bursAtHand()), then the one in use if it is not among them, and a button
-/// that opens all of them.
+/// Shows the burs at hand side by side (Actions::bursAtHand()), then the bur in use if it is not among them, and a
+/// button that opens the bur picker.
 class BurChooser : public QWidget
 {
     Q_OBJECT

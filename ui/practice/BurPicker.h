@@ -17,16 +17,15 @@ class ScrollPane;
 
 namespace ui::practice {
 
-/// All burs on one page that opens over the view: pictures to scale in groups of one shape, with sizes and numbers, a
-/// search by number, size or shape, and a star for each bur that the panel keeps at hand. Choosing a
-/// bur or pressing Esc closes it.
+/// Shows all burs over the view: pictures to scale, grouped by shape, with sizes and numbers; a search by number, size
+/// or shape; and a star for each favourite bur. Choosing a bur or pressing Esc closes it.
 class BurPicker : public QFrame
 {
     Q_OBJECT
 public:
     BurPicker(kit::Actions& actions, QWidget* parent);
 
-    /// Opens beside a widget, with nothing searched for.
+    /// Opens beside a widget, with an empty search field.
     void open(const QWidget& beside);
 
 protected:
@@ -34,7 +33,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    /// One bur: its tile with what is written beneath.
+    /// One bur: its tile, and its size and number below.
     struct Cell
     {
         int bur;

@@ -7,7 +7,7 @@ class QAction;
 
 namespace ui::practice {
 
-/// Whether the bur turns, readable from across the room: filled and lit when on, outlined when off, its key beside it.
+/// A large switch that shows whether the bur turns: filled when on, outlined when off, with its key beside it.
 class DrillSwitch : public QAbstractButton
 {
     Q_OBJECT

@@ -22,24 +22,24 @@ namespace ui::practice {
 
 class HoldGauge;
 
-/// Beneath the tooth while an exercise of the first minutes goes on: how far it has come, the force against its band,
-/// or the choice of a tissue for each pad. When all is done it says so and offers the grade. Low and wide, so that the
-/// tooth keeps its room.
+/// A card below the tooth during an exercise of the first lessons: the progress, the force against its band, or the
+/// choice of a tissue for each pad. When the exercise is complete, it offers grading. Low and wide, so that it leaves
+/// the tooth in view.
 class ExerciseCard final : public QFrame
 {
     Q_OBJECT
 public:
-    /// @param grade  what its button does
+    /// @param grade  the action of its button
     ExerciseCard(QAction* grade, QWidget* parent);
 
-    /// Begins with nothing done.
+    /// Starts an exercise with no progress.
     void begin(const core::grading::Exercise& exercise);
-    /// What the examiner has seen so far.
+    /// Shows the progress that the examiner has measured.
     void setPractised(const core::grading::Practised& practised);
     [[nodiscard]] const core::grading::Practised& practised() const { return m_practised; }
-    /// Once a frame.
+    /// Updates the force and the drill. Call once per frame.
     void setServo(const core::servo::ServoState& servo);
-    /// It has been graded: choices rest, and the right ones are told.
+    /// Ends the exercise after grading: disables the choices and shows the right ones.
     void conclude();
     [[nodiscard]] bool isConcluded() const { return m_isConcluded; }
 
@@ -57,7 +57,7 @@ private:
     core::grading::Practised m_practised;
     bool m_drillIsOn = false;
     bool m_isConcluded = false;
-    bool m_hasChosen = false;  ///< in this window; then what it shows is not to be put right
+    bool m_hasChosen = false;  ///< the user has answered here: progress from outside no longer changes the choices
     QLabel* m_title = nullptr;
     QLabel* m_advice = nullptr;
     QWidget* m_hold = nullptr;
@@ -70,7 +70,7 @@ private:
     QPushButton* m_grade = nullptr;
 };
 
-/// "Left", "Middle", "Right".
+/// Returns "Left", "Middle" or "Right".
 [[nodiscard]] QString padName(std::size_t pad);
 
 }  // namespace ui::practice

@@ -37,7 +37,7 @@ public:
     /// Restores the default feed and force.
     void reset();
     [[nodiscard]] double pushForce() const;
-    /// While a force device moves the bur, the sliders mean nothing: a sentence is in their place.
+    /// Replaces the sliders by a sentence while a force device moves the bur.
     /// @param name  of the device; empty: the pointer moves the bur
     void setForceDevice(const QString& name);
 

@@ -9,7 +9,7 @@ class QBoxLayout;
 
 namespace ui::practice {
 
-/// The handpieces side by side, by name. One that is not at hand (its action is invisible) takes no room.
+/// The handpieces side by side, by name. A handpiece whose action is invisible is hidden.
 class HandpieceChooser : public QWidget
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// Side by side, or one below the other where their names are too long for that.
+    /// Lays the names out in a row, or in a column if a row is too narrow.
     void arrange();
 
     QBoxLayout* m_row;

@@ -8,22 +8,22 @@
 
 namespace ui::practice {
 
-/// A moment in the picture of the undo history: one row each, oldest first, branches in lanes side by side.
+/// One row of the undo history: a moment, its branch lane and the lines to its neighbours. Oldest first.
 struct HistoryRow
 {
     core::history::MomentInfo moment;
-    int parent = -1;  ///< row that it follows from; -1: none that is known
+    int parent = -1;  ///< row of the moment before it in its branch; -1: unknown
     int lane = 0;
-    /// What came off since the moment that it follows from; negative where something was put back.
+    /// Removed since the parent, mm³; negative if material was restored.
     core::terrain::PerMaterial takenMm3{};
-    /// Lanes in which a line comes from the row above, and goes to the row below.
+    /// Lanes in which a line comes from the row above, and continues to the row below.
     std::vector<int> fromAbove;
     std::vector<int> toBelow;
 };
 
-/// The line that began first keeps its lane; a branch takes the first that is free from the row below its beginning to
-/// its own last one.
-/// @param moments  UndoTree::list
+/// Returns the rows of the undo history. The line that began first keeps its lane; a branch takes the first lane that
+/// is free from the row below its start to its own last row.
+/// @param moments  as listed by UndoTree::list
 [[nodiscard]] std::vector<HistoryRow> historyRows(std::span<const core::history::MomentInfo> moments);
 
 }  // namespace ui::practice

@@ -24,17 +24,17 @@ class HistoryModel;
 
 namespace ui::practice {
 
-/// Where the panel asks for the history (core::session::SessionLoop). Ui thread.
+/// Access to the undo history (core::session::SessionLoop). Ui thread.
 struct HistorySource
 {
     std::function<std::vector<core::history::MomentInfo>()> moments;
-    /// The top map at a moment; empty if it is not known any more.
+    /// Returns the top map at a moment, mm; empty if the moment is no longer stored.
     std::function<std::vector<float>(core::history::MomentId)> heights;
 };
 
-/// The undo history over the tooth: each moment a small picture with when it was and what came off, branches beside
-/// each other, the present one marked. A click or Enter goes there. Pictures are drawn by other threads when a row is
-/// first seen, and the newest few hundred kept, some 6 KB each.
+/// Shows the undo history over the tooth: for each moment a small picture, its time and what was removed; branches side
+/// by side; the current moment marked. A click or Enter goes to a moment. Worker threads draw a picture when its row is
+/// first visible; the newest kMostPictures are cached, about 6 KB each.
 class HistoryPanel final : public QFrame
 {
     Q_OBJECT
@@ -42,16 +42,16 @@ public:
     explicit HistoryPanel(QWidget* parent);
 
     void setSource(HistorySource source) { m_source = std::move(source); }
-    /// The tooth on the table.
+    /// Sets the tooth of the current attempt.
     void setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth);
     void setColours(render::Palette colours);
-    /// What the session says; asks the source when that is another history than before, and the panel is seen.
+    /// Reloads the history if its version has changed and the panel is visible. Otherwise does so when it is shown.
     void follow(std::uint64_t historyVersion);
-    /// At the left of `area`, no higher than needed.
+    /// Places the panel at the left of `area`, no higher than needed.
     void placeIn(const QRect& area);
 
     [[nodiscard]] QListView& list() { return *m_list; }
-    /// The picture of a moment; null until it is drawn.
+    /// Returns the picture of a moment; null until it is drawn.
     [[nodiscard]] const QImage* picture(core::history::MomentId id);
 
     static constexpr int kPicturePx = 56;
@@ -80,7 +80,7 @@ private:
     QLabel* m_empty;
     QCache<std::uint64_t, QImage> m_pictures{kMostPictures};
     QSet<std::uint64_t> m_underWay;
-    int m_drawing = 0;  ///< number of the tooth and palette drawn for: a picture of another comes too late
+    int m_drawing = 0;  ///< number of the current tooth and palette; a picture drawn for an older number is dropped
 };
 
 }  // namespace ui::practice

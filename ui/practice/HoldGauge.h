@@ -7,16 +7,16 @@
 
 namespace ui::practice {
 
-/// A force against the band in which it is to be held, large and calm: what trembles faster than an eye can follow is
-/// smoothed away.
+/// A large gauge of a force and the band in which it is to be held. Smooths out trembling that is too fast for the eye.
 class HoldGauge final : public QWidget
 {
     Q_OBJECT
 public:
     explicit HoldGauge(QWidget* parent);
 
+    /// Sets the band.
     void setAsked(const core::grading::ForceToHold& asked);
-    /// Call once a frame.
+    /// Updates the force. Call once per frame.
     void setForce(double newtons);
     [[nodiscard]] QSize sizeHint() const override { return {400, 56}; }
 

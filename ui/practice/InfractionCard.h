@@ -13,21 +13,22 @@ class QPushButton;
 
 namespace ui::practice {
 
-/// Over the tooth when a rule of the lesson has been broken in practice: what happened and why it matters, in two
-/// sentences, and the choice to take it back or to go on. The bur rests meanwhile.
+/// Shown over the tooth when a rule of the lesson has been broken in practice: what happened and why it matters, with
+/// buttons to undo it or to continue. The bur is stopped meanwhile.
 class InfractionCard final : public QFrame
 {
     Q_OBJECT
 public:
     explicit InfractionCard(QWidget* parent);
 
-    /// @param canTakeBack  there is a moment before it to go back to
+    /// Shows an infraction.
+    /// @param canTakeBack  there is a stored moment before it
     void tell(const core::grading::Infraction& infraction, bool canTakeBack);
-    /// As its button: leaves it as it is.
+    /// Continues without undoing, like its button.
     void goOn();
-    /// As its other button; false where it is not there to be pressed.
+    /// Undoes, like its button. Returns false if the button is not available.
     bool takeBack();
-    /// Puts the card at the foot of `area`, or below its top where the card would lie over the bur.
+    /// Places the card at the bottom of `area`, or below its top if the card would cover the bur.
     void placeIn(const QRect& area, const std::optional<QPointF>& bur);
 
 signals:
@@ -48,9 +49,9 @@ private:
     QPushButton* m_goOnButton = nullptr;
 };
 
-/// "Pulp opened", with the value against the limit where there is one.
+/// Returns the name of an infraction, such as "Pulp opened", with the value and its limit if there is one.
 [[nodiscard]] QString breachName(const core::grading::Infraction& infraction);
-/// Why it matters, in one sentence.
+/// Returns one sentence that says why the rule matters.
 [[nodiscard]] QString breachReason(core::grading::RuleViolation breach);
 
 }  // namespace ui::practice

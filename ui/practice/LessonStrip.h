@@ -40,7 +40,7 @@ public:
     void follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3, bool isDeep);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
-    /// Tells whether another attempt at the exam is left after its grade.
+    /// Sets whether another attempt at the exam is left after its grade.
     void setMayBeginAgain(bool may);
     enum class Ending {
         WithScore,
@@ -50,7 +50,7 @@ public:
     void conclude(Ending ending);
 
 signals:
-    /// Emitted when the current step has changed, or is shown anew.
+    /// Emitted when a step is shown: another one, or the same again.
     void stepShown();
     /// Emitted once for each lesson, when its time is over.
     void timeOver();

@@ -7,12 +7,13 @@
 
 namespace ui::practice {
 
-/// Nearer than this to what is to be kept the bur is told to be near, and at it, mm.
+/// Distances to tissue that must stay at which a bur counts as near, and as touching, mm.
 inline constexpr double kNearLimitMm = 0.3;
 inline constexpr double kAtLimitMm = 0.05;
 
-/// The colour of a bur that is so far from what is to be kept; steel (no colour) where nothing is near. The three
-/// differ in lightness as well as in hue.
+/// Returns the colour of a bur at this distance from tissue that must stay. The three colours differ in lightness as
+/// well as in hue.
+/// @param marginMm  empty: no limit is near; the result is invalid and the bur keeps its steel colour
 [[nodiscard]] inline QColor limitColour(const std::optional<double>& marginMm)
 {
     if (!marginMm)

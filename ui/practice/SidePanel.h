@@ -33,7 +33,7 @@ namespace ui::practice {
 class DrillSwitch;
 class HandControls;
 
-/// Beside the tooth: whether the bur turns, how the pointer holds it, the live figures and the burs.
+/// The panel beside the tooth: the drill switch, the controls of the pointer's hand, the live figures and the burs.
 class SidePanel : public QFrame
 {
     Q_OBJECT
@@ -41,20 +41,20 @@ public:
     /// @param view  the panel controls its hand; must outlive the panel
     SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* parent);
 
-    /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
+    /// Shows the newest figures. Call once per frame; text changes at a readable pace.
     void setFigures(const core::servo::ServoState& servo, const core::session::SessionState& session,
                     const core::imaging::DepthReading& reading);
     /// Sets the lesson, which decides what is shown about the work.
     /// @param lesson  null: practice without a lesson
     void setLesson(const lessons::Lesson* lesson);
-    /// How near the bur is to what is to be kept, and how far the work has come against the ideal; nothing where it is
-    /// not to be told.
+    /// Shows the distance from the bur to tissue that must stay, mm, and the progress against the ideal.
+    /// @param marginMm, progress  empty: not shown
     void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
-    /// Of the discs beside the names of tissues.
+    /// Sets the palette of the discs beside the names of tissues.
     void setColours(render::Palette colours);
-    /// What a depth gauge tells, and what only an X-ray picture tells: how near the pulp is.
+    /// Sets whether the depth is shown, and whether the distance to the pulp is, which otherwise needs a radiograph.
     void setTold(bool depth, bool pulp);
-    /// Tissues are to be told by feel: nothing of what would name them is shown.
+    /// Hides everything that names a tissue, for exercises in which tissues are recognised by feel.
     void setBlindfold(bool on);
     [[nodiscard]] HandControls& hand() { return *m_hand; }
 
@@ -73,7 +73,7 @@ private:
         QLabel* words;
         kit::TabularDigitsLabel* value;
     };
-    /// @param before  stands before the value, or null
+    /// @param before  placed in front of the value; may be null
     static Figure addFigure(QBoxLayout* layout, const char* objectName, QWidget* before = nullptr);
     static void name(Figure& figure, const QString& caption);
     static void setFigure(const Figure& figure, const QString& text, const QString& unit, const QColor& colour = {});

@@ -11,18 +11,18 @@ class QSlider;
 
 namespace ui::practice {
 
-/// A small page over the view that sets up the stereo picture in three steps, each with what to look for while one
-/// moves a slider: the way to the eyes, their distance, and what lies in the plane of the screen.
+/// Sets up the stereo picture in three steps, each with an instruction and a control: the stereo mode, the distance of
+/// the eyes, and the plane of the screen.
 class StereoCard : public QFrame
 {
     Q_OBJECT
 public:
     explicit StereoCard(QWidget* parent);
 
-    /// Shows itself with these values, and the picture in stereo.
-    /// @param way  to the eyes, where stereo is off
+    /// Opens with these values, and switches stereo on.
+    /// @param way  the stereo mode if stereo is off
     void open(const render::Presentation& now, render::Stereo way);
-    /// Brings back what was there before it was opened, and closes.
+    /// Restores the values from before open(), and closes.
     void cancel();
 
 signals:
@@ -35,8 +35,8 @@ private:
     QComboBox* m_mode;
     QSlider* m_apart;
     QSlider* m_convergence;
-    render::Presentation m_before;                         ///< when it was opened
-    render::Stereo m_wayBefore = render::Stereo::RedCyan;  ///< to the eyes
+    render::Presentation m_before;                         ///< from before open()
+    render::Stereo m_wayBefore = render::Stereo::RedCyan;  ///< the stereo mode before open()
 };
 
 }  // namespace ui::practice

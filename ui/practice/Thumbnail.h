@@ -10,8 +10,7 @@
 
 namespace ui::practice {
 
-/// Colours of a small picture: materials in the order of core::terrain::Material, what is laid thinly over the cut, and
-/// what is beside the tooth.
+/// Colours of a small picture: one for each core::terrain::Material, the tint of cut surfaces, and the background.
 struct ThumbnailColours
 {
     std::array<QRgb, core::terrain::kMaterialCount> materials{};
@@ -19,9 +18,9 @@ struct ThumbnailColours
     QRgb beside = 0;
 };
 
-/// A tooth from above, its materials shaded by its slopes and tinted where it was cut: cheap, for lists. 16 bits a
-/// pixel. Any thread.
-/// @param top  the top map, row by row, mm, of the anatomy's grid
+/// Draws a tooth from above, shaded by slope and tinted where it was cut. Cheap, for lists; 16 bits per pixel. Any
+/// thread.
+/// @param top  top map on the anatomy's grid, row by row, mm
 [[nodiscard]] QImage thumbnail(const core::terrain::ToothAnatomy& anatomy, std::span<const float> top, int sidePx,
                                const ThumbnailColours& colours);
 

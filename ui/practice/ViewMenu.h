@@ -17,37 +17,37 @@ class Actions;
 
 namespace ui::practice {
 
-/// What a person chooses about the view: the actions for it say what is wanted, a menu shows them, and they are found
-/// again at the next start. Says when something was chosen.
+/// The user's choices about the view: the actions hold them, a menu shows them, and they are stored between runs.
 class ViewMenu : public QObject
 {
     Q_OBJECT
 public:
     explicit ViewMenu(kit::Actions& actions, QWidget* window);
 
-    /// What is to be shown: what was chosen and is allowed.
+    /// Returns the settings in effect: those that are chosen and that the lesson allows.
     [[nodiscard]] tooth::ViewSettings settings() const;
-    /// All that the menu holds of the view; the pages of presets and settings and the console stand below it.
+    /// Returns the actions of the view; the menu adds the pages of presets and settings and the console.
     [[nodiscard]] QList<QAction*> actions() const;
-    /// What a lesson does not allow, or has not, is not shown, whatever was chosen.
+    /// Restricts the settings to what the lesson allows and has.
     void setAllowed(const lessons::Aids& aids);
-    /// A lesson begins with the colours against its ideal, or with none.
+    /// Sets whether the tooth is coloured by its distance to the ideal, when a lesson begins.
     void colourAgainstIdeal(bool on);
-    /// A lesson with an ideal begins with its outline on the tooth. Not kept for the next start.
+    /// Sets whether the ideal is outlined, when a lesson begins. Not stored.
     void outlineIdeal(bool on);
-    /// A lesson that watches the neighbouring teeth begins with them shown, any other lesson as the person chose.
+    /// Shows the neighbouring teeth if the lesson watches them; otherwise restores the user's choice.
     void showNeighbours(bool areWatched);
-    /// The way to the eyes that switching stereo on brings.
+    /// Returns the stereo mode that is used when stereo is switched on.
     [[nodiscard]] render::Stereo stereoWay() const { return m_lastStereo; }
-    /// A button with the menu, for a bar.
+    /// Returns a tool button that opens the menu.
     [[nodiscard]] QToolButton* makeButton(QWidget* parent);
-    /// Of the two eyes: how far apart, and where the plane of the screen lies (render::Presentation).
+    /// Sets the stereo mode, the distance of the eyes and the plane of the screen (see render::Presentation).
     void setStereo(render::Stereo stereo, double apart, double convergence);
 
 signals:
+    /// Emitted when the settings in effect have changed.
     void chosen(const ui::tooth::ViewSettings& settings);
     void stereoPageRequested();
-    /// The tooth is to be seen from a named side (tooth::viewpointNames()).
+    /// Emitted when the user asks to see the tooth from a named side (tooth::viewpointNames()).
     void sideRequested(const QString& viewpoint);
 
 private:
@@ -57,9 +57,9 @@ private:
 
     kit::Actions& m_actions;
     QMenu* m_menu;
-    tooth::ViewSettings m_settings;  ///< as chosen
+    tooth::ViewSettings m_settings;  ///< as the user chose them
     lessons::Aids m_aids;
-    bool m_choseNeighbours = false;  ///< also while a lesson shows them by itself
+    bool m_choseNeighbours = false;  ///< the user's choice, also while a lesson overrides it
     render::Stereo m_lastStereo = render::Stereo::RedCyan;
 };
 
