@@ -14,10 +14,10 @@
 #include "ui/charts/Chart.h"
 #include "ui/text/PeopleTexts.h"
 
-/// The attempts of one person as charts.
+/// Charts of one person's attempts.
 namespace ui::scoring {
 
-/// What half of a class is below, of everybody's best attempt at a lesson.
+/// Medians of a class over each person's best attempt at a lesson.
 struct ClassMedians
 {
     int people = 0;  ///< shown from lessons::kFewestPeople on
@@ -26,29 +26,29 @@ struct ClassMedians
     bool operator==(const ClassMedians&) const = default;
 };
 
-/// What the charts are made from.
+/// The data of the charts.
 struct ChartedAttempts
 {
     QList<database::AttemptRecord> newestFirst;
-    bool isOneLesson = false;  ///< the attempts are then joined by a line and compared with the class
+    bool isOneLesson = false;  ///< attempts of one lesson are joined by a line and compared with the class
     text::LessonTitles titles;
-    std::map<std::string, text::CriterionNames> criteria;  ///< by lesson
+    std::map<std::string, text::CriterionNames> criteria;  ///< by lesson id
     std::vector<database::BandPoint> band;
     std::optional<ClassMedians> medians;
 };
 
-/// More than these are not told apart: the newest are shown, and the note says so.
+/// Number of attempts that the charts show. If there are more, the newest are shown and a note says so.
 inline constexpr qsizetype kMostCharted = 300;
 
 [[nodiscard]] charts::Chart scoreChart(const ChartedAttempts& attempts);
-/// What each criterion took of its weight on the average of the last attempts.
+/// Charts the points that each criterion cost, on average over the last attempts.
 [[nodiscard]] charts::Chart criteriaChart(const ChartedAttempts& attempts);
 [[nodiscard]] charts::Chart timeChart(const ChartedAttempts& attempts);
 [[nodiscard]] charts::Chart forceChart(const ChartedAttempts& attempts);
-/// Both count: time to the right, points upwards.
+/// Charts score against time, because both count: time to the right, points upwards.
 [[nodiscard]] charts::Chart speedChart(const ChartedAttempts& attempts);
 
-/// The band of a class as a chart has it; empty where it tells of too few people.
+/// Returns the band of a class for a chart; empty if it covers too few people.
 [[nodiscard]] charts::Band bandOf(const std::vector<database::BandPoint>& points);
 
 }  // namespace ui::scoring

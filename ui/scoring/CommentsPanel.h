@@ -23,61 +23,63 @@ class QVBoxLayout;
 
 namespace ui::scoring {
 
-/// What people say of an attempt: comments, each perhaps pinned to a moment and to a place on the tooth, and the score
-/// that an instructor gave instead of the machine's, with the reason. Everything is signed. The machine's score stays
-/// in sight. Who may not write reads.
+/// Shows comments on an attempt, each perhaps pinned to a moment and to a place on the tooth, and the score that an
+/// instructor gave in place of the computed one, with the reason. All entries are signed. The computed score stays
+/// visible. Users who may not write see the panel without its forms.
 class CommentsPanel final : public QWidget
 {
     Q_OBJECT
 public:
     explicit CommentsPanel(QWidget* parent);
 
-    /// Shows the talk about this attempt, 0: none that is saved. What the user has typed about the attempt before stays
-    /// in memory until that is shown again.
+    /// Shows the comments on an attempt; 0: none that is saved. Unsent text about the attempt before is kept in memory
+    /// and restored when that attempt is shown again.
     void setAttempt(qint64 attempt);
     [[nodiscard]] qint64 attempt() const { return m_attempt; }
     /// Describes the comments and scores that the user has typed and not sent, about any attempt. Empty: there are
     /// none.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges();
-    /// @param machineTenths  what the machine gave
+    /// @param machineTenths  the computed score
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     void setTalk(const database::AttemptTalk& talk);
     void setMay(bool comment, bool override);
-    /// Without a recording there is neither a moment nor a place to be seen, or to be pinned to.
+    /// Sets whether there is a recording. Without one, comments cannot be pinned, and pins cannot be opened.
     void setRecorded(bool isRecorded);
-    /// Where the replay was seen last; nothing: it has not been. A moment that is ticked stays what was ticked; whoever
-    /// comes back from there to what he is writing finds it ticked.
+    /// Sets the last moment seen in the replay; empty: none. A moment that the user has ticked stays.
     void setMoment(std::optional<std::int64_t> ms);
-    /// The place that is marked on the tooth, in its frame, mm.
-    /// @param forComment  it was marked by who writes, so that what he writes is about it
+    /// Sets the place that is marked on the tooth, in its frame, mm.
+    /// @param forComment  the user marked it for the comment being written: it is ticked
     void setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment = false);
     [[nodiscard]] const std::optional<std::array<double, 3>>& place() const { return m_place; }
-    /// Removes one's own comment. Its words and pins return to the field, or to what was typed about its attempt if
-    /// another attempt is shown by now.
-    /// @param earlier  somebody had done it already, and may have written it anew
+    /// Removes the user's own comment after the database has withdrawn it. Its text and pins return to the form, or to
+    /// the draft of its attempt if another attempt is shown by now.
+    /// @param earlier  the comment had been withdrawn before, from elsewhere: its text does not return
     void withdraw(qint64 comment, bool earlier);
-    /// Says why what was written could not be kept. It stays where it was typed.
+    /// Shows why the last request failed, in the form it was made in. The text stays in the form.
     void refuse(const QString& sentence);
-    /// It could not be taken back, and why, told at its attempt, now or when that is shown again.
+    /// Keeps a comment whose withdrawal failed.
+    /// @param fault  the reason, shown at its attempt now or when that is shown again
     void keepComment(qint64 comment, qint64 attempt, const QString& fault);
-    /// What was wanted of this attempt has been done, and what was sent leaves its field; or not. Until then nothing
-    /// more is sent of it.
-    /// @param fault  why it was not done, told at the attempt, now or when it is shown again; empty: it was
+    /// Finishes the request that was sent about an attempt. On success clears the form that it came from. Until then no
+    /// other request can be sent about the attempt.
+    /// @param fault  the reason of a failure, shown at the attempt now or when that is shown again; empty: success
     void answer(qint64 attempt, const QString& fault = {});
 
 signals:
+    /// Emitted when the user adds a comment.
     void commentRequested(const QString& words, std::optional<std::int64_t> momentMs,
                           std::optional<std::array<double, 3>> placeMm);
-    /// One's own, to be taken back.
+    /// Emitted when the user takes back a comment of their own.
     void withdrawRequested(qint64 comment);
-    /// @param tenths  nothing: the machine's score counts again
-    /// @param before  so many were given so far, as it is shown here
+    /// Emitted when an instructor gives another score.
+    /// @param tenths  empty: the computed score counts again
+    /// @param before  number of scores given before, as shown here
     void overrideRequested(std::optional<int> tenths, const QString& reason, std::size_t before);
-    /// A pinned comment is to be seen where it belongs.
+    /// Emitted when the user opens the moment or the place that a comment is pinned to.
     void momentRequested(double seconds);
     void placeRequested(std::array<double, 3> placeMm);
-    /// Somebody writes in this part of the panel, which is to be in sight as a whole.
+    /// Emitted when the user writes in a form of the panel, which is to be scrolled into view as a whole.
     void formUsed(QWidget* form);
 
 protected:
@@ -86,7 +88,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// What the user has typed about an attempt and not sent.
+    /// Text that the user has typed about an attempt and not sent.
     struct Draft
     {
         QString words;
@@ -94,17 +96,17 @@ private:
         std::optional<std::array<double, 3>> placeMm;
         QString reason;
         double points = 0.0;
-        bool hasPoints = false;  ///< that somebody has typed
-        QString fault = {};      ///< why it could not be kept
+        bool hasPoints = false;  ///< typed by the user
+        QString fault = {};      ///< why it could not be saved
         bool isScoreRefused = false;
     };
 
-    /// What somebody has asked to be kept.
+    /// A request that was sent to the database.
     struct Sent
     {
         bool isScore = false;
-        QString words;                ///< of the comment, or the reason
-        std::optional<int> tenths{};  ///< of a score
+        QString words;                ///< of the comment, or the reason of the score
+        std::optional<int> tenths{};  ///< of the score
     };
 
     [[nodiscard]] Draft draft() const;
@@ -135,53 +137,53 @@ private:
     [[nodiscard]] QPushButton* takeBackButton(const database::AttemptComment& comment);
     [[nodiscard]] QWidget* formInUse() const;
 
-    /// A comment that is to be taken back.
+    /// A comment whose withdrawal was requested.
     struct Withdrawn
     {
         qint64 attempt = 0;
         database::AttemptComment comment;
     };
 
-    std::map<qint64, Draft> m_drafts;         ///< about the other attempts
-    std::map<qint64, Sent> m_sent;            ///< by attempt, until it is answered
-    std::map<qint64, Withdrawn> m_withdrawn;  ///< by comment, until that is done
+    std::map<qint64, Draft> m_drafts;         ///< about the other attempts, by attempt
+    std::map<qint64, Sent> m_sent;            ///< by attempt, until answered
+    std::map<qint64, Withdrawn> m_withdrawn;  ///< by comment, until answered
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
     int m_passMarkTenths = 0;
     bool m_passedByMachine = false;
-    double m_offered = 0.0;  ///< points, to begin with
+    double m_offered = 0.0;  ///< the score that the points input starts from, points
     bool m_arePointsTyped = false;
     bool m_mayComment = false;
     bool m_mayOverride = false;
     bool m_isRecorded = true;
-    std::optional<std::int64_t> m_seen;    ///< where the replay was last
-    std::optional<std::int64_t> m_moment;  ///< that can be ticked, or is
-    bool m_hasPlayed = false;              ///< since the panel was seen last
-    bool m_isLooking = false;              ///< at what a comment is pinned to
+    std::optional<std::int64_t> m_seen;    ///< the last moment seen in the replay
+    std::optional<std::int64_t> m_moment;  ///< that can be ticked, or is ticked
+    bool m_hasPlayed = false;              ///< since the panel was last visible
+    bool m_isLooking = false;              ///< at the pin of a comment
     std::optional<std::array<double, 3>> m_place;
     QLabel* m_counts;
     QLabel* m_machine;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listSlot;
     QWidget* m_composer = nullptr;
-    QLabel* m_said = nullptr;  ///< of a comment that was taken back
+    QLabel* m_said = nullptr;  ///< the message after a comment was taken back
     std::function<QString()> m_saying;
     QPlainTextEdit* m_words = nullptr;
     QCheckBox* m_atMoment = nullptr;
     QCheckBox* m_atPlace = nullptr;
-    QLabel* m_room = nullptr;  ///< for so many more characters
+    QLabel* m_room = nullptr;  ///< the number of characters left
     QPushButton* m_add = nullptr;
     QLabel* m_howToPin = nullptr;
     QWidget* m_override = nullptr;
     QLabel* m_overrideTitle = nullptr;
     QDoubleSpinBox* m_points = nullptr;
-    QLabel* m_beyond = nullptr;  ///< that the points are no score
+    QLabel* m_beyond = nullptr;  ///< the error of points outside 0 to 100
     QLineEdit* m_reason = nullptr;
     QPushButton* m_give = nullptr;
     QPushButton* m_again = nullptr;
-    QWidget* m_asked = nullptr;  ///< the form that something was wanted by last
-    QLabel* m_fault;             ///< in that
+    QWidget* m_asked = nullptr;  ///< the form of the last request
+    QLabel* m_fault;             ///< the error in that form
 };
 
 }  // namespace ui::scoring

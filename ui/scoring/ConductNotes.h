@@ -14,8 +14,8 @@ class QLabel;
 
 namespace ui::scoring {
 
-/// What happened on the way to a score, whatever it cost: the breaches, each leading to its moment, and time, force,
-/// aids and steps taken back in a sentence.
+/// Lists how a score was reached, apart from its points: broken rules, each a link to its moment, and one sentence on
+/// time, force, aids and undone steps.
 class ConductNotes final : public QWidget
 {
     Q_OBJECT
@@ -26,13 +26,13 @@ public:
     void setConduct(const core::grading::Process& process, const std::vector<core::grading::Infraction>& infractions,
                     std::uint8_t aids);
 
-    /// "2 breaches of the rules".
+    /// Returns a text such as "2 breaches of the rules".
     [[nodiscard]] static QString countWords(const std::vector<core::grading::Infraction>& infractions);
-    /// "The pulp is exposed at 0:37".
+    /// Returns a text such as "The pulp is exposed at 0:37".
     [[nodiscard]] static QString breachWords(const core::grading::Infraction& infraction);
 
 signals:
-    /// The attempt is to be seen from this moment on.
+    /// Emitted when the user asks to replay the attempt from this moment, in seconds.
     void momentRequested(double seconds);
 
 protected:
@@ -43,10 +43,10 @@ private:
     void retranslateUi();
     void fillBreaches();
 
-    std::optional<core::grading::Process> m_process;  ///< that is told
+    std::optional<core::grading::Process> m_process;  ///< that is shown
     std::vector<core::grading::Infraction> m_infractions;
     std::uint8_t m_aids = 0;
-    bool m_showsAll = false;  ///< breaches
+    bool m_showsAll = false;  ///< of the broken rules
 
     QHBoxLayout* m_head = nullptr;
     QLabel* m_title = nullptr;

@@ -12,9 +12,9 @@ class QLabel;
 
 namespace ui::scoring {
 
-/// One criterion of a score: its name, what was measured and what it cost; beneath, when that was lost, each moment a
-/// button, and among the details the formula with its numbers. To choose a row is to ask where it was worst. The height
-/// of a row does not depend on which one is chosen.
+/// One criterion of a score: its name, what was measured and what it cost; below, the moments at which points were
+/// lost, each a button; and in the details the formula with its numbers. Choosing a row shows where the tooth is worst.
+/// The height of a row does not depend on the choice.
 class CriterionRow final : public QAbstractButton
 {
     Q_OBJECT
@@ -22,11 +22,11 @@ public:
     CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Verdict verdict, QWidget* parent);
 
     [[nodiscard]] const ::lessons::Criterion& criterion() const { return m_criterion; }
-    /// @param moments  as lessons::momentsOf() finds them
+    /// @param moments  as returned by lessons::momentsOf()
     void setMoments(const std::vector<::lessons::Moment>& moments);
-    /// Shows how the points were worked out, too. Without details, a serious error that was not made hides.
+    /// Shows or hides the formulas. Without them, the row of a serious error that was not made is hidden.
     void setDetailed(bool detailed);
-    /// Makes the row plain text: there is no tooth to show its worst place on.
+    /// Turns the row into plain text, if there is no tooth on which to show its worst place.
     void bePlain();
 
 signals:
@@ -34,7 +34,7 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    /// Up and down choose the row before and after, whatever else they are keys of.
+    /// Reserves the up and down keys, which choose the row before and after, from other shortcuts.
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -45,14 +45,14 @@ private:
     QLabel* m_worked = nullptr;
     QGridLayout* m_slot = nullptr;
     QWidget* m_chips = nullptr;
-    std::vector<::lessons::Moment> m_moments;  ///< as they are read: neighbours together
+    std::vector<::lessons::Moment> m_moments;  ///< merged by asRead()
 };
 
-/// Moments as a person reads them: those of one stroke, or of one stretch of waiting or pressing, that follow each
-/// other within ten seconds become one.
+/// Merges moments for display: those of one stroke, of one wait or of one press that follow each other within ten
+/// seconds become one.
 [[nodiscard]] std::vector<::lessons::Moment> asRead(const std::vector<::lessons::Moment>& moments);
 
-/// "−1.2 at 0:43, stroke 7".
+/// Returns a text such as "−1.2 at 0:43, stroke 7".
 [[nodiscard]] QString momentWords(const ::lessons::Moment& moment, const ::lessons::Criterion& criterion);
 
 }  // namespace ui::scoring

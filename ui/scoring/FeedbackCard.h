@@ -9,14 +9,14 @@ class QPushButton;
 
 namespace ui::scoring {
 
-/// On a student's home: that a teacher has said something of his work which he has not read yet.
+/// A card on a student's home page: an instructor has commented on attempts, and the student has not read it.
 class FeedbackCard final : public QFrame
 {
     Q_OBJECT
 public:
     explicit FeedbackCard(QWidget* parent);
 
-    /// @param attempts  of which there is something new; hidden where there are none
+    /// @param attempts  number of attempts with unread comments; 0 hides the card
     /// @param lesson, author  of the newest
     void setNews(int attempts, const QString& lesson, const QString& author);
 

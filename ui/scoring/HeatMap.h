@@ -14,8 +14,8 @@
 namespace ui::scoring {
 
 /// The tooth from above, coloured by its deviation from the ideal: vermilion where it was cut too deep, blue where
-/// something is still to go, with a legend in millimetres; in the palette for every eye with a pattern on each. The
-/// pointer reads the depth under it. Dark in either theme, like the room with the tooth.
+/// material is left, with a legend in millimetres. The colour-blind palette adds a pattern to each. A tooltip shows the
+/// depth under the pointer. Dark in both themes.
 class HeatMap final : public QWidget
 {
     Q_OBJECT
@@ -23,25 +23,26 @@ public:
     explicit HeatMap(QWidget* parent);
 
     void setWork(const ScoredWork& work);
-    /// Rings a column, and draws the line of the section through it; nothing: neither.
+    /// Marks a column with a ring and the section through it with a line.
+    /// @param node  empty: no mark
     void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
     void setColours(render::Palette colours);
-    /// A place of the tooth that somebody speaks of, in its frame, mm; nothing: none.
+    /// Sets the pin: a place that a comment is about, in the tooth frame, mm; empty: none.
     void setPin(const std::optional<std::array<double, 3>>& placeMm);
-    /// The pin can be set, by a click, or with the keys: the arrows move it, Delete takes it away.
+    /// Lets the user set the pin by a click or with the arrow keys, and remove it with Delete.
     void setPinnable(bool pinnable);
-    /// Dark words on white.
+    /// Switches to dark text on white, for print.
     void setOnPaper(bool onPaper);
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
     [[nodiscard]] const std::optional<std::array<double, 3>>& pin() const { return m_pin; }
-    /// Where a place of the tooth is in the picture; a work is shown.
+    /// Returns the position of a place of the tooth in the widget. A work must have been set.
     [[nodiscard]] QPointF pointOf(const std::array<double, 3>& placeMm) const;
     [[nodiscard]] QSize sizeHint() const override { return {320, 140}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
 signals:
-    /// Somebody has set the pin on the surface as it ended, or taken it away.
+    /// Emitted when the user has set the pin on the final surface, or has removed it.
     void pinned(const std::optional<std::array<double, 3>>& placeMm);
 
 protected:
@@ -56,7 +57,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    /// Where the picture lies, and which part of the grid it shows.
+    /// The rectangle of the picture, and the part of the grid that it shows.
     struct Frame
     {
         QRectF plot;
@@ -78,7 +79,7 @@ private:
     [[nodiscard]] QColor wordColour() const;
 
     ScoredWork m_work;
-    int m_i0 = 0;  ///< the part of the grid with tooth, both ends included
+    int m_i0 = 0;  ///< the part of the grid with tooth, bounds included
     int m_i1 = 0;
     int m_j0 = 0;
     int m_j1 = 0;
@@ -88,12 +89,11 @@ private:
     bool m_isPinnable = false;
     render::Palette m_colours = render::Palette::Natural;
     bool m_onPaper = false;
-    QImage m_picture;  ///< of the plot, in the pixels of the screen
+    QImage m_picture;  ///< the plot, in screen pixels
     std::optional<std::size_t> m_probed;
 };
 
-/// The colour of a deviation from the ideal in millimetres, negative if too deep, on either end's scale of
-/// render::kIdealScaleMm.
+/// Returns the colour of a deviation from the ideal, mm, negative if too deep, on the scale render::kIdealScaleMm.
 [[nodiscard]] QRgb heatColour(double aboveMm);
 
 }  // namespace ui::scoring

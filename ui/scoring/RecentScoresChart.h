@@ -7,8 +7,8 @@
 
 namespace ui::scoring {
 
-/// The last scores as columns, oldest first, the newest marked, with the pass mark as a line. What was marked by
-/// another rubric is hatched: it is shown and not compared. The pointer on a column is told what it stands for.
+/// The last scores as columns, oldest first, the newest marked, with a line at the pass mark. Scores of another rubric
+/// are hatched: they cannot be compared. A tooltip describes the column under the pointer.
 class RecentScoresChart : public QWidget
 {
     Q_OBJECT
@@ -17,7 +17,7 @@ public:
     {
         int tenths = 0;
         bool isComparable = true;
-        QString when{};  ///< in words; empty: nobody knows
+        QString when{};  ///< in words; empty: unknown
     };
 
     explicit RecentScoresChart(QWidget* parent);
@@ -29,7 +29,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// Of what is written at the pass mark, with the air around it.
+    /// Returns the width of the text at the pass mark with its margins.
     [[nodiscard]] double marginPx() const;
     [[nodiscard]] double stepPx() const;
     [[nodiscard]] int wholePoints(int tenths) const;

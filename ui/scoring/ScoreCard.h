@@ -17,26 +17,25 @@
 
 namespace ui::scoring {
 
-/// The foot of each printed page, with which paper and database can be compared.
+/// The footer of each printed page, by which the print can be compared with the database.
 struct Proof
 {
-    QString
-        auditCode;    ///< head of the audit chain, with its signature, as the database gives it; empty: not kept in one
-    QString program;  ///< version
+    QString auditCode;  ///< head of the audit chain, with its signature, from the database; empty: not saved in one
+    QString program;    ///< version
     QDateTime printed;
-    int pages = 0;  ///< 0: nobody has counted them yet
+    int pages = 0;  ///< 0: not counted yet
 };
 
 /// The contents of a printed score card.
 struct ScoreCard
 {
-    QString lesson;  ///< or the tooth
+    QString lesson;  ///< title of the lesson, or name of the tooth
     QString person;
     database::AttemptRecord attempt;
     lessons::ScoreSheet sheet;
     database::AttemptTalk talk;
-    std::optional<ScoredWork> work;                     ///< nothing: no pictures
-    std::vector<std::vector<lessons::Moment>> moments;  ///< of the criteria, in their order; empty: not known
+    std::optional<ScoredWork> work;                     ///< empty: no pictures
+    std::vector<std::vector<lessons::Moment>> moments;  ///< of each criterion, in order; empty: unknown
     QList<database::AttemptRecord> history;             ///< at this lesson, newest first
     std::vector<database::BandPoint> band;              ///< of the class
     Proof proof;

@@ -38,71 +38,69 @@ class CriterionRow;
 class HeatMap;
 class WorstSection;
 
-/// A grade that explains itself: first what it came to, then why. Every criterion with what it cost, when, and its
-/// formula worked in numbers; the work from above and in a section, each through the place where the chosen criterion
-/// is worst; the sum, and the grades before it.
+/// Shows a grade and its reasons: the result; for each criterion what it cost, when, and its formula with numbers; the
+/// work from above and in a section through the worst place of the chosen criterion; the sum, and earlier grades.
 class ScorePage final : public kit::Page
 {
     Q_OBJECT
 public:
     ScorePage(const kit::Actions& actions, QWidget* parent);
 
-    /// @param work     the lesson, or the tooth, in the language of the moment
+    /// @param work     returns the title of the lesson, or the name of the tooth, in the current language
     /// @param history  newest first, this attempt included
-    /// @param expected  what the student had expected, where that was asked
-    /// @param scored   what was marked; nothing: no pictures, and no replay
+    /// @param expected  the student's own prediction; empty: none was asked for
+    /// @param scored   the graded tooth; empty: no pictures and no replay
     void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, const std::optional<ScorePrediction>& expected,
                   const std::optional<ScoredWork>& scored);
-    /// Whose work it is, after setScore(); empty: one's own.
+    /// Sets the name of the student, after setScore(); empty: the user's own work.
     void setPerson(const QString& fullName);
     [[nodiscard]] const QString& person() const { return m_person; }
-    /// A teacher's score counts in place of the machine's, which stays beneath; nothing: the machine's.
+    /// Sets the score that an instructor gave in place of the computed one; empty: the computed score counts.
     void setGiven(std::optional<int> tenths);
-    /// After a passed attempt, this lesson is offered as the next, in place of the way back. Null: none is offered.
+    /// Offers this lesson as the next one, in place of the back button, after a passed attempt. Null: no offer.
     /// setScore() withdraws the offer.
     void setNext(const ::lessons::Lesson* lesson);
-    /// The same, when the database has answered.
+    /// Sets the history that setScore() was given, once the database has answered.
     void setHistory(const QList<database::AttemptRecord>& history);
     using Keeping = ScoreHistory::Keeping;
     void setKeeping(Keeping keeping);
-    /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
+    /// Returns the panel of comments at the end of the page. Visible for a saved attempt only.
     [[nodiscard]] CommentsPanel& talk() { return *m_talk; }
-    /// What a score came to, here and on paper.
-    /// @param givenTenths  by a teacher, where he did
+    /// Returns the verdict in words, for the page and for print.
+    /// @param givenTenths  the score of an instructor, if there is one
     [[nodiscard]] static QString verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
-    /// What the criteria leave of all points; named as the machine's where a teacher gave another score.
+    /// Returns the sum of the criteria in words. Calls it the computed score if an instructor gave another.
     [[nodiscard]] static QString sumWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
-    /// What is shown, for paper; attempt, person, talk and proof are for who knows them.
+    /// Returns the contents for print; the caller adds attempt, person, comments and proof.
     [[nodiscard]] ScoreCard card() const;
-    /// What became of the card that was to be saved or printed.
+    /// Shows whether the card was saved or printed.
     void say(std::function<QString()> words);
     void setTalkVisible(bool visible);
-    /// Scrolls to what people say, once the card is laid out.
+    /// Scrolls to the comments, once the page is laid out.
     void showTalk();
-    /// Who reads may write as well: comments, which can be pinned to places of the picture, and another score.
+    /// Sets whether the user may write comments, pin them to places of the picture, and give another score.
     void setMayTalk(bool may);
-    /// Where the score stands among those of a class.
+    /// Shows the rank of the score within a class.
     void setClass(const ::lessons::ClassStanding& standing);
-    /// What the score comes to on other grids.
+    /// Shows the score on other grids.
     void setNoise(const ::lessons::GridSensitivity& noise);
-    /// The moments are being looked for, and so far this share of the attempt, 0 .. 1, has been looked at; nothing:
-    /// nobody looks any more.
+    /// Shows the progress of the search for moments, 0 to 1; empty: the search has ended.
     void setMomentsProgress(std::optional<double> share);
-    /// Of the criteria of the sheet that is shown, in their order.
+    /// Sets the moments of each criterion, in the order of the sheet.
     void setMoments(const std::vector<std::vector<::lessons::Moment>>& moments);
 
 signals:
-    /// The card is wanted as a PDF, or on paper.
+    /// Emitted when the user asks to save the card as a PDF, and to print it.
     void pdfRequested();
     void printRequested();
-    /// The attempt is to be seen from this moment on.
+    /// Emitted when the user asks to replay the attempt from this moment, in seconds.
     void momentRequested(double seconds);
-    /// The attempt is to be seen from its beginning.
+    /// Emitted when the user asks to replay the attempt from its beginning.
     void replayRequested();
     /// Emitted when the user asks for the lesson of setNext().
     void nextRequested();
-    /// A guest wants to log in, so that the grade is kept as his.
+    /// Emitted when a guest asks to log in so that the grade is saved.
     void keepRequested();
 
 protected:
@@ -121,7 +119,7 @@ private:
     QWidget* makePlace();
     QWidget* makeTalk();
     QWidget* makeReport();
-    /// The criteria beside the pictures; where there is no room for that, above.
+    /// Places the criteria beside the pictures, or above them if the page is narrow.
     void arrange();
     void retranslateUi();
     void tellSaying();
@@ -135,16 +133,16 @@ private:
     void tellMoments();
     void tellHistory();
 
-    // What is shown, so that it can be said again in another language.
+    // The data that is shown, for translation into another language.
     bool m_isShown = false;
     std::function<QString()> m_work;
-    QString m_person;            ///< empty: one's own
-    std::optional<int> m_given;  ///< tenths, by a teacher
+    QString m_person;            ///< empty: the user's own work
+    std::optional<int> m_given;  ///< tenths of a point, by an instructor
     std::optional<ScorePrediction> m_expectation;
     std::optional<::lessons::GridSensitivity> m_noiseNow;
     std::vector<std::vector<::lessons::Moment>> m_moments;
     QList<database::AttemptRecord> m_history;
-    std::string m_chosen;  ///< criterion that is looked at, by id
+    std::string m_chosen;  ///< id of the chosen criterion
     std::optional<ScoredWork> m_scored;
     std::size_t m_criterionCount = 0;
     QWidget* m_block = nullptr;  ///< the cards
@@ -155,7 +153,7 @@ private:
     ScoreHistory* m_historyCard = nullptr;
     CommentsPanel* m_talk = nullptr;
     QWidget* m_talkCard = nullptr;
-    QWidget* m_formInUse = nullptr;  ///< of the talk: where something was written last
+    QWidget* m_formInUse = nullptr;  ///< the form of the comments in which the user wrote last
     kit::ScrollPane* m_scroll = nullptr;
     QHBoxLayout* m_buttons = nullptr;
     QLabel* m_said = nullptr;
@@ -166,7 +164,7 @@ private:
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
     QLabel* m_expected = nullptr;
-    QWidget* m_adviceBox = nullptr;  ///< the one thing to do better
+    QWidget* m_adviceBox = nullptr;  ///< the one thing to improve
     QLabel* m_advice = nullptr;
     QPushButton* m_showMoment = nullptr;
     double m_adviceAtS = 0.0;

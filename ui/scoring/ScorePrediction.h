@@ -5,11 +5,11 @@
 
 namespace ui::scoring {
 
-/// What a student expects before seeing the score.
+/// The score that a student expects, before seeing it.
 struct ScorePrediction
 {
-    int tenths = 0;     ///< of a point
-    std::string worst;  ///< id of the criterion that is expected to cost most; empty: none
+    int tenths = 0;     ///< tenths of a point
+    std::string worst;  ///< id of the criterion expected to cost most; empty: none
 };
 
 }  // namespace ui::scoring

@@ -19,18 +19,18 @@ class TabularDigitsLabel;
 
 namespace ui::scoring {
 
-/// What the student expects, asked before the score is shown, and nothing is said for him: who judges himself learns
-/// more than who is told (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam). The points
-/// have to be set. What cost most is a choice of at most three criteria, and may be left open.
+/// Asks the student for the expected score before the score is shown, with no default: self-assessment improves
+/// learning (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam). The points are required.
+/// The criterion expected to cost most is optional, chosen from at most three.
 class ScorePredictionPage final : public kit::Page
 {
     Q_OBJECT
 public:
     ScorePredictionPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Asks anew.
+    /// Starts with an empty form.
     void ask(const QString& work, const ::lessons::Rubric& rubric);
-    /// What it is called now: in another language.
+    /// Sets the name of the work in the current language.
     void setWork(const QString& work);
 
 signals:
@@ -46,7 +46,7 @@ private:
 
     QString m_work;
     ::lessons::Rubric m_rubric;
-    std::vector<::lessons::CriterionRule> m_offered;  ///< those that weigh most
+    std::vector<::lessons::CriterionRule> m_offered;  ///< the criteria with the highest weights
     QLabel* m_mark = nullptr;
     QSlider* m_slider = nullptr;
     kit::TabularDigitsLabel* m_value = nullptr;

@@ -8,7 +8,7 @@
 
 namespace ui::scoring {
 
-/// A section through one place of the work, with the surface as it was and as it ought to be.
+/// A section through one place of the work, with the original and the ideal surface.
 class WorstSection final : public QWidget
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
     explicit WorstSection(QWidget* parent);
 
     void setWork(const ScoredWork& work);
-    /// @param node  ringed; nothing: only the plane
+    /// @param node  the column marked with a ring; empty: none
     void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
     void setColours(render::Palette colours);
     void setOnPaper(bool onPaper);
@@ -32,7 +32,7 @@ private:
     inside::SectionScene m_scene;
 };
 
-/// The vertical plane through a column, along x or y, in which the tooth deviates more from the ideal.
+/// Returns the vertical plane through a column, along x or y, in which the tooth deviates more from the ideal.
 [[nodiscard]] core::imaging::SectionPlane planeThrough(const ScoredWork& work, std::size_t node);
 
 }  // namespace ui::scoring
