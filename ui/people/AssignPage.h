@@ -29,17 +29,17 @@ class ListTable;
 
 namespace ui::people {
 
-/// A lesson that can be given.
+/// A lesson that can be assigned.
 struct LessonOffer
 {
     std::string id;
     QString title;
     QString tooth;  ///< "Lower left first molar (36)"
-    QString group;  ///< that it stands under
-    QString file;   ///< its own or its pack's; empty: it is shipped, and on every computer
+    QString group;  ///< its heading in the list
+    QString file;   ///< the lesson's file, or its pack's; empty: shipped, and so on every computer
 };
 
-/// One lesson of a class, as it was given and as it shall be; nothing: not given.
+/// A change of one assignment; empty: not assigned.
 struct AssignmentChange
 {
     std::optional<database::ClassAssignment> before;
@@ -47,26 +47,26 @@ struct AssignmentChange
     bool operator==(const AssignmentChange&) const = default;
 };
 
-/// What a class is to do: beside all lessons, which are searched and given, several at once, those that are given, with
-/// due date, attempts and how many have passed. What was done can be undone.
+/// The page where lessons are assigned to a class: all lessons with a search, of which several can be assigned at once;
+/// and the assigned ones with due date, attempts and number of students who passed. The last change can be undone.
 class AssignPage final : public kit::Page
 {
     Q_OBJECT
 public:
     AssignPage(const kit::Actions& actions, QWidget* parent);
 
-    /// In the order in which they are to be listed.
+    /// @param lessons  in the order of the list
     void setLessons(const std::vector<LessonOffer>& lessons);
-    /// What a class is to do, and how far it is. Another class than before is begun with afresh.
-    /// @param now  days are counted from here
+    /// Sets the class and its assignments. Another class than before resets the page.
+    /// @param now  the time from which days are counted
     void setAssignments(const database::ClassOverview& overview, const QList<database::ClassAssignment>& given,
                         const QDateTime& now = QDateTime::currentDateTimeUtc());
-    /// changeRequested() has been done: said, with a button that undoes it.
+    /// Shows that the changes requested have been made, with a button that undoes them.
     void confirm(const QList<AssignmentChange>& changes);
-    /// It has not, or not all of it, and why.
+    /// Shows why the changes requested failed, wholly or in part.
     void refuse(const QString& sentence);
 
-    /// Somebody else works here: nothing is ticked, said or can be undone any more, and terms are as to begin with.
+    /// Clears the page for another user: selection, messages, undo and terms.
     void forget();
 
     [[nodiscard]] database::ClassId ofClass() const { return m_overview.id; }
@@ -99,18 +99,18 @@ private:
     database::ClassOverview m_overview;
     QList<database::ClassAssignment> m_given;
     QDateTime m_now;
-    QList<AssignmentChange> m_last;  ///< can be undone
+    QList<AssignmentChange> m_last;  ///< the changes that can be undone
     bool m_isUndoing = false;
-    bool m_isAsking = false;  ///< the answer is still to come
-    bool m_hadFocus = false;  ///< what was pressed to ask
+    bool m_isAsking = false;  ///< a request is pending
+    bool m_hadFocus = false;  ///< the button that sent the request had the focus
 
     QLabel* m_offersTitle = nullptr;
     QLineEdit* m_search = nullptr;
     QStandardItemModel* m_offers = nullptr;
     QListView* m_list = nullptr;
-    QLabel* m_noneFits = nullptr;  ///< in its place
+    QLabel* m_noneFits = nullptr;  ///< shown instead of the list
     AssignTerms* m_newTerms = nullptr;
-    QLabel* m_where = nullptr;  ///< lessons are that are not shipped
+    QLabel* m_where = nullptr;  ///< the files of lessons that are not shipped
     QPushButton* m_assign = nullptr;
     QLabel* m_givenTitle = nullptr;
     QStackedWidget* m_stack = nullptr;
@@ -121,7 +121,8 @@ private:
     QPushButton* m_change = nullptr;
     QPushButton* m_takeBack = nullptr;
     QLabel* m_said = nullptr;
-    std::function<QString()> m_saying;  ///< what stands there, in the language of today; empty: nothing of ours
+    std::function<QString()> m_saying;  ///< returns the message in the current language; empty: the message is not
+                                        ///< translated again
     QPushButton* m_undo = nullptr;
 };
 

@@ -12,7 +12,7 @@ class QSpinBox;
 
 namespace ui::people {
 
-/// When a lesson is due, a day of this computer's calendar or none, and how often it may be tried.
+/// Inputs for the due date of an assignment (a day in local time, or none) and for its attempts.
 class AssignTerms final : public QWidget
 {
     Q_OBJECT
@@ -21,16 +21,18 @@ public:
 
     struct Terms
     {
-        std::string dueUtc;    ///< the end of the day here; empty: none
-        int attemptLimit = 0;  ///< 0: as many as one likes
+        std::string dueUtc;    ///< the end of that day in local time; empty: no due date
+        int attemptLimit = 0;  ///< 0: no limit
         bool operator==(const Terms&) const = default;
     };
-    /// @param lessons  how many have terms of which these are the first
+    /// Sets the terms of the selected assignments.
+    /// @param terms    those of the first
+    /// @param lessons  number of selected assignments
     void setTerms(const Terms& terms, int lessons = 1);
-    /// As to begin with: due in a week, with as many attempts as one likes.
+    /// Resets to the defaults: due in a week, no limit.
     void reset();
     [[nodiscard]] Terms terms() const;
-    /// What somebody has changed here since setTerms(), and the rest as it was before.
+    /// Returns the terms of an assignment with what the user has changed since setTerms().
     [[nodiscard]] Terms changed(const Terms& before) const;
 
 protected:

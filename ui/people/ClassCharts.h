@@ -9,17 +9,20 @@
 #include "database/ClassOverview.h"
 #include "ui/charts/Chart.h"
 
-/// A class at one lesson, as charts. Of fewer than lessons::kFewestPeople people none of them says anything.
+/// Charts of a class at one lesson. With fewer than lessons::kFewestPeople people they are empty.
 namespace ui::people {
 
-/// @param passMarkTenths  0: not known
+/// Charts how the scores are distributed.
+/// @param passMarkTenths  0: unknown
 [[nodiscard]] charts::Chart distributionChart(const database::LessonResults& results, int passMarkTenths);
-/// The middle half of the class, attempt by attempt.
+/// Charts the middle half of the class, attempt by attempt.
 [[nodiscard]] charts::Chart learningChart(const database::LessonResults& results, int passMarkTenths);
+/// Charts the points lost at each criterion.
 /// @param names  of the criteria, by id
 [[nodiscard]] charts::Chart difficultyChart(const database::LessonResults& results,
                                             const std::map<std::string, QString>& names);
-/// "18 of 23 passed, after 2.4 attempts on the average; first attempts came to 58.3"; why not, for too few people.
+/// Returns a sentence such as "18 of 23 passed, after 2.4 attempts on the average; first attempts came to 58.3", or why
+/// there are too few people for it.
 [[nodiscard]] QString difficultyWords(const database::LessonDifficulty& difficulty);
 
 }  // namespace ui::people

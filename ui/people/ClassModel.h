@@ -20,31 +20,32 @@
 
 namespace ui::people {
 
-/// Why a student needs his teacher.
+/// Why a student needs the teacher.
 enum class Need {
     Nothing,
-    NoneLeft,       ///< no attempts left at a lesson that he was given and has not passed: he cannot go on
-    Stuck,          ///< lessons::needsHelp() at the lesson he tried last
-    NeverLoggedIn,  ///< perhaps he cannot
-    Late,           ///< a lesson that he was given is overdue, and he has not passed it
-    NotBegun        ///< he has logged in, and not had an attempt graded yet
+    NoneLeft,       ///< no attempts left at an assigned lesson that is not passed: only the teacher can help
+    Stuck,          ///< lessons::needsHelp() at the lesson tried last
+    NeverLoggedIn,  ///< perhaps unable to
+    Late,           ///< an assigned lesson is overdue and not passed
+    NotBegun        ///< has logged in, but has no graded attempt
 };
 
-/// Whether the exam that a student has begun last may go on still: nobody tells when he breaks it off.
+/// Returns whether the exam that the student began last may still be going on. An exam that was broken off is not
+/// recorded, so only its time decides.
 [[nodiscard]] bool mayGoOn(const database::MatrixCell& cell, const QDateTime& now);
 
-/// @param hasNoneLeft, isLate  with any lesson
+/// Returns the most urgent need of a student.
+/// @param hasNoneLeft, isLate  at any lesson
 [[nodiscard]] Need needOf(const database::MatrixStudent& student, bool hasNoneLeft, bool isLate);
-/// "out of tries", "stuck", "no login", "late", "new"; empty for nothing.
+/// Returns "out of tries", "stuck", "no login", "late" or "new"; empty for no need.
 [[nodiscard]] QString needWord(Need need);
-/// The full name, or the user name where there is none.
+/// Returns the full name, or the user name if there is none.
 [[nodiscard]] QString nameOf(const database::MatrixStudent& student);
-/// A name as ClassModel heads its row, where it is too long: of the name is left out first, and the sign behind it,
-/// with the word of what is needed, is kept.
+/// Shortens a row heading of ClassModel to a width. Shortens the name first and keeps the sign and the word of the
+/// need.
 [[nodiscard]] QString shortened(const QString& head, const QFontMetrics& metrics, int widthPx);
 
-/// A class as a matrix: students down, with their names as headings; the last attempt and then a column for each lesson
-/// across.
+/// A class as a matrix: a row for each student; a column for the last attempt and one for each lesson.
 class ClassModel final : public QAbstractTableModel
 {
     Q_OBJECT
@@ -54,20 +55,20 @@ public:
 
     explicit ClassModel(QObject* parent) : QAbstractTableModel(parent) {}
 
-    /// @param now  days are counted from here
+    /// @param now  the time from which days are counted
     void setOverview(const database::ClassOverview& overview, const QDateTime& now);
-    /// What the class is to do; others' assignments are left out. After setOverview().
+    /// Sets the assignments of the class; those of other classes are ignored. Call after setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
     void setTitles(const text::LessonTitles& titles);
+    /// Updates all texts after the language has changed.
     void retell();
 
     [[nodiscard]] const database::ClassOverview& overview() const { return m_overview; }
-    /// Late are also those who have no attempts left, are stuck or have never logged in.
+    /// Returns whether a student has this need. Late also applies to students with a more urgent need.
     [[nodiscard]] bool needs(int row, Need need) const;
-    /// How many need so.
+    /// Returns the number of students with this need.
     [[nodiscard]] int count(Need need) const;
-    /// Nothing for the column of the last attempt.
-    /// How many of those who tried a lesson have passed it.
+    /// The students who passed a lesson, of those who tried it.
     struct Passed
     {
         int passed = 0;
@@ -75,15 +76,16 @@ public:
     };
     [[nodiscard]] Passed passed(std::size_t lesson) const;
     [[nodiscard]] const database::MatrixCell* cell(const QModelIndex& index) const;
-    /// The lesson is overdue, and has not been passed by this student.
+    /// Returns whether the lesson is overdue and this student has not passed it.
     [[nodiscard]] bool isLate(const QModelIndex& index) const;
-    /// This student has made as many attempts at the lesson as he may, and passed none; the last may not go on still.
+    /// Returns whether this student has used up all attempts at the lesson without passing. False while the last may
+    /// still be going on.
     [[nodiscard]] bool hasNoneLeft(const QModelIndex& index) const;
-    /// Some lesson has a day when it is due.
+    /// Returns whether any lesson has a due date.
     [[nodiscard]] bool hasDueDates() const;
-    /// Index into the overview's lessons.
+    /// Returns the index into the overview's lessons; empty for the column of the last attempt.
     [[nodiscard]] static std::optional<std::size_t> lessonOf(int column);
-    /// The whole matrix: names, what they need, last attempt, and of each lesson the best score and how often.
+    /// Returns the whole matrix: names, needs, last attempt, and the best score and number of attempts for each lesson.
     [[nodiscard]] charts::Table table() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -107,7 +109,7 @@ private:
     QDateTime m_now;
 };
 
-/// All students, or those who need something or are called so; sorted by value, those who have none last.
+/// Filters students by need and name. Sorts by value; students without one come last.
 class ClassFilter final : public QSortFilterProxyModel
 {
     Q_OBJECT
@@ -131,7 +133,7 @@ private:
     bool m_isDescending = false;
 };
 
-/// The names beside the matrix.
+/// The row headings of the matrix.
 class NameHeads final : public QHeaderView
 {
 public:
@@ -141,8 +143,8 @@ protected:
     void initStyleOptionForIndex(QStyleOptionHeader* option, int logicalIndex) const override;
 };
 
-/// A cell of the matrix: the best score on a ground that is the fuller the higher it is, with a tick where the lesson
-/// was passed; a dash where it was not tried.
+/// Draws a cell of the matrix: the best score on a background that is stronger for higher scores, with a tick if the
+/// lesson was passed; a dash if it was not tried.
 class ScoreCell final : public QStyledItemDelegate
 {
     Q_OBJECT

@@ -32,66 +32,65 @@ class ChartPanel;
 
 namespace ui::people {
 
-/// A class as its teacher sees it: who needs him, every student's best score at every lesson, and of one lesson how the
-/// class does: distribution, learning curve, difficulty.
+/// The page of a class for its teacher: the students who need help, the best score of every student at every lesson,
+/// and charts of the class at one lesson: distribution, learning curve, difficulty.
 class ClassPage final : public kit::Page
 {
     Q_OBJECT
 public:
     ClassPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Whether who looks at it enters people and makes classes.
+    /// Sets whether the user may enter people and create classes.
     void setMayEnter(bool may);
-    /// Those that are his. What is chosen stays, where it is among them.
+    /// Sets the user's classes. The selection stays if it is among them.
     void setClasses(const QList<database::SchoolClass>& classes);
-    /// Somebody else comes: nothing that was shown, searched and filtered stays.
+    /// Clears the page for another user: contents, search and filters.
     void forget();
-    /// @param now  days are counted from here
-    /// What is chosen and seen of the same class stays.
+    /// Sets the contents of a class. For the same class, selection and scroll position stay.
+    /// @param now  the time from which days are counted
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
-    /// What the class is to do: when it is due, and who is late. After setOverview().
+    /// Sets the assignments of the class. Call after setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
-    /// The class that is chosen, or which there are, could not be read. Until it can be, that stands in its place;
-    /// where it was read before, it stays.
-    /// @param why  said again in another language
+    /// Shows why the class, or the list of classes, could not be read. Does nothing if the class has been read before.
+    /// @param why  called again when the language changes
     void refuse(std::function<QString()> why);
-    /// The class that is chosen is there; without a class, that there is none.
+    /// Returns whether the selected class has been read, or the list of classes if there is none.
     [[nodiscard]] bool isRead() const { return m_isListed && m_model->overview().id == chosenClass(); }
     void setLessonTitles(const text::LessonTitles& titles);
-    /// Of the lesson that is chosen.
-    /// @param passMarkTenths  of its rubric; 0: not known
+    /// Sets the results of the selected lesson.
+    /// @param passMarkTenths  of its rubric; 0: unknown
     /// @param criteria        names by id
     void setResults(const database::LessonResults& results, int passMarkTenths,
                     const std::map<std::string, QString>& criteria);
 
     [[nodiscard]] database::ClassId chosenClass() const;
-    /// Empty: there is none.
+    /// Returns the id of the selected lesson; empty: none.
     [[nodiscard]] QString chosenLesson() const;
     [[nodiscard]] charts::Table table() const { return m_model->table(); }
-    /// Writes the matrix and says below it what became of that.
+    /// Writes the matrix to a file and shows the outcome below the matrix. Returns whether it succeeded.
     bool saveTable(const QString& path);
-    /// The matrix as a file, and what writes such a one and says what became of it.
+    /// csv() returns the matrix as a file; save() writes such a file and shows the outcome.
     [[nodiscard]] QByteArray csv() const;
     bool save(const QString& path, const QByteArray& csv);
     void say(std::function<QString()> words);
-    /// Asks for the class that is chosen once more: others work at it, too.
+    /// Requests the selected class again, because others may have changed it.
     void readAgain();
 
 signals:
-    /// Or it is to be read again.
+    /// Emitted when a class was selected or is to be read again.
     void classChosen(qint64 classId);
-    /// Which classes there are is to be read: none is known.
+    /// Emitted when the list of classes is to be read.
     void listRequested();
-    /// How the class does at it is wanted.
+    /// Emitted when the results of a lesson are needed.
     void lessonChosen(const QString& lessonId);
     void attemptsRequested(qint64 personId, const QString& lessonId);
-    /// All attempts of a student.
+    /// Emitted when the user asks for all attempts of a student.
     void studentRequested(qint64 personId);
     void assignRequested();
-    /// The page where people are entered and classes are made.
+    /// Emitted when the user asks for the page where people are entered and classes are created.
     void peopleRequested();
     void pdfRequested();
-    /// save() is to follow.
+    /// Emitted when the user has chosen a file for the table; save() is expected.
     void tableRequested(const QString& path);
     void printRequested();
 
@@ -110,11 +109,11 @@ private:
     void fillClasses();
     void takeClass();
     void clear();
-    /// Of the matrix.
+    /// A position in the matrix.
     struct Place
     {
         database::PersonId student;  ///< of the current cell
-        std::string lesson;          ///< empty: its last attempt
+        std::string lesson;          ///< empty: the column of the last attempt
         QPoint scrolled;
     };
     [[nodiscard]] Place place() const;
@@ -131,8 +130,8 @@ private:
     void askForFile();
 
     QList<database::SchoolClass> m_classes;
-    bool m_isListed = false;            ///< the classes are those that there are
-    std::function<QString()> m_whyNot;  ///< the class that is chosen is not there, or which there are
+    bool m_isListed = false;            ///< the list of classes has been read
+    std::function<QString()> m_whyNot;  ///< why the class or the list could not be read
     bool m_mayEnter = false;
     database::LessonResults m_results;
     int m_passMarkTenths = 0;
@@ -142,7 +141,7 @@ private:
     ClassFilter* m_filter;
     QComboBox* m_class = nullptr;
     QLineEdit* m_search = nullptr;  ///< for a student
-    QLabel* m_found = nullptr;      ///< how many are called so
+    QLabel* m_found = nullptr;      ///< the number of matches
     QLabel* m_needs = nullptr;
     QButtonGroup* m_need = nullptr;
     QPushButton* m_assign = nullptr;
@@ -154,11 +153,11 @@ private:
     kit::ListTable* m_table = nullptr;
     QLabel* m_legend = nullptr;
     QLabel* m_empty = nullptr;
-    QPushButton* m_people = nullptr;  ///< below it
+    QPushButton* m_people = nullptr;  ///< below m_empty
     QWidget* m_charts = nullptr;
     QLabel* m_lessonWord = nullptr;
     QComboBox* m_lesson = nullptr;
-    QString m_lastLesson;  ///< that was chosen, also while there is none
+    QString m_lastLesson;  ///< the last selected lesson, also while the class has none
     QLabel* m_said = nullptr;
     std::function<QString()> m_saying;
     charts::ChartPanel* m_distribution = nullptr;

@@ -15,7 +15,7 @@
 
 namespace ui::people {
 
-/// Attempts as rows, in the order in which they came.
+/// A table of attempts, in the order given.
 class HistoryModel final : public QAbstractTableModel
 {
     Q_OBJECT
@@ -25,11 +25,12 @@ public:
     explicit HistoryModel(QObject* parent) : QAbstractTableModel(parent) {}
 
     void setAttempts(const QList<database::AttemptRecord>& attempts);
-    /// @param isNew  of the attempts of which others have said something, by number: who made it has not read it yet
-    /// @param isOwn  that is who looks at the list
+    /// Sets which attempts others have commented on.
+    /// @param isNew  by attempt: whether the student has not read the comments
+    /// @param isOwn  the user is that student
     void setFeedback(std::map<std::int64_t, bool> isNew, bool isOwn);
     void setTitles(const text::LessonTitles& titles);
-    /// Says everything again, in another language.
+    /// Updates all texts after the language has changed.
     void retell();
     [[nodiscard]] const database::AttemptRecord& at(int row) const { return m_attempts[row]; }
     [[nodiscard]] const text::LessonTitles& titles() const { return m_titles; }
@@ -48,14 +49,14 @@ private:
     text::LessonTitles m_titles;
 };
 
-/// The attempts of one lesson, or all; sorted by what they are, not by their words.
+/// Filters attempts by lesson. Sorts by value, not by text.
 class HistoryFilter final : public QSortFilterProxyModel
 {
     Q_OBJECT
 public:
     explicit HistoryFilter(HistoryModel* source);
 
-    /// @param lessonId  nothing: all
+    /// @param lessonId  empty: all lessons
     void setLesson(const std::optional<std::string>& lessonId);
 
 protected:

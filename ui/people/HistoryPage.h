@@ -32,51 +32,51 @@ namespace ui::people {
 class HistoryFilter;
 class HistoryModel;
 
-/// All attempts of one person: a list that sorts and filters by lesson, and beside it how the score, the criteria, time
-/// and force went. One's own, or a student's, seen by a teacher.
+/// All attempts of one person: a list that sorts and filters by lesson, with charts of score, criteria, time and force.
+/// For the user's own attempts, or a student's.
 class HistoryPage final : public kit::Page
 {
     Q_OBJECT
 public:
     HistoryPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Somebody else comes: nobody's attempts are shown.
+    /// Clears the page for another user.
     void forget();
-    /// @param fullName  empty: one's own
+    /// @param fullName  empty: the user's own attempts
     void setPerson(const QString& fullName);
-    /// @param newestFirst  of one person. What is chosen stays, where it is among them.
+    /// Sets the attempts of one person. The selection stays if it is among them.
     void setHistory(const QList<database::AttemptRecord>& newestFirst);
-    /// Of which of them others have said something. Newer than setHistory().
+    /// Sets which attempts others have commented on. Call after setHistory().
     void setFeedback(const std::vector<database::Feedback>& feedback);
-    /// Exams of that person that were begun, and have no score.
+    /// Sets the person's exams that were begun and have no score.
     void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
-    /// Attempts of that person that wait on this computer until the school can take them.
+    /// Sets the number of the person's attempts that are stored on this computer until the database can be reached.
     void setWaiting(int count);
     void setLessonTitles(const text::LessonTitles& titles);
-    /// What criteria are called, by their ids; of the lessons that are known.
-    /// @param names  of the criteria of each lesson, by its id
+    /// Sets the names of criteria.
+    /// @param names  of the criteria of each lesson, by lesson id
     void setCriterionNames(const std::map<std::string, text::CriterionNames>& names);
-    /// Shows one lesson's attempts only; nothing: all.
+    /// Shows the attempts at one lesson; empty: all.
     void setLesson(const std::optional<std::string>& lessonId);
-    /// How the class did at the lesson that is shown. Empty until it is known, and of too few people.
+    /// Sets the band of the class at the selected lesson; empty until it is known, and for too few people.
     void setBand(const std::vector<database::BandPoint>& band);
     void setClassMedians(const std::optional<scoring::ClassMedians>& medians);
 
-    /// Asks for them once more: others may have said something of them meanwhile.
+    /// Requests the attempts again, because others may have commented on them.
     void readAgain() { emit readAgainRequested(); }
 
     /// Focuses the list of lessons, as this page has no search field.
     [[nodiscard]] bool focusSearch() const override;
     [[nodiscard]] std::optional<std::string> lesson() const;
-    /// The chosen attempt; 0: none.
+    /// Returns the selected attempt; 0: none.
     [[nodiscard]] std::int64_t chosen() const;
 
 signals:
-    /// Its score card is to be seen.
+    /// Emitted when the user asks for the score card of an attempt.
     void attemptOpenRequested(qint64 id);
     void replayRequested(qint64 id);
     void readAgainRequested();
-    /// A lesson was chosen: its band and medians are wanted. Of all lessons together there are none.
+    /// Emitted when a lesson was selected: its band and medians are needed. Not emitted for all lessons together.
     void lessonChosen(const QString& id);
 
 protected:
@@ -102,7 +102,7 @@ private:
     QList<database::AttemptRecord> m_history;
     QList<database::ExamStart> m_startsWithoutScore;
     int m_waiting = 0;
-    scoring::ChartedAttempts m_charted;  ///< those of the lesson
+    scoring::ChartedAttempts m_charted;  ///< those of the selected lesson
     HistoryModel* m_model;
     HistoryFilter* m_filter;
     QStackedWidget* m_stack;
@@ -111,8 +111,8 @@ private:
     QLabel* m_withoutScore = nullptr;
     QLabel* m_waitingWords = nullptr;
     kit::ListTable* m_table = nullptr;
-    std::map<int, int> m_columnPx;  ///< what each needs
-    QLabel* m_missing = nullptr;    ///< why the chosen one cannot be opened
+    std::map<int, int> m_columnPx;  ///< the width that each column needs
+    QLabel* m_missing = nullptr;    ///< the reason why the selected attempt cannot be opened
     QPushButton* m_open = nullptr;
     QPushButton* m_replay = nullptr;
     QButtonGroup* m_which = nullptr;

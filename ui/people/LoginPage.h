@@ -24,40 +24,41 @@ namespace ui::people {
 
 class WelcomeChoices;
 
-/// The door: name and password, or a school that is to be created, or practice without a login.
+/// The login page: name and password, setting up a school, or practice without a login.
 class LoginPage final : public QWidget
 {
     Q_OBJECT
 public:
     explicit LoginPage(QWidget* parent);
 
-    /// Empties what was typed, but for the name where it goes on being asked of the same person.
-    /// @param isIn  who sees it has been let in and may go on without an answer
+    /// Clears the inputs, and shows those of a mode. The name stays between a one-time code and the new password.
+    /// @param isIn  the user is logged in and may leave the page without an answer
     void ask(LoginMode door, bool isIn = false);
     [[nodiscard]] LoginMode door() const { return m_door; }
-    /// Who has left his place, for LoginMode::Locked.
-    /// @param inExam  whose time goes on
+    /// Sets the user who locked the window, for LoginMode::Locked.
+    /// @param inExam  the time of an exam continues
     void setLockedBy(const QString& username, bool inExam);
-    /// The database cannot be used: why. Practice without a login still works. Empty: it can.
+    /// Shows why the database cannot be used; empty: it can be used. Practice without a login is still possible.
     void setUnreachable(const QString& sentence);
-    /// The school's data are being opened; of a large file that takes seconds, in which nobody can be let in.
+    /// Sets whether the database is being opened. For a large file this takes seconds, in which nobody can log in.
     void setOpening(bool isOpening);
-    /// How something ended that everybody was logged out for; it stands until somebody is asked anew.
-    /// @param sentence  in the language of the moment; empty: nothing is said
+    /// Shows the outcome of an operation that logged everybody out, until the next ask().
+    /// @param sentence  returns it in the current language; empty: no message
     void say(std::function<QString()> sentence);
-    /// A backup of then, UTC, can be put in the place of a database that is damaged or gone; invalid: there is none.
-    /// @param where  the database, to read
+    /// Offers to replace a damaged or missing database by a backup.
+    /// @param made   time of the backup, UTC; invalid: no offer
+    /// @param where  the database, for display
     void offerBackup(const QDateTime& made, const QString& where);
-    /// A guest's grade becomes that of who logs in, unless he says that it is not his.
-    /// @param work  of what it is, in the language of the moment; empty: there is none
-    /// @param isTicked  to begin with: who asks for it has just been graded
+    /// Offers to save a guest's grade for the user who logs in.
+    /// @param work  returns the name of the graded work in the current language; empty: no offer
+    /// @param isTicked  the initial state: ticked right after grading
     void offerToKeep(std::function<QString()> work, bool isTicked = true);
     [[nodiscard]] bool keeps() const;
-    /// What was typed is being looked at: nothing can be typed meanwhile.
+    /// Disables the inputs while a request is pending.
     void setBusy(bool busy);
-    /// Says what was wrong, beside where it was typed.
+    /// Shows the error of the last request.
     void refuse(std::function<QString()> sentence);
-    /// The same of a password that was chosen: both of its inputs begin anew.
+    /// Shows the error of a chosen password, and clears both of its inputs.
     void refuseNewPassword(std::function<QString()> sentence);
 
 signals:
@@ -65,12 +66,12 @@ signals:
     void codeRequested(const QString& username, const QString& code, const QString& newPassword);
     void schoolRequested(const database::NewPerson& admin, const QString& password);
     void guestRequested();
-    /// The database that cannot be used is to be tried again.
+    /// Emitted when the user asks to try to open the database again.
     void againRequested();
     void restoreRequested();
-    /// Not who has locked the place.
+    /// Emitted when another user than the one who locked the window wants to log in.
     void otherRequested();
-    /// Who changes his password leaves it as it is, and was let in already.
+    /// Emitted when the user goes back without changing the password.
     void leaveRequested();
     void passwordChangeRequested(const QString& old, const QString& newPassword);
 
@@ -89,7 +90,7 @@ private:
     void submit();
     void tellFault(std::function<QString()> sentence);
     void tellWaiting();
-    /// Of a new school's admin; else says what is wrong.
+    /// Returns whether the names of a new school's admin are valid; otherwise shows the error.
     [[nodiscard]] bool areNamesFit();
 
     LoginMode m_door = LoginMode::Login;
@@ -109,26 +110,26 @@ private:
     QLineEdit* m_old;
     QLineEdit* m_password;
     QLineEdit* m_again;
-    std::map<QLineEdit*, QLabel*> m_captions;  ///< above each
+    std::map<QLineEdit*, QLabel*> m_captions;  ///< above each input
     QCheckBox* m_keep;
     std::function<QString()> m_kept;
     QLabel* m_fault;
-    std::function<QString()> m_faultWords;  ///< empty: nothing is wrong
-    QLabel* m_waiting;                      ///< for what, where it takes longer
+    std::function<QString()> m_faultWords;  ///< empty: no error
+    QLabel* m_waiting;                      ///< shown if a request takes long
     QTimer* m_untilTold;
     QPushButton* m_go;
     QPushButton* m_other;
     QPushButton* m_guest;
-    QPushButton* m_change;  ///< of one's own password
-    QLabel* m_said;         ///< how something ended that everybody was logged out for
+    QPushButton* m_change;  ///< of the user's own password
+    QLabel* m_said;         ///< the outcome of an operation that logged everybody out
     std::function<QString()> m_saying;
     QLabel* m_unreachable;
     QPushButton* m_tryAgain;
     QPushButton* m_restore;
     QDateTime m_backupMade;
-    QString m_where;  ///< the database, to read
+    QString m_where;  ///< the database, for display
     QToolButton* m_language;
-    QString m_code;  ///< that was typed as the password
+    QString m_code;  ///< the one-time code, typed as the password
 };
 
 }  // namespace ui::people
