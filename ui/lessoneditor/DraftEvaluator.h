@@ -13,7 +13,8 @@ namespace ui::lessoneditor {
 
 struct EvaluatedDraft;
 
-/// Weighs drafts on a thread of its own, one at a time and of those that wait only the newest. Ui thread.
+/// Evaluates drafts of lessons on its own thread, one at a time. Of several waiting drafts only the newest is
+/// evaluated. Ui thread.
 class DraftEvaluator final : public QObject
 {
     Q_OBJECT
@@ -21,14 +22,16 @@ public:
     explicit DraftEvaluator(QObject* parent);
     ~DraftEvaluator() override;
 
+    /// Requests the evaluation of a draft; weighed() follows.
     void weigh(const QJsonObject& draft, const QString& file);
-    /// Another draft is next: what is under way is about one that nobody asks about any more.
+    /// Cancels all requests, because another draft is about to be shown.
     void forget();
-    /// The answer to the newest wish is still to come.
+    /// Returns whether the result of the newest request is pending.
     [[nodiscard]] bool isBusy() const { return m_isAtWork && (m_isAnswerWanted || m_next); }
 
 signals:
-    /// @param isNewest  nothing else has been asked for meanwhile
+    /// Emitted when a draft has been evaluated.
+    /// @param isNewest  no later request is waiting
     void weighed(const std::shared_ptr<const EvaluatedDraft>& found, bool isNewest);
 
 private:
@@ -43,9 +46,11 @@ private:
 
     std::optional<Wish> m_next;
     bool m_isAtWork = false;
-    bool m_isAnswerWanted = false;                   ///< of what is at work
-    std::shared_ptr<const EvaluatedDraft> m_before;  ///< the newest that is a lesson: its tooth may serve again
-    QThreadPool m_pool;                              ///< last: waited for before what it answers to goes away
+    bool m_isAnswerWanted = false;                   ///< for the running job
+    std::shared_ptr<const EvaluatedDraft> m_before;  ///< the newest result with an assignment; its tooth is reused if
+                                                     ///< possible
+    QThreadPool m_pool;                              ///< last: its destructor waits for a job that uses the members
+                                                     ///< above
 };
 
 }  // namespace ui::lessoneditor

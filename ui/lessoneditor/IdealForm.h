@@ -16,27 +16,27 @@ class QVBoxLayout;
 
 namespace ui::lessoneditor {
 
-/// The part of the lesson editor's form that is about the ideal: what it is taken from, and its numbers.
+/// The part of the lesson form for the ideal: its source and its sizes.
 class IdealForm final : public QWidget
 {
     Q_OBJECT
 public:
     explicit IdealForm(QWidget* parent);
 
-    /// Begins with a lesson of this task. Its numbers come with offer().
+    /// Prepares the form for a lesson of this task. offerFields() adds the inputs.
     void begin(::lessons::Task task);
-    /// All that it offers was named in another language: it is to be offered again.
+    /// Forgets the names of the inputs when the language changes; they must be offered again.
     void forgetWords();
-    /// What the ideal can be: by rule, or any of these captured ones.
-    /// @param present  the one that it is; empty: by rule
+    /// Sets the possible sources of the ideal: the rule, or one of these captured ideals.
+    /// @param present  the source in use; empty: by rule
     void offerReferences(const QStringList& captured, const QString& present);
-    /// Inputs for these numbers. They are made anew only where they are others than before.
+    /// Sets the inputs. Creates them again only if the fields have changed.
     void offerFields(const std::vector<IdealField>& fields);
     void showValues(const std::vector<IdealField>& fields);
-    /// Shows what is wrong with the ideal beside what it is about, and answers the rest.
+    /// Shows the errors of the ideal beside their inputs. Returns the other errors.
     [[nodiscard]] std::vector<::lessons::ValidationIssue>
     takeFaults(const std::vector<::lessons::ValidationIssue>& faults);
-    /// While recordings are replayed no others can be taken.
+    /// Disables the choice of recordings while recordings are replayed.
     void setCapturing(bool capturing);
 
 signals:

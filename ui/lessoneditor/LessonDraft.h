@@ -20,10 +20,10 @@
 
 namespace ui::lessoneditor {
 
-/// A number of the ideal that a teacher may change.
+/// A size of the ideal that a teacher may change.
 struct IdealField
 {
-    QString id;    ///< in the file
+    QString id;    ///< its key in the file
     QString name;  ///< in the user's language
     QString unit;  ///< may be empty
     double value = 0.0;
@@ -32,88 +32,93 @@ struct IdealField
     bool whole = false;
 };
 
-/// What a draft comes to: read, given and marked as any lesson is.
+/// The result of evaluating a draft: the lesson as it is read, its assignment, and its scores.
 struct EvaluatedDraft
 {
-    ::lessons::ReadLesson read;  ///< with what is wrong
+    ::lessons::ReadLesson read;  ///< with its errors
     std::optional<::lessons::Assignment> assignment;
-    std::vector<IdealField> fields;  ///< none of a captured ideal, and where decay is to be removed
-    std::optional<core::preparation::ToothDesign> usual;  ///< for this tooth, where the ideal is made by rule
-    double outlineMm = 0.0;                               ///< tolerance of the outline, or the leeway beside a shape
-    double spanMm = 0.0;                                  ///< beyond it, until all points of that criterion are lost
-    double depthMm = 0.0;                                 ///< tolerance of the depth, or the leeway below a shape
+    std::vector<IdealField> fields;                       ///< empty for a captured ideal, and for removing decay
+    std::optional<core::preparation::ToothDesign> usual;  ///< for this tooth, if the ideal is built by rule
+    double outlineMm = 0.0;                               ///< tolerance of the outline, or the allowance beside a shape
+    double spanMm = 0.0;                                  ///< beyond the tolerance, up to where all points of the
+                                                          ///< criterion are lost
+    double depthMm = 0.0;                                 ///< tolerance of the depth, or the allowance below a shape
     std::optional<core::preparation::ToleranceBand> band;
     inside::FromAbove above;
-    std::optional<::lessons::ScoreSheet> itself;  ///< the ideal, marked as if a student had cut it
-    double milliseconds = 0.0;                    ///< that this took
+    std::optional<::lessons::ScoreSheet> itself;  ///< the score of the ideal itself, as if a student had cut it
+    double milliseconds = 0.0;                    ///< that the evaluation took
 
     [[nodiscard]] bool isFullMarks() const { return itself && itself->totalTenths == ::lessons::kFullTenths; }
 };
 
-/// Any thread that may wait. A change of tolerances takes some ten milliseconds, of the ideal some tens more; a new
-/// tooth is made only where the draft asks for another one.
-/// @param before  what it came to last, to be used again; may be null
+/// Evaluates a draft. A change of tolerances takes about ten milliseconds, of the ideal some tens more; the tooth is
+/// built again only if the draft asks for another one. Any thread but the ui thread.
+/// @param before  the result before, for reuse; may be null
 [[nodiscard]] std::shared_ptr<const EvaluatedDraft> weigh(const QJsonObject& draft, const QString& file,
                                                           const std::shared_ptr<const EvaluatedDraft>& before);
 
-/// A lesson while it is edited: the object of its file, where it will stand, and all that can be taken back. Ui thread.
+/// A lesson while it is edited: the JSON object, its file, and the undo history. Ui thread.
 class LessonDraft
 {
 public:
-    /// A shipped lesson becomes one of the teacher's own, based on it; his own is changed where it stands.
+    /// Starts with a lesson. A shipped lesson becomes a new lesson based on it in the teacher's folder; the teacher's
+    /// own lesson is changed in its file.
     void begin(const ::lessons::ReadLesson& lesson, const QString& teachersFolder);
 
-    /// What it had become, as object() gave it; one step further than it begins.
-    /// @param saved  what stood in its file then, as saved() gave it; empty: as it stands there now
+    /// Continues with a stored draft, as one undo step after begin().
+    /// @param object  as returned by object()
+    /// @param saved  the contents of the file at that time, as returned by saved(); empty: as the file is now
     void goOnWith(const QJsonObject& object, const QJsonObject& saved);
-    /// Discards all changes since it was saved, and the steps to them.
+    /// Discards all changes since the last save, and the undo history.
     void revert();
-    /// What stands in its file now becomes one step further; a step back leads to what was changed here.
+    /// Loads the file again, as one undo step.
     void openAnew(const ::lessons::ReadLesson& lesson);
 
     [[nodiscard]] const QJsonObject& object() const { return m_states[m_at]; }
-    /// What stood in its file when that was read or written last.
+    /// Returns the contents of the file when it was last read or written.
     [[nodiscard]] const QJsonObject& saved() const { return m_saved; }
     [[nodiscard]] const QString& file() const { return m_file; }
-    /// Another window, or somebody at another computer, has written to its file since.
+    /// Returns whether another window or computer has written to the file since then.
     [[nodiscard]] bool isOvertaken() const;
-    /// In the user's language.
+    /// Returns the title in the user's language.
     [[nodiscard]] QString title() const;
-    /// As it is marked, also where that is no rubric yet.
+    /// Returns the rubric as it is graded, even if it is invalid.
     [[nodiscard]] QJsonObject rubric() const;
     [[nodiscard]] bool canUndo() const { return m_at > 0; }
     [[nodiscard]] bool canRedo() const { return m_at + 1 < m_states.size(); }
     [[nodiscard]] bool isChanged() const { return m_states[m_at] != m_saved; }
     void undo();
     void redo();
-    /// The bytes to be saved, which count as saved from now on. A lesson that was there gets a higher version, once.
+    /// Returns the bytes to be saved, and treats them as saved. The first save of an existing lesson raises its
+    /// version.
     [[nodiscard]] QByteArray stamped();
     [[nodiscard]] bool isSavedOnce() const { return m_exists; }
 
     void setTitle(const QString& title, const QString& language);
     void setSize(const QString& id, double value);
-    /// @param name  of a file beside the lesson; empty: by rule again
+    /// Sets the ideal.
+    /// @param name  of a file beside the lesson; empty: built by rule
     void setCaptured(const QString& name, const std::optional<core::preparation::Tolerances>& tolerances);
     void setPassMark(double points);
-    /// @param key  of a number of a criterion: "tolerance", "weight", "target", "span"
+    /// @param key  of a number of the criterion: "tolerance", "weight", "target", "span"
     void setCriterion(int index, const char* key, double value);
 
 private:
     void takeWhole(const ::lessons::Lesson& lesson);
-    /// The title by language: the file's own words, and where it says none those of what it is based on.
+    /// Returns the titles by language: the file's own, otherwise those of the lesson it is based on.
     [[nodiscard]] QJsonObject titles() const;
-    /// @param what  several changes of one thing in a row are one
+    /// @param what  successive changes of the same thing become one undo step
     void change(const QString& what, const QJsonObject& object);
 
     QList<QJsonObject> m_states{QJsonObject()};
     qsizetype m_at = 0;
     QString m_lastChange;
     QJsonObject m_saved;
-    QJsonObject m_wholeRubric;  ///< what the rubric is before it has been changed, as an object of the lesson's own
-    QJsonObject m_wholeTitle;   ///< by language, as it was when the draft was begun
-    QJsonObject m_firstTitles;  ///< the same, with what the file itself says
+    QJsonObject m_wholeRubric;  ///< the rubric before any change, as an object of the lesson's own
+    QJsonObject m_wholeTitle;   ///< by language, from when the draft was begun
+    QJsonObject m_firstTitles;  ///< the same, with the file's own titles
     bool m_areTitlesMadeUp = false;
-    QSet<QString> m_typedTitles;  ///< languages in which somebody has typed one since
+    QSet<QString> m_typedTitles;  ///< languages whose title the user has typed since
     QString m_file;
     bool m_exists = false;
     bool m_isBlock = false;

@@ -29,12 +29,12 @@ class RubricForm;
 class SweepPage;
 class ToleranceView;
 
-/// Where a teacher changes a lesson: the numbers of its ideal, or attempts that stand for it; what the rubric tolerates
-/// and what each criterion weighs; with what that means on the tooth, and for attempts that are there. Shipped lessons
-/// become lessons of the teacher's own.
+/// The page where teachers edit a lesson: the sizes of its ideal, or attempts from which it is taken; the tolerances
+/// and weights of the rubric; and the effect of these on the tooth and on past attempts. Editing a shipped lesson
+/// creates a new lesson of the teacher's.
 ///
-/// All that is slow happens on threads of its own; the newest wish is answered. A draft stays as it was left while the
-/// user is logged in, whatever is looked at meanwhile, and survives a crash of the program: see setRecoveryFile().
+/// Slow work runs on other threads, and only the newest request is answered. Drafts stay open while the user is logged
+/// in, and survive a crash of the program: see recover().
 class LessonEditor final : public kit::Page
 {
     Q_OBJECT
@@ -42,47 +42,46 @@ public:
     LessonEditor(const kit::Actions& actions, QWidget* parent);
     ~LessonEditor() override;
 
-    /// @param lesson  one that can be given
-    /// @param folder  the teacher's, where his own version of a shipped lesson will stand
+    /// @param lesson  a valid lesson
+    /// @param folder  the teacher's folder, where a version of a shipped lesson is saved
     void edit(const ::lessons::ReadLesson& lesson, const QString& folder);
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;
     void undo();
     void redo();
-    /// Writes the lesson, or says beside the button why not.
+    /// Writes the lesson, or shows beside the button why that failed.
     void save();
 
-    /// Counts the lessons that are changed and not saved, in a sentence. Empty: there are none.
+    /// Returns a sentence with the number of unsaved lessons; empty: there are none.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges();
-    /// The files that those drafts began from.
+    /// Returns the files that the unsaved drafts began from.
     [[nodiscard]] QSet<QString> unsavedFiles() const;
 
     /// Closes all drafts. The unsaved ones stay in the recovery file, from which recover() brings them back.
     void closeDrafts();
     /// Restores the unsaved drafts in a recovery file, and writes unsaved drafts there from now on. Does nothing if
     /// another window uses the file.
-    /// @param folder  the teacher's
-    /// @param file  the user's own
+    /// @param folder  the teacher's folder
+    /// @param file  the user's recovery file
     void recover(const QString& folder, const QString& file);
 
-    /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
-    /// sweep until its ideal is changed.
+    /// Sets the measures of past attempts at the opened lesson. They count in the sweep until its ideal is changed.
     void setKnown(std::vector<MeasuredAttempt> attempts);
     /// Replays the recordings of a folder for the sweep.
     void readFolder(const QString& folder);
 
 signals:
-    /// What can be undone has changed.
+    /// Emitted when canUndo() or canRedo() may have changed.
     void stepsChanged();
-    /// The teacher's folder has a lesson that it had not, or not so.
+    /// Emitted when a lesson has been written to the teacher's folder.
     void lessonSaved(const QString& file);
 
 protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    /// A draft and the lesson it began as.
+    /// A draft and the lesson that it began from.
     struct Opened
     {
         LessonDraft draft;
@@ -109,17 +108,17 @@ private:
     void refuseToSave(const QString& whyNot);
     void askForRecordings();
     void captureFrom(const QStringList& recordings);
-    /// @param words  said again in another language
+    /// @param words  called again when the language changes
     void say(std::function<QString()> words, bool isWrong);
     void retranslateUi();
 
     std::map<QString, Opened> m_opened;  ///< by the file of the lesson they began from
     QString m_present;
-    std::shared_ptr<const EvaluatedDraft> m_now;   ///< the newest of the present draft
-    std::shared_ptr<const EvaluatedDraft> m_good;  ///< the newest of it that is a lesson
+    std::shared_ptr<const EvaluatedDraft> m_now;   ///< the newest result for the current draft
+    std::shared_ptr<const EvaluatedDraft> m_good;  ///< the newest result with an assignment
     QString m_recoveryFile;
-    std::optional<core::FileLock> m_recoveryLock;  ///< from recover() on, if no other window has it
-    QJsonArray m_kept;                             ///< what is in the recovery file
+    std::optional<core::FileLock> m_recoveryLock;  ///< from recover() on, if no other window holds it
+    QJsonArray m_kept;                             ///< the contents of the recovery file
     QTimer m_keeping;
     DraftEvaluator* m_weigher;
     bool m_isSaveWanted = false;
@@ -138,8 +137,8 @@ private:
     QLabel* m_check = nullptr;
     QLabel* m_said = nullptr;
     QPushButton* m_fit = nullptr;
-    QPushButton* m_anew = nullptr;  ///< while somebody else has written to the file
-    QThreadPool m_capturing;        ///< last: waited for before what it answers to goes away
+    QPushButton* m_anew = nullptr;  ///< visible while the file has changed outside
+    QThreadPool m_capturing;        ///< last: its destructor waits for a job that uses the members above
 };
 
 }  // namespace ui::lessoneditor

@@ -16,29 +16,29 @@ class QVBoxLayout;
 
 namespace ui::lessoneditor {
 
-/// The part of the lesson editor's form that is about the marking: what each criterion tolerates and weighs, and from
-/// where on one has passed.
+/// The part of the lesson form for the rubric: the tolerance and weight of each criterion, and the pass mark.
 class RubricForm final : public QWidget
 {
     Q_OBJECT
 public:
     explicit RubricForm(QWidget* parent);
 
-    /// Inputs for these criteria. They are made anew only where they are others than before.
+    /// Sets the inputs. Creates them again only if the criteria have changed.
     void offerCriteria(const std::vector<::lessons::CriterionRule>& criteria);
-    /// All that it offers was named in another language: it is to be offered again.
+    /// Forgets the names of the inputs when the language changes; they must be offered again.
     void forgetWords();
-    /// @param rubric  the object of a file; it need not be one that could mark
+    /// @param rubric  the JSON object; it may be invalid
     void showValues(const QJsonObject& rubric);
-    /// Shows what is wrong with the marking beside what it is about, and answers the rest.
+    /// Shows the errors of the rubric beside their inputs. Returns the other errors.
     [[nodiscard]] std::vector<::lessons::ValidationIssue>
     takeFaults(const std::vector<::lessons::ValidationIssue>& faults);
 
-    /// Figures behind the point of a tolerance in this unit.
+    /// Returns the number of decimals of a tolerance in this unit.
     [[nodiscard]] static int decimalsOf(const std::string& unit);
 
 signals:
-    /// @param key  "tolerance", "weight", "target" or "span", of the criterion of this number
+    /// Emitted when the user has changed a number of a criterion.
+    /// @param key  "tolerance", "weight", "target" or "span"
     void criterionSet(int index, const char* key, double value);
     void passMarkSet(double points);
 
@@ -48,9 +48,9 @@ private:
         std::string id;
         QLabel* name = nullptr;
         QDoubleSpinBox* tolerance = nullptr;
-        QDoubleSpinBox* weight = nullptr;  ///< null for a critical one
+        QDoubleSpinBox* weight = nullptr;  ///< null for a critical criterion
         QDoubleSpinBox* target = nullptr;
-        QDoubleSpinBox* span = nullptr;  ///< null for a critical one
+        QDoubleSpinBox* span = nullptr;  ///< null for a critical criterion
         QWidget* more = nullptr;         ///< the row of target and span
         QLabel* fault = nullptr;
 

@@ -11,25 +11,26 @@ class SaveButton;
 
 namespace ui::lessoneditor {
 
-/// Scores of past attempts over the tolerance, 0 to 3 times what the rubric says: a line for each attempt, or the
-/// median and the quartiles where they are many; dashed, how many percent pass. Says the figures under the pointer, or
-/// where the arrow keys have got to, and can be saved.
+/// A chart of past scores against the tolerance, 0 to 3 times that of the rubric: a line for each attempt, or the
+/// median and quartiles if there are many; dashed, the percentage that passes. Shows the figures at the pointer or at
+/// the position of the arrow keys, and can be saved.
 class SweepChart : public charts::WalkedChart
 {
     Q_OBJECT
 public:
     explicit SweepChart(QWidget* parent);
     void setSweep(const Sweep& sweep);
-    /// What is chosen with the pointer, in words: "At 1.5 times the tolerance 7 of 12 pass; median 78.4".
+    /// Returns the figures at a tolerance in words: "At 1.5 times the tolerance 7 of 12 pass; median 78.4".
     [[nodiscard]] QString words(double times) const;
-    /// As it is saved: in the colours of a light page.
+    /// Returns the chart as it is saved, in the colours of a light page.
     [[nodiscard]] charts::Chart chart() const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 180}; }
 
 signals:
-    /// @param words  empty: nothing any more
+    /// Emitted when the user points at another tolerance.
+    /// @param words  empty: the pointer has left
     void pointedAt(const QString& words);
-    /// What became of a file, as a sentence.
+    /// Emitted when the chart was saved, or could not be.
     void saved(const QString& sentence);
 
 protected:
@@ -43,7 +44,7 @@ private:
 
     charts::SaveButton* m_save = nullptr;
     Sweep m_sweep;
-    double m_toldTimes = 1.0;  ///< by the keys
+    double m_toldTimes = 1.0;  ///< at the position of the keys
 };
 
 }  // namespace ui::lessoneditor

@@ -21,8 +21,8 @@ namespace ui::lessoneditor {
 
 class SweepChart;
 
-/// How attempts that are there would score under other tolerances than the draft's: those of a folder, replayed once on
-/// a thread of its own, and what the history knows of attempts at the lesson.
+/// Shows the scores that past attempts would have under other tolerances than the draft's: attempts of a folder,
+/// replayed once on another thread, and attempts at the lesson from the history.
 class SweepPage final : public QWidget
 {
     Q_OBJECT
@@ -30,14 +30,14 @@ public:
     explicit SweepPage(QWidget* parent);
     ~SweepPage() override;
 
-    /// Another lesson is edited. The attempts that were read stay: they may be at its tooth as well.
+    /// Prepares the page for another lesson. Attempts read from a folder stay: they may be at its tooth as well.
     void begin(const std::optional<::lessons::Lesson>& opened);
-    /// What was measured of attempts at the lesson as it was opened: they count until its ideal is changed.
+    /// Sets the measures of past attempts at the opened lesson. They count until its ideal is changed.
     void setKnown(std::vector<MeasuredAttempt> attempts);
-    /// The draft as it is now.
-    /// @param good  one with an assignment
+    /// Sets the current draft.
+    /// @param good  a result with an assignment
     void setDraft(const std::shared_ptr<const EvaluatedDraft>& good);
-    /// Replays the recordings of a folder. One that is still being read comes to nothing.
+    /// Replays the recordings of a folder. Cancels the reading of another folder.
     void readFolder(const QString& folder);
 
 private:
@@ -55,13 +55,14 @@ private:
     std::optional<::lessons::Lesson> m_opened;
     std::shared_ptr<const PastAttempts> m_past;
     std::vector<MeasuredAttempt> m_known;
-    int m_unmeasured = 0;                     ///< of which the history knows no measures
+    int m_unmeasured = 0;                     ///< attempts without stored measures
     std::vector<MeasuredAttempt> m_measured;  ///< of m_past
     core::grading::IdealTop m_measuredFor;
-    std::string m_criteriaOffered;  ///< their ids
+    std::string m_criteriaOffered;  ///< ids of the criteria in the list
     int m_reading = 0;              ///< number of the newest reading
     std::shared_ptr<std::atomic<bool>> m_cancel;
-    std::shared_ptr<std::atomic<int>> m_measuring;  ///< number of the newest measuring: an older one is left out
+    std::shared_ptr<std::atomic<int>> m_measuring;  ///< number of the newest measuring; results of an older one are
+                                                    ///< dropped
     QString m_summary;
 
     QComboBox* m_swept = nullptr;
@@ -69,7 +70,7 @@ private:
     QPushButton* m_stop = nullptr;
     SweepChart* m_chart = nullptr;
     QLabel* m_words = nullptr;
-    QThreadPool m_pool;  ///< last: waited for before what it answers to goes away
+    QThreadPool m_pool;  ///< last: its destructor waits for a job that uses the members above
 };
 
 }  // namespace ui::lessoneditor

@@ -11,56 +11,56 @@
 
 #include "lessons/Assignment.h"
 
-/// How attempts that are there would score under other tolerances. Pure functions; any thread that may wait.
+/// The scores of past attempts under other tolerances. Pure functions; any thread but the ui thread.
 namespace ui::lessoneditor {
 
-/// An attempt as its recording left it: replayed once, measured as often as the ideal changes.
+/// The result of a recording: replayed once, measured again whenever the ideal changes.
 struct PastAttempt
 {
-    QString name;                 ///< of its file
+    QString name;                 ///< name of its file
     std::uint64_t surface = 0;    ///< core::preparation::surfaceHash() of its tooth
-    std::vector<float> top;       ///< as it was cut
-    core::grading::Measured way;  ///< process, infractions and aids; the rest says nothing here
+    std::vector<float> top;       ///< the top map as it was cut, mm
+    core::grading::Measured way;  ///< process, infractions and aids; the other members are unset
 };
 
-/// What was read of a folder.
+/// The recordings of a folder.
 struct PastAttempts
 {
     std::vector<PastAttempt> attempts;
     QStringList faults;  ///< a sentence for each recording that could not be read
 };
 
-/// At most so many recordings of a folder are read.
+/// Most recordings that are read from one folder.
 inline constexpr int kMostRecordings = 500;
 
-/// Replays every recording of a folder (*.cusprec) for what it came to: a 60th of the time that they took, or less.
-/// @param told    called with how many of how many are done
-/// @param cancel  looked at between recordings; what is done by then is answered
+/// Replays every recording of a folder (*.cusprec), at 60 times the speed of recording or more.
+/// @param told    called with the number done and the number of all
+/// @param cancel  checked between recordings; the attempts read until then are returned
 [[nodiscard]] PastAttempts readAttempts(const QString& folder, const std::function<void(int, int)>& told,
                                         const std::atomic<bool>& cancel);
 
-/// One attempt, measured against a draft.
+/// The measures of one attempt against a draft.
 struct MeasuredAttempt
 {
     QString name;
     ::lessons::Values values;
 };
 
-/// Those that were made on the assignment's tooth; others are left out. Some milliseconds each.
+/// Measures the attempts that were made on the assignment's tooth, and leaves out the others. Some milliseconds each.
 [[nodiscard]] std::vector<MeasuredAttempt> measureAttempts(const ::lessons::Assignment& assignment,
                                                            const std::vector<PastAttempt>& attempts);
 
-/// Scores under tolerances of `times` as much, for each of the steps from 0 to kMostTimes.
+/// The scores with all tolerances multiplied by each step from 0 to kMostTimes.
 struct Sweep
 {
     struct Line
     {
         QString name;
-        std::vector<int> tenths;  ///< one a step
+        std::vector<int> tenths;  ///< one per step
     };
     std::vector<double> times;
     std::vector<Line> lines;
-    std::vector<int> passed;  ///< attempts that pass, one a step
+    std::vector<int> passed;  ///< number of attempts that pass, one per step
     int passMarkTenths = 0;
     [[nodiscard]] std::size_t stepOf(double wanted) const;
     [[nodiscard]] int medianTenths(std::size_t step) const;
@@ -69,7 +69,8 @@ struct Sweep
 inline constexpr double kMostTimes = 3.0;
 inline constexpr int kSweepSteps = 31;
 
-/// @param criterion  the only one whose tolerance is taken times as much; negative: all of them
+/// Returns the sweep of these attempts.
+/// @param criterion  the only one whose tolerance is multiplied; negative: all
 [[nodiscard]] Sweep sweepOf(const ::lessons::Rubric& rubric, const std::vector<MeasuredAttempt>& attempts,
                             int criterion);
 

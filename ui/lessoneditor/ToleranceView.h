@@ -9,9 +9,9 @@
 
 namespace ui::lessoneditor {
 
-/// What the tolerances of a draft mean on its tooth: from above a band beside the ideal's outline, and in section one
-/// between the limits of its depth. Where the line of the section runs is dragged; a double click, the arrow keys and
-/// the wheel turn it.
+/// Shows the tolerances of a draft on its tooth: from above a band around the outline of the ideal, and in section a
+/// band between the depth limits. The user drags the line of the section, and turns it with a double click, the arrow
+/// keys or the wheel.
 class ToleranceView : public QWidget
 {
     Q_OBJECT
