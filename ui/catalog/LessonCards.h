@@ -14,24 +14,24 @@ namespace ui::catalog {
 
 class LessonThumbs;
 
-/// What a card says, beside its title (Qt::DisplayRole). A heading has no CardEntry.
+/// Data of a card besides its title (Qt::DisplayRole). A heading has no CardEntry.
 enum CardRole {
-    CardEntry = Qt::UserRole + 1,  ///< int: which lesson
-    CardTooth,                     ///< second line
-    CardDue,                       ///< when it is due, who gave it; empty: not given
+    CardEntry = Qt::UserRole + 1,  ///< int: index of the lesson
+    CardTooth,                     ///< the second line
+    CardDue,                       ///< due date and class; empty: not assigned
     CardIsUsedUp,
     CardIsLate,
-    CardScore,  ///< best so far; empty: not tried yet
+    CardScore,  ///< the best score; empty: not tried yet
     CardPassed,
-    CardMarked,  ///< on the table
+    CardMarked,  ///< the lesson of the current attempt
     CardIsExam
 };
 
-/// Lessons as cards with a picture, in rows, under headings as wide as the list.
+/// Draws lessons as cards with a picture, in rows, and headings as wide as the list.
 class LessonCards final : public QStyledItemDelegate
 {
 public:
-    /// @param lessonOf  of a CardEntry; null: its file cannot be given
+    /// @param lessonOf  returns the lesson of a CardEntry; null: its file is invalid
     LessonCards(LessonThumbs& thumbs, std::function<const ::lessons::Lesson*(int)> lessonOf, QListView* view);
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;

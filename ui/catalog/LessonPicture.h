@@ -12,12 +12,11 @@
 
 namespace ui::catalog {
 
-/// What a lesson asks for, before it is begun: its tooth from above with its open decay, the outline that is to be cut
-/// or the points that are to be touched, and a section where that is an aid of the lesson (see LessonScene). Dark in
-/// either theme, like the room with the tooth.
+/// A preview of a lesson: its tooth from above with its open decay, the outline to cut or the points to touch, and a
+/// section if that is an aid of the lesson (see LessonScene). Dark in both themes.
 ///
-/// The tooth is made on another thread, when the picture is first seen; of lessons that are chosen quickly one after
-/// the other only the last. Ui thread.
+/// Another thread builds the tooth when the picture is first visible. If several lessons are chosen quickly, only the
+/// last one is built. Ui thread.
 class LessonPicture final : public QWidget
 {
     Q_OBJECT
@@ -25,9 +24,9 @@ public:
     explicit LessonPicture(QWidget* parent);
     ~LessonPicture() override;
 
-    /// Nothing: the widget is hidden, as for what is felt and not seen.
+    /// Sets the lesson. Hides the widget if there is none or if the lesson has no picture, see isPictured().
     void setLesson(const std::optional<::lessons::Lesson>& lesson);
-    /// The picture is that of the lesson said last.
+    /// Returns whether the picture of the current lesson has been built.
     [[nodiscard]] bool isReady() const { return m_scene != nullptr; }
 
     [[nodiscard]] QSize sizeHint() const override;
@@ -44,9 +43,9 @@ private:
     std::optional<::lessons::Lesson> m_lesson;
     std::shared_ptr<const LessonScene> m_scene;
     bool m_isAtWork = false;
-    bool m_isChanged = false;  ///< another lesson was said meanwhile
-    bool m_cannot = false;     ///< its tooth cannot be made; starting the lesson says why
-    QThreadPool m_pool;        ///< last: waited for before what it answers to goes away
+    bool m_isChanged = false;  ///< another lesson was set while the thread was working
+    bool m_cannot = false;     ///< its tooth cannot be built; starting the lesson shows the reason
+    QThreadPool m_pool;        ///< last: its destructor waits for a job that uses the members above
 };
 
 }  // namespace ui::catalog

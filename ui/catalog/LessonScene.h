@@ -17,30 +17,29 @@
 
 namespace ui::catalog {
 
-/// The ground that lessons are pictured on: dark in either theme, like the room with the tooth.
+/// Background of lesson pictures: dark in both themes.
 inline constexpr QRgb kPictureGround = 0xFF15181A;
 
-/// What can be pictured of a lesson before it is begun: the tooth, with decay as it is seen on its surface; the ideal,
-/// where that is an aid of the lesson and no decay is to be found; and a section through either, where sections are an
-/// aid.
+/// The contents of a lesson's preview: the tooth, with the decay that is visible on its surface; the ideal, if it is an
+/// aid of the lesson and there is no decay to find; and a section through either, if sections are an aid.
 struct LessonScene
 {
     ::lessons::Assignment assignment;
     core::terrain::Tooth whole;
     inside::FromAbove above;
-    core::grading::IdealTop ideal;  ///< null: not told
+    core::grading::IdealTop ideal;  ///< null: not shown
     double outlineMm = 0.0;         ///< tolerance
     std::optional<core::preparation::ToleranceBand> band;
-    std::optional<core::imaging::SectionPlane> plane = {};  ///< nothing: no section is shown
+    std::optional<core::imaging::SectionPlane> plane = {};  ///< empty: no section
 };
 
-/// Not what is to be felt and not seen.
+/// Returns whether a lesson has a preview. False for lessons in which the tooth is felt and not seen.
 [[nodiscard]] bool isPictured(const ::lessons::Lesson& lesson);
-/// Whether the ideal may be seen beforehand.
+/// Returns whether the preview may show the ideal.
 [[nodiscard]] bool isIdealTold(const ::lessons::Lesson& lesson);
 
 /// Returns a section through the deepest decay: in the bucco-lingual direction, or in the mesio-distal direction if the
-/// decay is much longer that way. Nothing without decay.
+/// decay is much longer that way. Empty without decay.
 [[nodiscard]] std::optional<core::imaging::SectionPlane> planeThroughDecay(const core::terrain::Tooth& tooth);
 
 /// Returns a section through the ideal: along the direction in which its box opens, if it has one; otherwise across its
@@ -48,14 +47,15 @@ struct LessonScene
 [[nodiscard]] core::imaging::SectionPlane planeThroughIdeal(const core::terrain::ToothAnatomy& anatomy,
                                                             const core::grading::Preparation& ideal);
 
-/// Makes the tooth, which takes its time. Null: it cannot be made; starting the lesson says why. Any thread.
+/// Builds the tooth of a lesson, which is slow. Null if the tooth cannot be built; starting the lesson shows the
+/// reason. Any thread.
 [[nodiscard]] std::shared_ptr<const LessonScene> makeLessonScene(const ::lessons::Lesson& lesson);
 
-/// What its section shows; the scene must have a plane and outlive it.
+/// Returns the section of a scene. The scene must have a plane and outlive the result.
 [[nodiscard]] inside::SectionScene sectionOf(const LessonScene& scene);
 
-/// The tooth from above with the outline that is to be cut, or the points that are to be touched.
-/// @param showsPlane  where the section runs
+/// Paints the tooth from above with the outline to cut or the points to touch.
+/// @param showsPlane  marks the plane of the section
 void paintFromAbove(QPainter& painter, const QRectF& room, const LessonScene& scene, bool showsPlane);
 
 }  // namespace ui::catalog

@@ -11,7 +11,7 @@
 
 namespace ui::catalog {
 
-/// Small pictures of lessons, made one after the other on another thread when they are first seen. Ui thread.
+/// Small pictures of lessons, built one by one on another thread when first needed. Ui thread.
 class LessonThumbs final : public QObject
 {
     Q_OBJECT
@@ -19,12 +19,14 @@ public:
     explicit LessonThumbs(QObject* parent);
     ~LessonThumbs() override;
 
-    /// Null: there is none, or none yet, and changed() follows. What was asked for last is made first.
-    /// @param size   px of the page
-    /// @param ratio  device pixels for each
+    /// Returns the picture of a lesson. Null if it is not built yet, in which case changed() follows, or if it cannot
+    /// be built. The newest request is served first.
+    /// @param size   logical pixels
+    /// @param ratio  device pixels per logical pixel
     [[nodiscard]] QPixmap picture(const ::lessons::Lesson& lesson, const QSize& size, double ratio);
 
 signals:
+    /// Emitted when a picture has been built.
     void changed();
 
 private:
@@ -37,10 +39,10 @@ private:
     };
     void makeNext();
 
-    QHash<QString, QPixmap> m_made;  ///< null: cannot be made
+    QHash<QString, QPixmap> m_made;  ///< null: cannot be built
     QList<Wanted> m_wanted;
     bool m_isAtWork = false;
-    QThreadPool m_pool;  ///< last: waited for before what it answers to goes away
+    QThreadPool m_pool;  ///< last: its destructor waits for a job that uses the members above
 };
 
 }  // namespace ui::catalog

@@ -37,7 +37,7 @@ namespace ui::catalog {
 class LessonPicture;
 class LessonThumbs;
 
-/// What a student has reached in a lesson.
+/// A student's results in one lesson.
 struct Standing
 {
     int attempts = 0;
@@ -46,52 +46,54 @@ struct Standing
     QString lastUtc;  ///< of the newest attempt, ISO 8601
 };
 
-/// A lesson that one's class is to do.
+/// A lesson that is assigned to the student's class.
 struct Given
 {
     QString className;
-    QDateTime due;  ///< invalid: none
+    QDateTime due;  ///< invalid: no due date
+    /// Empty: no limit.
     std::optional<int> attemptsLeft;
-    /// Each that gave it, with its day.
+    /// Each class that assigned the lesson, with its due date.
     std::vector<std::pair<QString, QDateTime>> classes = {};
 };
 
-/// A student's home: all lessons as cards, what is due first, with a search, filters and an arch to pick a tooth by;
-/// beside them what the chosen one asks; and what was being worked on last. Faulty ones are there with what is wrong.
+/// The home page of a student: all lessons as cards, those due first, with a search, filters and an arch to pick a
+/// tooth; the description of the chosen lesson; and the work to continue. An invalid lesson is listed with its errors.
 class LessonsPage final : public kit::Page
 {
     Q_OBJECT
 public:
     LessonsPage(const kit::Actions& actions, QWidget* parent);
 
-    /// @param standings, given  by lesson's id
+    /// @param standings, given  by lesson id
     void setLessons(std::vector<::lessons::CatalogEntry> entries, std::map<std::string, Standing> standings,
                     std::map<std::string, Given> given = {});
-    /// An attempt that was not finished can be gone on with.
-    /// @param title  of its lesson or tooth; nothing: there is none
+    /// Offers to continue an unfinished attempt.
+    /// @param title  returns the title of its lesson or the name of its tooth; empty: there is no unfinished attempt
     void setUnfinished(const std::function<QString()>& title, const QDateTime& begun);
-    /// What teachers have said of one's attempts, newest first; what was read already is not told.
+    /// Shows the unread feedback on the user's attempts.
+    /// @param feedback  newest first, read or not
     void setFeedback(const std::vector<database::Feedback>& feedback);
-    /// The lesson on the table, marked in the list; empty for none.
+    /// Sets the lesson of the current attempt, which the list marks; empty: none.
     void setPresent(const std::string& lessonId);
-    /// Who is here changes lessons: there is a way to the editor.
+    /// Sets whether the user may edit lessons; shows or hides the button.
     void setMayEdit(bool may);
-    /// Lessons that began from these files have been changed in the editor and not saved: the list says so.
+    /// Sets the lesson files that have unsaved changes in the editor, which the list marks.
     void setUnsaved(const QSet<QString>& files);
-    /// Somebody else comes: what was searched for, filtered and chosen is not his.
+    /// Clears the search, the filter and the selection, for another user.
     void forget();
-    /// What is chosen in the list; null for none.
+    /// Returns the chosen entry; null: none.
     [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
-    /// Begins a lesson. An exam waits until the user has accepted its card, which examAsked() brings.
+    /// Calls `begin`, for an exam after the user has accepted the card that examAsked() carries.
     void begin(const ::lessons::Lesson& lesson, const std::function<void()>& begin);
-    /// How many attempts at a lesson are left; no value: no limit. Until setLessons() brings the same.
+    /// Sets the number of attempts left at a lesson until the next setLessons(); empty: no limit.
     void setAttemptsLeft(const std::string& lessonId, std::optional<int> left);
-    /// The present lesson was graded. Counts until setLessons() brings the same from the database.
+    /// Adds the score of the current lesson until setLessons() brings it from the database.
     void takeScore(int tenths, bool passed);
-    /// The lesson to do after the present one: the first assigned lesson that is not passed yet, or else the next
-    /// lesson of the same group in the order of the catalog; null for none.
+    /// Returns the lesson to do next: the first assigned lesson that is not passed yet, otherwise the next lesson of
+    /// the same group in the order of the catalog; null: none.
     [[nodiscard]] const ::lessons::Lesson* next() const;
-    /// Chooses next(), if there is one.
+    /// Starts next(), if there is one.
     void startNext();
 
 signals:
@@ -99,10 +101,10 @@ signals:
     void examAsked(const kit::ConfirmOverlay::Question& card);
     void lessonChosen(const ::lessons::Lesson& lesson);
     void folderRequested();
-    /// The attempt that was not finished is to be gone on with.
+    /// Emitted when the user asks to continue the unfinished attempt.
     void resumeRequested();
     void discardRequested();
-    /// What was said of this attempt is to be read; 0: there are several.
+    /// Emitted when the user asks to read the feedback on an attempt; 0: there is feedback on several.
     void feedbackRequested(qint64 attempt);
 
 protected:
@@ -150,7 +152,7 @@ private:
     std::vector<::lessons::CatalogEntry> m_entries;
     std::map<std::string, Standing> m_standings;
     std::map<std::string, Given> m_given;
-    std::function<QString()> m_unfinished;  ///< its title
+    std::function<QString()> m_unfinished;  ///< returns its title
     QDateTime m_unfinishedBegun;
     LessonThumbs* m_thumbs;
     std::string m_present;
@@ -164,7 +166,7 @@ private:
     QPushButton* m_goOn = nullptr;
     QPushButton* m_discard = nullptr;
     scoring::FeedbackCard* m_feedbackCard = nullptr;
-    std::vector<database::Feedback> m_feedback;  ///< new
+    std::vector<database::Feedback> m_feedback;  ///< unread
     QLabel* m_missing = nullptr;
     QStandardItemModel* m_model = nullptr;
     QListView* m_list = nullptr;
@@ -173,7 +175,7 @@ private:
     QVBoxLayout* m_factsSlot = nullptr;
     QWidget* m_facts = nullptr;
     LessonPicture* m_picture = nullptr;
-    QLabel* m_whyNot = nullptr;  ///< it cannot be started
+    QLabel* m_whyNot = nullptr;  ///< the reason why the lesson cannot be started
     QPushButton* m_start = nullptr;
     QPushButton* m_edit = nullptr;
 };
