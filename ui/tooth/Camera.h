@@ -13,10 +13,10 @@
 
 namespace ui::tooth {
 
-inline constexpr double kAtOnceS = 10.0;  ///< in which whatever glides has come to its end
+inline constexpr double kAtOnceS = 10.0;  ///< Time after which every animation has ended.
 
-/// A camera on a sphere around the point it looks at, upright: from afar the middle of the crown, nearer by what was
-/// zoomed to. Plain arithmetic, no OpenGL.
+/// An upright camera on a sphere around the point it looks at: from afar the middle of the crown, from nearby the point
+/// that was zoomed to. Plain arithmetic, no OpenGL.
 ///
 /// Azimuth 0 looks along +y with +x to the right; it grows as the eye moves towards +x. Elevation is the height of
 /// the eye above the horizon.
@@ -30,16 +30,16 @@ public:
     static constexpr double kLowestDeg = -85.0;  ///< from below, where a perforation shows
     static constexpr double kHighestDeg = 88.0;
 
-    /// What must fit the picture.
+    /// Sets the sphere that must fit the picture.
     void setSubject(glm::dvec3 centreMm, double radiusMm);
     void setViewport(glm::dvec2 sizePx);
 
-    /// The direction that reset() goes back to; goes there at once if it is another than before.
+    /// Sets the direction for reset(). Resets the camera if the direction has changed.
     void setStart(double azimuthDeg, double elevationDeg = kStartElevationDeg);
     [[nodiscard]] double startAzimuthDeg() const { return m_startDeg; }
-    /// Back to the start: the whole crown, three quarters from above.
+    /// Returns to the start: the whole crown, three quarters from above.
     void reset();
-    /// From where another camera looks, at what it looks at.
+    /// Copies the viewpoint of another camera.
     void lookAs(const Camera& other);
     /// Looks from where a student looked.
     void lookFrom(const core::session::Sight& sight);
@@ -49,9 +49,9 @@ public:
     void lookDownAt(glm::dvec3 placeMm);
     void set(double azimuthDeg, double elevationDeg, double distanceMm);
     void turn(double azimuthDeg, double elevationDeg);
-    /// Closer by `steps` notches of a wheel, further when negative. Reached smoothly, see advance(). Closer,
-    /// `towardsMm` keeps its place in the picture (nothing: the middle of the picture does); further, the crown comes
-    /// back to it.
+    /// Zooms in by `steps` notches of a wheel, or out if negative. advance() animates the zoom. When zooming in,
+    /// `towardsMm` stays in place in the picture (empty: the middle of the picture does); when zooming out, the crown
+    /// moves back to the middle.
     void zoom(double steps, const std::optional<glm::dvec3>& towardsMm = {});
     /// Zooms by the ratio of the sizes in the picture after and before.
     void zoomBy(double ratio, const std::optional<glm::dvec3>& towardsMm = {});
@@ -59,22 +59,22 @@ public:
     /// change the view without the lean.
     void lean(const core::tracking::Lean& lean) { m_lean = lean; }
     [[nodiscard]] const core::tracking::Lean& lean() const { return m_lean; }
-    /// Lets the distance follow the zoom for a time. True while it still moves.
+    /// Advances the animation of the zoom. Returns true while it still moves.
     bool advance(double seconds);
 
     // Of the eye, with its lean.
     [[nodiscard]] double azimuthDeg() const;
     [[nodiscard]] double elevationDeg() const;
     [[nodiscard]] double distanceMm() const { return m_distanceMm * m_lean.farther; }
-    /// Distance at which the subject just fits the viewport.
+    /// Returns the distance at which the subject just fits the viewport, mm.
     [[nodiscard]] double fittingMm() const;
 
     [[nodiscard]] glm::dvec3 eyeMm() const;
     [[nodiscard]] glm::dmat4 view() const;        ///< eye from tooth
     [[nodiscard]] glm::dmat4 projection() const;  ///< clip from eye
-    /// The ray of sight through a point of the viewport, pixels from its upper left corner.
+    /// Returns the ray through a point of the viewport, in pixels from its upper left corner.
     [[nodiscard]] render::Ray rayThrough(glm::dvec2 pixel) const;
-    /// Where a point is seen; one behind the eye lies far outside, towards the side it is on.
+    /// Returns the pixel at which a point is seen. A point behind the eye is far outside the viewport, on its side.
     [[nodiscard]] glm::dvec2 pixelOf(glm::dvec3 pointMm) const;
     /// Unit vectors of the tooth's x, y plane that point right and up (away) on the screen.
     [[nodiscard]] glm::dvec2 rightOnTooth() const;
@@ -95,7 +95,7 @@ private:
 
     glm::dvec3 m_centreMm{0.0, 0.0, -3.0};
     glm::dvec3 m_lookAtMm = m_centreMm;
-    glm::dvec3 m_towardsMm = m_centreMm;  ///< what keeps its place while the camera comes closer
+    glm::dvec3 m_towardsMm = m_centreMm;  ///< stays in place while the camera zooms in
     double m_radiusMm = 7.0;
     glm::dvec2 m_sizePx{1280.0, 800.0};
     double m_startDeg = kStartAzimuthDeg;
@@ -105,7 +105,7 @@ private:
     double m_distanceMm = 40.0;
     double m_wantedMm = 40.0;
     core::tracking::Lean m_lean;
-    bool m_fitted = true;  ///< distance follows the size of the viewport until someone zooms
+    bool m_fitted = true;  ///< the distance follows the size of the viewport until the user zooms
 };
 
 }  // namespace ui::tooth

@@ -11,7 +11,7 @@
 
 namespace ui::tooth {
 
-/// A point of the tooth that is to be touched, or one with a name, which is shown until it is cut.
+/// A point to touch, or a named point that is shown until it is cut.
 struct PointMark
 {
     glm::dvec2 placeMm{0.0};  ///< tooth frame, seen from above
@@ -21,7 +21,7 @@ struct PointMark
     bool operator==(const PointMark&) const = default;
 };
 
-/// A pad of a block whose outline is seen and nothing else of it.
+/// A pad of a block of which only the outline is shown.
 struct PadMark
 {
     QString name;
@@ -30,30 +30,29 @@ struct PadMark
     bool operator==(const PadMark&) const = default;
 };
 
-/// What an exercise paints over the tooth.
+/// The marks of an exercise, painted over the tooth.
 struct ExerciseMarks
 {
     std::vector<PointMark> points;
-    std::vector<PadMark> pads;  ///< not empty: the view is blindfolded, and these outlines are all that is seen
-    /// A scale tells how high the bur stands: what a hand would feel of itself, for who has only a mouse.
+    std::vector<PadMark> pads;  ///< if not empty, the view is blindfolded and shows only these outlines
+    /// Shows a scale of the bur's height, for users of a mouse, who cannot feel it.
     bool showsHeight = false;
     bool operator==(const ExerciseMarks&) const = default;
 };
 
-/// Touched: a filled disc with a tick. Else a ring; broken where the tooth lies before it.
+/// Paints a point: a filled disc with a tick if it was touched, otherwise a ring; dashed if the tooth hides it.
 void paintPoint(QPainter& painter, QPointF at, double radiusPx, bool isTouched, bool isHidden);
 
-/// A place that is spoken of: a needle with a round head whose tip is at the place; hollow where the tooth lies before
-/// it.
+/// Paints a pin with its tip at the place that a comment is about; hollow if the tooth hides it.
 void paintPin(QPainter& painter, QPointF at, bool isHidden);
 
-/// Nothing but a plain ground.
+/// Paints a plain background that hides the tooth.
 void paintBlindfold(QPainter& painter, const QRectF& view);
 void paintPad(QPainter& painter, const QPolygonF& outline, const QString& name);
-/// The bur over the pads: a ring in the air, filled where it touches.
+/// Paints the bur over the pads: a ring in the air, filled when it touches.
 void paintBurSpot(QPainter& painter, QPointF at, bool isTouching);
-/// In the upper left corner of a view.
-/// @param heightMm  of the tip over the pads' tops
+/// Paints the scale of the bur's height in the upper left corner of a view.
+/// @param heightMm  of the tip above the tops of the pads
 void paintHeight(QPainter& painter, QSizeF view, double heightMm);
 
 }  // namespace ui::tooth

@@ -10,12 +10,12 @@
 #include "ui/render/ArchRenderer.h"
 #include "ui/tooth/Camera.h"
 
-/// How the whole mouth is looked at, in a window or in a picture.
+/// The view of the whole mouth, in a window or in a picture.
 namespace ui::tooth {
 
-/// As wide as a mouth opens without strain: some 40 mm between the incisors, 25 degrees.
+/// Opening of the jaws without strain: about 40 mm between the incisors, 25 degrees.
 inline constexpr double kMouthOpenRad = 0.44;
-/// From where it is looked at first.
+/// The first viewpoint.
 inline constexpr double kMouthAzimuthDeg = 26.0;
 inline constexpr double kMouthElevationDeg = 14.0;
 
@@ -26,18 +26,19 @@ struct Jaws
     bool operator==(const Jaws&) const = default;
 };
 
-/// The jaws that are drawn for an eye this high: both, or steeply from above or below only the one that faces it.
+/// Returns the jaws to draw for this elevation: both, or steeply from above or below only the one that faces the eye.
 [[nodiscard]] Jaws jawsSeen(double elevationDeg);
 
+/// Returns the teeth of the mouth that belong to these jaws.
 [[nodiscard]] std::vector<core::teeth::ArchPiece> piecesOf(std::span<const core::teeth::ArchPiece> mouth, Jaws jaws);
 
-/// Middle of a tooth's crown in the frame it stands in, mm.
+/// Returns the middle of a tooth's crown in the frame of the mouth, mm.
 [[nodiscard]] glm::dvec3 crownMiddleMm(const core::teeth::ArchPiece& tooth);
 
-/// Makes what is left of a mouth the camera's subject; the camera goes back to its own start.
+/// Fits the camera to these pieces of the mouth, and resets it.
 void showPieces(Camera& camera, std::span<const core::teeth::ArchPiece> shown);
 
-/// Seen through this camera under the dentist's lamp, which turns with the eye.
+/// Returns the scene for this camera, lit by the dentist's lamp, which turns with the eye.
 [[nodiscard]] render::ArchScene mouthThrough(const Camera& camera);
 
 }  // namespace ui::tooth

@@ -8,30 +8,30 @@
 
 namespace ui::tooth {
 
-/// Collects cut tiles until a group is whole. Patches of an older tooth are dropped; those of a tooth that the view
-/// has not been given yet wait, the newest of each tile only, so that none is lost between two threads.
+/// Collects patches of cut tiles until a group is complete. Drops patches of an older tooth. Stores patches of a tooth
+/// that the view has not received yet, the newest of each tile, so that none is lost between two threads.
 class PatchInbox
 {
 public:
-    /// The tooth that is now shown; what waited for it is in complete() afterwards.
+    /// Sets the tooth that is shown. Stored patches of it are then in complete().
     void setGeneration(std::uint64_t generation);
     void take(const core::servo::TilePatch& patch);
 
-    /// Patches of whole groups, in order; the reader clears them.
+    /// Returns the patches of complete groups, in order. The caller clears them.
     [[nodiscard]] std::vector<core::servo::TilePatch>& complete() { return m_complete; }
 
 private:
     void keepEarly(const core::servo::TilePatch& patch);
 
     std::uint64_t m_generation = 0;
-    std::vector<core::servo::TilePatch> m_group;     ///< of the tooth shown, not closed yet
-    std::vector<core::servo::TilePatch> m_complete;  ///< of the tooth shown
+    std::vector<core::servo::TilePatch> m_group;     ///< of the shown tooth; the group is not complete yet
+    std::vector<core::servo::TilePatch> m_complete;  ///< of the shown tooth
     std::uint64_t m_earlyGeneration = 0;
     std::vector<core::servo::TilePatch> m_earlyGroup;
-    std::vector<core::servo::TilePatch> m_early;  ///< whole groups of a tooth to come, one patch a tile
+    std::vector<core::servo::TilePatch> m_early;  ///< complete groups of a tooth to come, one patch per tile
 };
 
-/// Writes the heights of a tile into a tooth: the bottom of a column that is gone is empty as well.
+/// Writes the heights of a tile into a tooth. The bottom of a removed column becomes empty as well.
 void write(const core::servo::TilePatch& patch, core::terrain::Tooth& tooth);
 
 }  // namespace ui::tooth

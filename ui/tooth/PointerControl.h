@@ -27,19 +27,19 @@ public:
     static constexpr double kClearanceMm = 0.6;  ///< between the tooth and a bur that hovers
     static constexpr double kLiftMm = 3.0;       ///< height of a lifted bur above the highest cusp
 
-    // Range, default and step of the force. Dentists use 1 N; a mouse is not felt, so the default is lower.
+    // Range, default and step of the force. Dentists use 1 N; a mouse gives no feedback, so the default is lower.
     static constexpr double kWeakestN = 0.2;
     static constexpr double kFirstN = 0.6;
     static constexpr double kStrongestN = 3.0;
     static constexpr double kStepN = 0.1;
 
-    // The same of the feed. With the default, a person who reacts late goes 0.25 mm too deep at most.
+    // The same for the feed. With the default, a person who reacts late cuts 0.25 mm too deep at most.
     static constexpr double kSlowestMmPerS = 0.1;
     static constexpr double kFirstMmPerS = 0.5;
     static constexpr double kFastestMmPerS = 2.0;
     static constexpr double kStepMmPerS = 0.1;
 
-    // The same of the depth of the depth stop.
+    // The same for the depth of the depth stop.
     static constexpr double kShallowestMm = 0.1;
     static constexpr double kFirstMm = 1.5;
     static constexpr double kDeepestMm = 9.0;

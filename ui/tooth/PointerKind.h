@@ -8,7 +8,7 @@ namespace ui::tooth {
 /// Input device with which the user presses the bur onto the tooth when no force device moves it.
 enum class PointerKind : std::uint8_t { Mouse, Pen, Keyboard, Gamepad };
 
-/// Name that an attempt is stored with.
+/// Returns the name that is stored with an attempt.
 [[nodiscard]] constexpr const char* idOf(PointerKind kind)
 {
     switch (kind) {

@@ -7,19 +7,20 @@
 
 namespace ui::tooth {
 
-/// Where the bur was at a moment of the steady clock, between the two readings around it. Never where it has not been:
-/// before the trail its oldest pose, after it the newest. Without a trail what the state holds, as taken at that
-/// moment.
+/// Returns the pose of the bur at a moment of the steady clock, interpolated between the two readings around it. Never
+/// extrapolates: returns the oldest reading before the trail, and the newest after it. Without a trail returns the pose
+/// of the state.
 [[nodiscard]] core::servo::Pose poseAt(const core::servo::ServoState& state, std::int64_t momentNs);
 
-/// Chooses the moments for which pictures are drawn. They are painted now a little early, now a little late, and shown
-/// at a steady beat: drawn for when they are painted, what moves evenly would tremble.
+/// Chooses the moment that each picture shows. Pictures are painted at slightly uneven times but shown at even ones:
+/// movement drawn for the time of painting would tremble.
 class FrameClock
 {
 public:
-    /// How far behind a picture is drawn, so that there are readings on both sides even of a servo that comes late.
+    /// Delay of a picture, so that there are readings on both sides even if the servo is late.
     static constexpr std::int64_t kBehindNs = 3'000'000;
 
+    /// Returns the moment to draw, ns of the steady clock.
     /// @param paintedNs  steady clock, now
     [[nodiscard]] std::int64_t momentFor(std::int64_t paintedNs);
 

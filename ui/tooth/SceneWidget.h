@@ -22,14 +22,14 @@ namespace ui::tooth {
 
 class ScenePane;
 
-/// A widget whose picture OpenGL 3.3 draws, with marks painted over it. Where there is no OpenGL, a sentence stands in
-/// its place.
+/// A widget that draws its picture with OpenGL 3.3 and paints marks over it. Shows a sentence instead if there is no
+/// OpenGL.
 ///
-/// For a graphics card this is a QOpenGLWidget. With one in it, Qt puts the whole window together by OpenGL once more
-/// for every picture. For a software driver that is most of the work (20 ms of processor time at 1280 x 800, ten times
-/// what it takes to read a picture back), so there the picture is drawn aside and laid on the window as an image.
-/// Such a driver draws moving pictures with hard edges, and smooth ones once nothing has moved for a while; while the
-/// eye moves, and all of the picture with it, half as fine.
+/// With a graphics card this uses a QOpenGLWidget. Qt then composes the whole window by OpenGL for every picture. For a
+/// software driver that is most of the work (20 ms of processor time at 1280 x 800, ten times the cost of reading a
+/// picture back), so there the picture is drawn off screen and painted as an image. A software driver draws without
+/// anti-aliasing while something moves, and at half the resolution while the eye moves; it draws the smooth picture
+/// after a pause.
 ///
 /// Ui thread.
 class SceneWidget : public QWidget
@@ -37,42 +37,43 @@ class SceneWidget : public QWidget
     Q_OBJECT
 
 public:
-    enum class Way : std::uint8_t { Window, Image };  ///< on which pictures come to the screen
+    enum class Way : std::uint8_t { Window, Image };  ///< how pictures reach the screen
     [[nodiscard]] static Way bestWay();
 
-    /// @param whyNot  says the sentence for a computer without OpenGL 3.3
+    /// @param whyNot  returns the sentence for a computer without OpenGL 3.3
     SceneWidget(std::function<QString()> whyNot, Way way, QWidget* parent);
     ~SceneWidget() override;
 
     [[nodiscard]] Way way() const { return m_pane != nullptr ? Way::Window : Way::Image; }
-    /// False: this computer gives no OpenGL 3.3, or its driver refuses what is asked of it.
+    /// Returns false if there is no OpenGL 3.3 or the driver refuses what the scene needs.
     [[nodiscard]] bool isUsable() const { return m_whyNot == nullptr; }
-    /// What is shown now, with smooth edges, in device pixels; of a widget that is not usable its sentence.
+    /// Returns the current picture with anti-aliasing, in device pixels; the sentence if the widget is not usable.
     [[nodiscard]] QImage grabPicture();
-    /// Shows a new picture as soon as Qt paints again. QWidget::update() would not do: what draws may be a child.
+    /// Schedules a new picture. QWidget::update() would not do: a child may draw it.
     void redraw();
-    /// The same for an eye that moves.
+    /// Schedules a new picture while the eye moves.
     void redrawMoving();
-    /// At once.
+    /// Draws a new picture at once.
     void redrawNow();
 
 signals:
-    /// A picture has come to the window.
+    /// Emitted when a picture has been shown.
     void shown();
 
 protected:
-    /// Makes what drawScene() needs, in the context that is current in it, too. False when something is refused;
-    /// `reason` then says what.
+    /// Creates what drawScene() needs in the current context, which is also current in drawScene(). Returns false on
+    /// failure, with the cause in `reason`.
     [[nodiscard]] virtual bool prepareScene(QString& reason) = 0;
-    /// Gives all of it back: that context goes. A window moved to another screen may bring another one.
+    /// Releases all that prepareScene() created, because the context is about to be destroyed. A window that moves to
+    /// another screen may get another context.
     virtual void releaseScene() = 0;
-    /// Into the bound framebuffer, all of its pixels.
-    /// @param samples  of each pixel of that; 0: edges are hard
+    /// Draws the scene into the bound framebuffer, all of its pixels.
+    /// @param samples  per pixel; 0: no anti-aliasing
     virtual void drawScene(QSize sizePx, int samples) = 0;
-    /// Over the picture, in coordinates of the widget.
+    /// Paints marks over the picture, in widget coordinates.
     virtual void paintMarks(QPainter& painter) = 0;
 
-    /// To be called first of all in the destructor of the class that draws.
+    /// Must be called first in the destructor of the derived class.
     void leave();
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
@@ -83,11 +84,11 @@ private:
     void fail(const QString& detail);
     [[nodiscard]] const QImage* draw(int samples, int coarse = 1);
 
-    std::unique_ptr<render::Canvas> m_canvas;  ///< of a picture that comes as an image, once one was drawn
-    ScenePane* m_pane = nullptr;               ///< what shows pictures otherwise
-    QWidget* m_whyNot = nullptr;               ///< stands in the place of a picture that cannot be drawn
+    std::unique_ptr<render::Canvas> m_canvas;  ///< for Way::Image, once a picture was drawn
+    ScenePane* m_pane = nullptr;               ///< for Way::Window; otherwise null
+    QWidget* m_whyNot = nullptr;               ///< shown instead of a picture that cannot be drawn
     std::function<QString()> m_sentence;
-    QTimer m_still;  ///< nothing has moved for a while
+    QTimer m_still;  ///< runs until the smooth picture
     bool m_smoothWanted = false;
     QElapsedTimer m_sinceEyeMoved;
 };

@@ -35,19 +35,19 @@
 
 namespace ui::tooth {
 
-/// The tooth under the operating light, the bur at its anchor, and the hand: mouse, pen and keys become what the
-/// pointer device asks for.
+/// The view of the tooth under the operating light with the bur at its anchor. Converts mouse, pen, touch and keys into
+/// the input of the pointer device.
 ///
-/// Mouse: the bur follows; left button pushes; right or middle drag turns the view, wheel zooms to what is under the
-/// pointer. The wheel sets the depth stop while the left button is down or with Shift, and how hard to push with Ctrl.
-/// A double click of the right or middle button, or of the left beside the tooth, resets the view. Keys: arrows move
-/// the bur (Shift: finely), page down pushes while held, page up lifts while held, comma and full stop push weaker and
-/// harder, Insert and Delete move the depth stop up and down, Ctrl + arrows turn the view, plus and minus zoom, Home
-/// resets the view. With Shift, a right drag and Ctrl + arrows turn the tooth about its axis under the handpiece: that
-/// swings round the bur.
+/// Mouse: the bur follows the pointer; the left button pushes; dragging with the right or middle button turns the view;
+/// the wheel zooms to the point under the pointer. The wheel sets the depth stop while the left button is down or with
+/// Shift, and the push force with Ctrl. A double click of the right or middle button, or of the left beside the tooth,
+/// resets the view. Keys: arrows move the bur (Shift: finely), page down pushes while held, page up lifts while held,
+/// comma and full stop push weaker and harder, Insert and Delete move the depth stop up and down, Ctrl + arrows turn
+/// the view, plus and minus zoom, Home resets the view. With Shift, a right drag and Ctrl + arrows turn the tooth about
+/// its axis under the handpiece, so that the handpiece turns about the bur.
 ///
-/// Ui thread. It is the one reader of `servo` and `patches` and the one writer of `pointer`; it polls them 60 times a
-/// second and repaints only when something that shows has changed.
+/// Ui thread. The view is the only reader of `servo` and `patches` and the only writer of `pointer`. It polls them 60
+/// times a second and repaints only when something visible has changed.
 class ToothView : public SceneWidget
 {
     Q_OBJECT
@@ -57,11 +57,11 @@ public:
     explicit ToothView(core::session::UiChannels& links, QWidget* parent = nullptr, Way way = bestWay());
     ~ToothView() override;
 
-    /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
+    /// Shows the uncut tooth. Applies later patches of `generation` to it; ignores those of an older tooth.
     void setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation);
-    /// What the lesson asks for, over the grid of the tooth that is shown; null: nothing. A new tooth has none.
+    /// Sets the ideal over the grid of the shown tooth; null: none. A new tooth has none.
     void setIdeal(const core::grading::IdealTop& ideal);
-    /// The tooth shown as it has been cut so far: its whole top map.
+    /// Sets the whole top map of the shown tooth, as it has been cut so far, mm.
     void setHeights(const std::vector<float>& top);
     /// Shows the tooth and the bur of other channels: those of a replay, or its own again. The pointer goes on to
     /// control the own ones. setTooth() follows.
@@ -84,82 +84,84 @@ public:
     [[nodiscard]] PointerKind pushedWith() const { return m_pushedWith; }
     /// Sets what a gamepad asks for, until the next call. A push begins anew after release().
     void setPad(const PadInput& pad) { m_pad = pad; }
-    /// Nothing is pushed or turned any more, whatever is held down.
+    /// Stops pushing and turning, whatever is held down.
     void release();
-    /// For the look of the bur only.
+    /// Sets whether the bur is drawn turning.
     void setDrillOn(bool on);
     /// Colours the head of the bur; an invalid colour is that of steel.
     void setBurTint(const QColor& colour);
-    /// The other hand: the handpiece comes from the left and the light from the right. The tooth stays as it is seen:
-    /// turned round, an incisor would hide its lesion.
+    /// Sets left-handed use: the handpiece comes from the left and the light from the right. The tooth is not turned:
+    /// the lesion of an incisor would be hidden.
     void setLeftHanded(bool leftHanded);
     [[nodiscard]] bool isLeftHanded() const { return m_leftHanded; }
-    /// Half a circle, as it is for who sits on the other side of the patient.
+    /// Turns the view by half a circle, to the other side of the patient.
     void turnRound();
-    /// The mirror is put beside the tooth when it is shown; then it is moved by dragging its glass, tilted so with
-    /// Shift, and moved to and fro with the wheel over it; with Alt, arrows and page keys do the same.
+    /// Sets the choices of the view. The mirror first appears beside the tooth. It is moved by dragging its glass,
+    /// tilted so with Shift, and moved nearer and farther with the wheel over it; with Alt, arrows and page keys do the
+    /// same.
     void setSettings(const ViewSettings& settings);
     [[nodiscard]] const ViewSettings& settings() const { return m_settings; }
-    /// What an exercise marks on the tooth, or that the view is blindfolded; a new tooth has nothing of it.
+    /// Sets the marks of an exercise, or the blindfold. A new tooth has none.
     void setExercise(const ExerciseMarks& marks);
     [[nodiscard]] const ExerciseMarks& exercise() const { return m_exercise; }
-    /// Places that somebody remarked something of, mm, in the tooth's frame; a new tooth has none.
+    /// Sets the places that comments are pinned to, tooth frame, mm. A new tooth has none.
     void setPins(std::vector<glm::dvec3> placesMm);
     void resetCamera();
     /// Looks from a side with this name (viewpointNames()). Does nothing if the tooth has no such side.
     void lookFrom(const QString& viewpoint);
-    /// For tests, which look from where they must.
+    /// Sets the viewpoint. For tests.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
-    /// From where another view looks.
+    /// Copies the viewpoint of another camera.
     void lookAs(const Camera& camera);
-    /// Stores from where the view looks, before another tooth is shown for a while.
+    /// Stores the viewpoint before another tooth is shown for a while.
     void storeCamera() { m_storedCamera = m_camera; }
-    /// Looks from there again. Call it when the first tooth is back.
+    /// Restores the stored viewpoint. Call when the first tooth is back.
     void restoreCamera() { lookAs(m_storedCamera); }
-    /// Looks at a place on the tooth as the student did. Looks from above if it is not known from where they looked, or
-    /// if the place is hidden from there.
-    /// @param sight  from where the student looked; empty if it is not known
+    /// Looks at a place on the tooth from the student's viewpoint. Looks from above if that is unknown, or if the place
+    /// is hidden from there.
+    /// @param sight  the student's viewpoint; empty: unknown
     void lookAt(const std::optional<core::session::Sight>& sight, glm::dvec3 placeMm);
-    /// What is shown now, in device pixels.
+    /// Returns the current picture, in device pixels.
     [[nodiscard]] QImage picture();
-    /// The same without the instrument: what has become of the tooth.
+    /// Returns the current picture without the instrument.
     [[nodiscard]] QImage toothPicture();
 
-    /// Asked in every frame how the eye leans. Empty: it does not.
-    /// @param seconds  since the frame before
+    /// Returns how the user's head turns the eye; called once per frame.
+    /// @param seconds  since the last frame
     /// @param touches  the bur touches the tooth
     using HeadLean = std::function<core::tracking::Lean(double seconds, bool touches)>;
+    /// @param lean  empty: no head tracking
     void setHeadLean(HeadLean lean);
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
-    /// Returns where the tip of the bur is seen in this widget. Empty if no bur is shown, or if the picture has two
-    /// halves.
+    /// Returns the position of the tip of the bur in this widget. Empty if no bur is shown, or if a stereo picture has
+    /// two halves.
     [[nodiscard]] std::optional<QPointF> burAt() const;
-    /// The dental mirror where it is held; nothing while it is put away.
+    /// Returns the dental mirror; empty while it is hidden.
     [[nodiscard]] const std::optional<render::DentalMirror>& mirror() const { return m_mirror; }
-    /// The tooth that is shown, as cut so far, at its own grid; null before the first. Valid until the next setTooth().
+    /// Returns the shown tooth, as cut so far, on its own grid; null before the first. Valid until the next setTooth().
     [[nodiscard]] const core::terrain::Tooth* tooth() const { return m_tooth ? &*m_tooth : nullptr; }
-    /// When the device was where the last picture shows it: steady clock, ns; 0 before the first.
+    /// Returns the time of the device pose in the last picture, ns of the steady clock; 0 before the first.
     [[nodiscard]] std::int64_t drawnMomentNs() const { return m_pose.takenNs; }
-    /// What went to the graphics driver so far.
+    /// The data sent to the graphics driver so far.
     struct Uploads
     {
         std::uint64_t bytes = 0;
-        std::uint64_t changedBytes = 0;  ///< of the rectangles of the maps that were changed by cutting
-        int wholes = 0;                  ///< times that all of a tooth went
+        std::uint64_t changedBytes = 0;  ///< of the map rectangles that cutting has changed
+        int wholes = 0;                  ///< number of times that a whole tooth was sent
     };
     [[nodiscard]] Uploads uploads() const;
-    /// Grows whenever tooth() changes.
+    /// Returns a number that grows whenever tooth() changes.
     [[nodiscard]] std::uint64_t toothRevision() const { return m_toothRevision; }
 
 signals:
-    /// Once a frame, with the newest state of the servo.
+    /// Emitted once per frame, with the newest state of the servo.
     void frameAdvanced(const core::servo::ServoState& state);
     /// Emitted when feed, depth stop or force of hand() have changed.
     void handChanged();
     /// Emitted when isPressed() has changed.
     void pressedChanged(bool pressed);
-    /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
+    /// Emitted when a push was refused because the tooth is seen from below, where the bur is out of sight.
     void pushRefused();
 
 protected:
@@ -232,16 +234,16 @@ private:
     ExerciseMarks m_exercise;
     std::vector<glm::dvec3> m_pins;
     std::vector<core::teeth::ArchPiece> m_neighbours;
-    bool m_neighboursAreNew = false;  ///< the renderer has not seen them
+    bool m_neighboursAreNew = false;  ///< not passed to the renderer yet
     std::optional<render::DentalMirror> m_mirror;
     bool m_mirrorHeld = false;
-    bool m_mirrorIsPlaced = false;  ///< by a person
-    QPointF m_pointer;              ///< where the mouse was last
+    bool m_mirrorIsPlaced = false;  ///< by the user
+    QPointF m_pointer;              ///< the last position of the mouse
     bool m_pointerHasLeft = true;
-    bool m_buttonIsDown = false;  ///< the left one, or the tip of the pen
-    bool m_penIsMouse = false;    ///< the tip of the pen holds the mirror or was put on the letters of the sides
+    bool m_buttonIsDown = false;  ///< the left button, or the tip of the pen
+    bool m_penIsMouse = false;    ///< the tip of the pen drags the mirror or was pressed on the gizmo
     bool m_isPressed = false;
-    bool m_pointerAims = false;  ///< the bur was last moved with the pointer, not with keys
+    bool m_pointerAims = false;  ///< the bur was last moved by the pointer, not by keys
     PatchInbox m_inbox;
     Camera m_camera;
     Camera m_storedCamera;
@@ -251,23 +253,23 @@ private:
     TouchGesture m_gesture;
     core::servo::PointerInput m_published;
     core::servo::ServoState m_servo;
-    QPixmap m_gizmo;                        ///< as it was painted last,
-    std::optional<glm::dmat3> m_gizmoTurn;  ///< turned so
-    core::servo::Pose m_pose;               ///< of the bur as it is drawn
+    QPixmap m_gizmo;                        ///< as last painted
+    std::optional<glm::dmat3> m_gizmoTurn;  ///< the rotation of m_gizmo
+    core::servo::Pose m_pose;               ///< of the bur, as drawn
     FrameClock m_clock;
 
-    QElapsedTimer m_sinceTurn;                ///< of the bur was shown
-    QElapsedTimer m_sinceLight;               ///< was brought up to date everywhere
-    Uploads m_uploads;                        ///< without their bytes
-    bool m_surfaceIsNew = false;              ///< the renderer has not seen it
+    QElapsedTimer m_sinceTurn;                ///< since the turning bur was last drawn
+    QElapsedTimer m_sinceLight;               ///< since all shadows were last updated
+    Uploads m_uploads;                        ///< without bytes
+    bool m_surfaceIsNew = false;              ///< not passed to the renderer yet
     render::ToothSurface::Changes m_changes;  ///< since the last picture
     bool m_drillOn = false;
     QColor m_burTint;
     bool m_leftHanded = false;
     bool m_instrumentHidden = false;
     double m_turnRad = 0.0;      ///< of the bur
-    double m_handTurnDeg = 0.0;  ///< of the handpiece about the bur, from where the hand holds it by nature
-    double m_liftMm = 0.0;       ///< of shank and handpiece, follows wantedLiftMm()
+    double m_handTurnDeg = 0.0;  ///< of the handpiece about the bur, from its natural place
+    double m_liftMm = 0.0;       ///< of shank and handpiece; follows wantedLiftMm()
     double m_paintedForceN = 0.0;
 
     Qt::MouseButton m_turning = Qt::NoButton;
@@ -277,11 +279,11 @@ private:
     bool m_fine = false;
     core::settings::PenSettings m_pen;
     PadInput m_pad;
-    bool m_padIsDown = false;  ///< its trigger pushed in the last frame
-    bool m_padPushes = false;  ///< the push that goes on is the gamepad's
+    bool m_padIsDown = false;  ///< its trigger was pushed in the last frame
+    bool m_padPushes = false;  ///< the current push comes from the gamepad
     QTimer m_frame;
     QElapsedTimer m_sinceFrame;
-    // Each is valid for a moment, while the value is written beside the bur.
+    // Time since a value was last changed; the value is shown beside the bur for a moment.
     QElapsedTimer m_sinceForceSet;
     QElapsedTimer m_sinceStopSet;
 };

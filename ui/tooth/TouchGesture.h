@@ -12,8 +12,8 @@ class TouchGesture
 public:
     struct Step
     {
-        QPointF turnPx;      ///< movement of the one finger
-        double zoom = 1.0;   ///< ratio of the distance of two fingers to that before
+        QPointF turnPx;      ///< movement of the finger, if there is one
+        double zoom = 1.0;   ///< ratio of the distance of two fingers to the distance before
         QPointF middlePx{};  ///< between the two fingers
     };
 

@@ -15,24 +15,24 @@
 
 namespace ui::tooth {
 
-// What is painted over the picture of a tooth.
+// Marks painted over the picture of a tooth.
 
-/// Radius of the gizmo, and how far it stands in the upper left corner, pixels.
+/// Radius of the gizmo, and its margin in the upper left corner, pixels.
 inline constexpr int kGizmoPx = 36;
 inline constexpr int kGizmoInPx = 16;
 
-/// What stands at its ends for a tooth of the left half; empty for no tooth.
+/// Returns the letters at the ends of the gizmo for a tooth of the left half; empty for no tooth.
 [[nodiscard]] render::GizmoLetters gizmoLetters(int fdi);
 
-/// An arrow from the bur towards a handpiece that has left the view: red, and seen through. Nothing for one that has
-/// not.
+/// Paints a translucent red arrow from the bur towards a handpiece outside the view. Paints nothing if the handpiece is
+/// in view.
 void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards);
 
-/// Paints the scale of the depth colours with its figures at the right, or at the left while the bur is at the right.
+/// Paints the scale of the depth colours at the right, or at the left while the bur is at the right.
 void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how,
                      const std::optional<QPointF>& bur = {});
 
-/// How deep the tooth is cut at a place, in the words of that scale.
+/// Returns the cut depth at a place in words, with the meaning of that scale.
 [[nodiscard]] QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointMm,
                                  render::DepthColours colours);
 

@@ -6,16 +6,16 @@
 
 namespace ui::tooth {
 
-/// What a person chooses about the view, and finds again at the next start.
+/// The user's choices about the view, stored between runs.
 struct ViewSettings
 {
     render::Look look;
     render::Presentation presentation;
-    bool showsHand = false;        ///< where the hand holds the bur, faintly
-    bool showsMargin = false;      ///< how near the bur is to what is to be kept, by its colour
+    bool showsHand = false;        ///< the place where the hand holds the bur, faintly
+    bool showsMargin = false;      ///< the distance of the bur to tissue that must stay, by its colour
     bool showsMirror = false;      ///< the dental mirror
-    bool showsNeighbours = false;  ///< the teeth beside one of ours, and their gum
-    bool movesLittle = false;      ///< reduced motion: what glides otherwise is there at once
+    bool showsNeighbours = false;  ///< the neighbouring teeth and their gum
+    bool movesLittle = false;      ///< reduced motion: without animations
     bool operator==(const ViewSettings&) const = default;
 };
 

@@ -11,23 +11,24 @@
 
 namespace ui::tooth {
 
-/// What every picture of a tooth begins with: seen through this camera under the operating light, no instrument.
-/// @param sizePx  of the picture, device pixels
+/// Returns the base scene of every picture of a tooth: seen through this camera under the operating light, without
+/// instrument.
+/// @param sizePx  size of the picture, device pixels
 [[nodiscard]] render::Scene sceneThrough(const Camera& camera, glm::vec2 sizePx, bool leftHanded);
 
-/// Unit vector to the operating light, tooth frame: from behind, over the other shoulder than the handpiece, so that
-/// fissures throw their shadows towards the eye.
+/// Returns the unit vector to the operating light, tooth frame: from behind, over the shoulder opposite the handpiece,
+/// so that the shadows of fissures point towards the eye.
 [[nodiscard]] glm::vec3 operatingLight(bool leftHanded);
 
-/// Makes a tooth the camera's subject, from where it is looked at first: from behind if only there its lesion is seen,
-/// as on lower incisors.
+/// Fits the camera to a tooth from its first viewpoint: from behind if the lesion is visible only there, as on lower
+/// incisors.
 void showWhole(Camera& camera, const render::ToothSurface& surface);
 
-/// How much higher than on a bur held in the air shank and handpiece must be drawn to clear the tooth, mm.
+/// Returns how far shank and handpiece must be raised to clear the tooth, mm.
 [[nodiscard]] double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm);
 
-/// Where the dental mirror is held first: beside the tooth on the far side, over the other hand, so that it shows what
-/// the eye does not see; among neighbours behind the row.
+/// Returns the first place of the dental mirror: beside the tooth on the far side, over the other hand, so that it
+/// shows what the eye cannot see; behind the row if there are neighbours.
 [[nodiscard]] render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface,
                                                 bool leftHanded, bool amongNeighbours);
 
@@ -35,10 +36,10 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 /// two views along the axis of the tooth, occlusal and below.
 [[nodiscard]] QStringList viewpointNames();
 
-/// Takes the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). UnknownName with one sentence,
-/// also for a direction of the mouth where nothing says which it is.
-/// @param fdi  of the tooth, 0 where it is unknown
-/// @param lying  which way the directions of the tooth's own frame point
+/// Moves the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). Error UnknownName with one
+/// sentence, also for a direction such as mesial if the tooth is unknown.
+/// @param fdi  of the tooth; 0: unknown
+/// @param lying  the directions of the tooth's own frame
 [[nodiscard]] core::Status goTo(Camera& camera, const QString& viewpoint, int fdi,
                                 const core::terrain::Lying& lying = {});
 
