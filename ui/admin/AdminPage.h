@@ -15,7 +15,7 @@ class PeoplePart;
 class RosterPart;
 class StationPart;
 
-/// What an admin keeps: people, class lists, backups, the audit, this computer.
+/// The pages of the school's admin: people, class lists, backups, the audit log and this computer.
 class AdminPage final : public kit::Page
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     enum Part { People, Roster, Backups, Audit, Station };
     [[nodiscard]] Part part() const;
     void show(Part part);
-    /// Asks for what the part that is shown is about once more: others work at it, too.
+    /// Requests the data of the current part again, because others may have changed them.
     void readAgain() { emit partOpened(part()); }
 
     [[nodiscard]] PeoplePart& people() { return *m_people; }
@@ -33,11 +33,11 @@ public:
     [[nodiscard]] BackupPart& backups() { return *m_backups; }
     [[nodiscard]] AuditPart& audit() { return *m_audit; }
     [[nodiscard]] StationPart& station() { return *m_station; }
-    /// Lessons are told by title where a check or the audit names them.
+    /// Sets the titles by which checks and the audit log name lessons.
     void setLessonTitles(const text::LessonTitles& titles);
 
 signals:
-    /// What it shows is to be brought up to date.
+    /// Emitted when the data of a part are to be read again.
     void partOpened(int part);
 
 private:

@@ -12,24 +12,24 @@
 #include "database/Person.h"
 #include "ui/text/PeopleTexts.h"
 
-/// What an admin's page calls things.
+/// Texts for the admin's pages.
 namespace ui::admin {
 
-/// "student", as a person's role is told.
+/// Returns the name of a role, such as "student".
 [[nodiscard]] QString roleWord(database::Role role);
-/// "has entered a person"; what is not known is told as it is noted.
+/// Returns what was done, such as "has entered a person". An unknown action is returned as stored.
 [[nodiscard]] QString actionWords(const std::string& action);
-/// What is wrong with a line of a class list.
+/// Returns what is wrong with a line of a class list.
 [[nodiscard]] QString rosterFaultWords(const database::RosterFault& fault);
-/// Full names by uid, those of classes by "class:5".
+/// Full names by uid; those of classes by keys such as "class:5".
 using NamesByUid = std::map<std::string, QString>;
-/// Who did it, and to what, by name where there is one.
+/// Return who did something, and what it was done to, by name if there is one.
 [[nodiscard]] QString actorWords(const database::AuditRow& row, const NamesByUid& names);
-/// What else was noted, in a line; without what only the check reads.
+/// Returns the other details of an audit row in one line, without those that only the integrity check uses.
 [[nodiscard]] QString detailWords(const database::AuditRow& row, const NamesByUid& names,
                                   const text::LessonTitles& titles);
 [[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
-/// What a check found, people, classes and lessons by name.
+/// Returns an issue that a check found, with people, classes and lessons by name.
 [[nodiscard]] QString findingWords(const database::IntegrityIssue& finding, const NamesByUid& names,
                                    const text::LessonTitles& titles);
 

@@ -21,7 +21,8 @@ class WordFilter;
 
 namespace ui::admin {
 
-/// What was done here, when and by whom, newest first; and the code of the newest row, which stands on every report.
+/// The audit log: what was done, when and by whom, newest first; and the audit code of the newest row, which is printed
+/// on every report.
 class AuditPart final : public QWidget
 {
     Q_OBJECT
@@ -30,20 +31,21 @@ public:
 
     void setNames(const NamesByUid& names);
     void setLessonTitles(const text::LessonTitles& titles);
-    /// Rows that tell of attempts are to be left out: of those that are asked for, not of those that are there.
+    /// Returns whether the rows requested next are to leave out attempts. The rows that are shown may still contain
+    /// them.
     [[nodiscard]] bool leavesOutAttempts() const;
-    /// In place of what is there.
-    /// @param hasOlder  there are more before them
+    /// Replaces the rows.
+    /// @param hasOlder  there are older rows than these
     void setRows(const QList<database::AuditRow>& newestFirst, const QString& code, bool hasOlder);
-    /// What was asked for cannot be read: what is there stays, as it was chosen.
+    /// Ends a request that failed: keeps the rows, and resets the choice about attempts to theirs.
     void keepRows();
-    /// Older ones, beneath the row `beforeSeq`; nothing where that is the last no longer.
+    /// Appends older rows below the row `beforeSeq`. Does nothing if that is no longer the last row.
     void addRows(qint64 beforeSeq, const QList<database::AuditRow>& newestFirst, bool hasOlder);
 
 signals:
-    /// The newest are wanted: with attempts, or without.
+    /// Emitted when the newest rows are needed, with attempts or without: see leavesOutAttempts().
     void newestRequested();
-    /// Rows before this one are wanted.
+    /// Emitted when the rows before this one are needed.
     void olderRequested(qint64 beforeSeq);
 
 protected:
@@ -70,8 +72,8 @@ private:
     kit::ListTable* m_table;
     QString m_head;
     bool m_hasOlder = false;
-    bool m_isAsked = true;             ///< the newest are on their way
-    bool m_isWithoutAttempts = false;  ///< those that are there
+    bool m_isAsked = true;             ///< the newest rows were requested
+    bool m_isWithoutAttempts = false;  ///< the rows that are shown
 };
 
 }  // namespace ui::admin

@@ -27,7 +27,7 @@ class InlineConfirmation;
 
 namespace ui::admin {
 
-/// A backup that is there.
+/// An existing backup.
 struct Backup
 {
     QString file;
@@ -36,36 +36,37 @@ struct Backup
     bool operator==(const Backup&) const = default;
 };
 
-/// Backups of the school's data: making one, trying that one can be brought back, bringing one back; and a thorough
-/// look at everything. One of them at a time, with its progress.
+/// Backups of the school's data: creating one, verifying that one can be restored, restoring one; and an integrity
+/// check. One operation at a time, with its progress.
 class BackupPart final : public QWidget
 {
     Q_OBJECT
 public:
     explicit BackupPart(QWidget* parent);
 
-    /// @param where    the database, to read
-    /// @param isServer  whose administrator makes the backups
+    /// @param where    the database, for display
+    /// @param isServer  the database is on a server, whose administrator makes the backups
     void setDatabase(const QString& where, bool isServer);
     void setBackups(const QList<Backup>& backups);
     void showProgress(const QString& what);
-    /// It has come to its end.
-    /// @param sentence  what is said of it, in the language there is
-    /// @param findings  what a check found
-    /// @param isFault  it is not as it should be
+    /// Ends the operation.
+    /// @param sentence  returns the outcome in the current language
+    /// @param findings  the issues that a check found
+    /// @param isFault  the operation failed, or found issues
     void finish(std::function<QString()> sentence, std::vector<database::IntegrityIssue> findings = {},
                 bool isFault = false);
-    /// What findings call people and classes by.
+    /// Sets the names of people and classes in the findings.
     void setNames(const NamesByUid& names);
     void setLessonTitles(const text::LessonTitles& titles);
-    /// What was typed is no audit code; nothing has begun.
+    /// Shows that the text that was typed is not an audit code. No operation has started.
     void refuseCode();
 
 signals:
     void backUpRequested();
-    /// @param code  the audit code of a report, as it was typed; empty: there is none to compare with
+    /// Emitted when the user asks for an integrity check.
+    /// @param code  the audit code of a report, as typed; empty: none to compare with
     void checkRequested(const QString& code);
-    /// The backup is to be put in the place of the database, and everybody here is logged out.
+    /// Emitted when the user asks to replace the database by a backup, which logs everybody out.
     void restoreRequested(const QString& file);
     void stopRequested();
 
@@ -78,28 +79,28 @@ private:
     void fill();
     void restore();
     [[nodiscard]] QModelIndex chosenRow() const;
-    /// Its file; empty: none is chosen.
+    /// Returns the selected file; empty: none.
     [[nodiscard]] QString chosen() const;
 
     QString m_where;
     bool m_isServer = false;
     bool m_isBusy = false;
-    QWidget* m_begunBy = nullptr;           ///< had the focus when the work began, which disables it
-    QWidget* m_focusedMeanwhile = nullptr;  ///< by Qt, unless the person has gone elsewhere
-    kit::InlineConfirmation* m_thought;     ///< whether to restore
+    QWidget* m_begunBy = nullptr;           ///< had the focus when the operation began and disabled it
+    QWidget* m_focusedMeanwhile = nullptr;  ///< got the focus from Qt during the operation
+    kit::InlineConfirmation* m_thought;     ///< of restoring a backup
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
     QPushButton* m_check;
     QLabel* m_codeCaption;
-    QLineEdit* m_code;  ///< of a report
+    QLineEdit* m_code;  ///< the code of a report
     QLabel* m_codeFault;
     QPushButton* m_restore;
-    QPushButton* m_keep;  ///< beside it, while it asks whether one is sure
+    QPushButton* m_keep;  ///< cancels the restore, while it is being confirmed
     QPushButton* m_stop;
     QProgressBar* m_bar;
     QLabel* m_said;
-    std::function<QString()> m_sentence;  ///< how the last work ended
+    std::function<QString()> m_sentence;  ///< the outcome of the last operation
     bool m_isFault = false;
     std::vector<database::IntegrityIssue> m_found;
     NamesByUid m_names;

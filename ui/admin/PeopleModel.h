@@ -9,13 +9,13 @@
 
 namespace ui::admin {
 
-/// Everybody of the school in words, a row each. A school has thousands, and all come at once.
+/// A table of all people of the school as text, one row each. There may be thousands, and all are set at once.
 class PeopleModel final : public QAbstractTableModel
 {
     Q_OBJECT
 public:
     enum Column { Name, Username, Role, Classes, LastLogin, State, Columns };
-    /// The number of whose row it is, and what rows are sorted by.
+    /// The id of the person of a row, and the key by which rows are sorted.
     enum DataRole { Id = Qt::UserRole + 1, SortBy };
 
     struct Row

@@ -33,38 +33,39 @@ namespace ui::admin {
 
 class PeopleModel;
 
-/// Everybody of the school, and beside them a form for one: entering, changing, classes, a one-time code for who has
-/// forgotten his password.
+/// The people of the school, and a form for one person: entering, changing, classes, and a one-time code for a person
+/// who has forgotten the password.
 class PeoplePart final : public QWidget
 {
     Q_OBJECT
 public:
     explicit PeoplePart(QWidget* parent);
 
-    /// A sentence in the language there is.
+    /// Returns a sentence in the current language.
     using Words = std::function<QString()>;
 
-    /// Who is chosen stays chosen.
+    /// Sets the people and classes. The selection stays.
     void setPeople(const QList<database::Person>& people, const QList<database::SchoolClass>& classes);
-    /// Lets a person in once; it is kept nowhere else, so their form shows it until it is used, another is made, or the
-    /// user logs out.
+    /// Shows a one-time code, which lets the person log in once. It is stored nowhere in clear, so the form shows it
+    /// until it is used, replaced, or the user logs out.
     void showCode(const database::Person& person, const QString& code);
-    /// What was wanted has been done; the form is that of this person from now on.
+    /// Shows that the request has been carried out, and selects this person unless the form has other changes.
     void confirm(database::PersonId person, const Words& sentence);
     void refuse(const Words& sentence);
-    /// The same of a class that was added, or has another name now.
+    /// Shows that a class was added or renamed.
     void confirmClass(const QString& name);
-    /// The name that was typed stays, to be corrected.
+    /// Shows why a class could not be added or renamed. The name that was typed stays.
     void refuseClass(const Words& sentence);
 
-    /// The admin who is logged in, by uid; empty: none.
+    /// Sets the uid of the admin who is logged in; empty: none.
     void setAdmin(const QString& uid) { m_admin = uid; }
-    /// Describes a form that is not saved, and one-time codes that are shown. Empty: neither.
+    /// Describes an unsaved form and the one-time codes that are shown; empty: neither.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges();
 
 signals:
-    /// @param classes  to belong to
+    /// Emitted when the user enters a new person.
+    /// @param classes  ids of the person's classes
     void addRequested(const database::NewPerson& person, const QSet<qint64>& classes);
     void changeRequested(const database::Person& person, const QSet<qint64>& classes);
     void resetRequested(qint64 person);
@@ -72,10 +73,10 @@ signals:
     void classNameRequested(qint64 id, const QString& name);
 
 private:
-    /// What stands in a form and is not entered.
+    /// The contents of a form that is not saved.
     struct Typed
     {
-        database::Person asItWas;  ///< whom it is about, when it was filled; without an id: somebody new
+        database::Person asItWas;  ///< the person when the form was filled; without an id: a new person
         QString username;
         QString given;
         QString family;
@@ -91,7 +92,7 @@ private:
         std::string untilUtc;
         bool isCopied = false;
     };
-    /// What is asked before it is done.
+    /// Changes that need a confirmation.
     enum class Question { Password, OwnRole, OwnAccount };
 
     QWidget* makeList();
@@ -137,12 +138,13 @@ private:
     QList<database::Person> m_people;
     QList<database::SchoolClass> m_classes;
     QString m_admin;
-    qint64 m_chosen = 0;        ///< 0: somebody new
-    database::Person m_inForm;  ///< the person in the form, as they were when it was filled; no id: a new person
-    bool m_isTouched = false;   ///< something in it was changed by hand, and outlives news of what others have entered
-    std::optional<Typed> m_submitted;  ///< what is on its way
+    qint64 m_chosen = 0;        ///< id; 0: a new person
+    database::Person m_inForm;  ///< the person of the form, as it was when the form was filled; without an id: a new
+                                ///< person
+    bool m_isTouched = false;   ///< the user has changed the form; the changes survive a reload of the people
+    std::optional<Typed> m_submitted;  ///< the request that is pending
     QElapsedTimer m_sinceSubmitted;
-    QHash<qint64, Code> m_codes;  ///< by whom they let in
+    QHash<qint64, Code> m_codes;  ///< by person id
     PeopleModel* m_rows = nullptr;
     kit::WordFilter* m_shown = nullptr;
     QLineEdit* m_search = nullptr;
@@ -166,7 +168,7 @@ private:
     QPushButton* m_renameClass = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_reset = nullptr;
-    QPushButton* m_keep = nullptr;  ///< what is asked about
+    QPushButton* m_keep = nullptr;  ///< cancels the change that is being confirmed
     QPushButton* m_disable = nullptr;
     kit::InlineConfirmation* m_thought = nullptr;
     Question m_question = Question::Password;
@@ -178,7 +180,7 @@ private:
     QLabel* m_codeWords = nullptr;
     QLabel* m_code = nullptr;
     QPushButton* m_copy = nullptr;
-    std::string m_classAdded;  ///< just now: it is ticked when it is there
+    std::string m_classAdded;  ///< pending; it is ticked once it is in the list
 };
 
 }  // namespace ui::admin

@@ -18,29 +18,29 @@ class ListTable;
 
 namespace ui::admin {
 
-/// A class list from a file: first what it would do, line by line, then it is entered, and the one-time codes of who is
-/// new can be saved.
+/// Imports a class list from a file. First shows line by line what the import would change, then enters it. The
+/// one-time codes of new people can be saved afterwards.
 class RosterPart final : public QWidget
 {
     Q_OBJECT
 public:
     explicit RosterPart(QWidget* parent);
 
-    /// @param isDone  entered; else only looked at
+    /// @param isDone  entered; otherwise only checked
     void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
-    /// What goes on.
+    /// Shows what is going on.
     void say(const QString& sentence);
-    /// Why what was looked at could not be entered just now.
+    /// Shows why the checked list could not be entered.
     void refuse(const QString& sentence);
-    /// A file is no class list, or cannot be read; what was known of the one before is forgotten.
+    /// Shows why a file is not a class list or cannot be read. Clears the list before it.
     void refuseFile(const QString& file, const QString& sentence, const QString& technical);
-    /// Describes one-time codes that are not saved. Empty: there are none.
+    /// Describes one-time codes that are not saved; empty: none.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges() { showOutcome({}, {}, false); }
 
 signals:
     void fileChosen(const QString& path);
-    /// What was looked at is to be entered.
+    /// Emitted when the user asks to enter the checked list.
     void enterRequested();
 
 protected:
@@ -62,16 +62,16 @@ private:
     QString m_file;
     bool m_isEntering = false;
     bool m_isDone = false;
-    bool m_isSaved = false;  ///< the codes are
-    QString m_what;          ///< of the last failure, or what was saved
-    bool m_isWrong = false;  ///< a failure
+    bool m_isSaved = false;  ///< the codes are saved
+    QString m_what;          ///< the last error, or the files saved
+    bool m_isWrong = false;  ///< m_what is an error
     QLabel* m_words;
     QPushButton* m_choose;
     QPushButton* m_enter;
     QPushButton* m_save;
     QLabel* m_said;
     QLabel* m_fault;
-    QLabel* m_example;  ///< of what such a file looks like
+    QLabel* m_example;  ///< an example of such a file
     QStandardItemModel* m_rows;
     kit::ListTable* m_table;
 };

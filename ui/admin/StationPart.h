@@ -10,8 +10,8 @@ class QSpinBox;
 
 namespace ui::admin {
 
-/// This computer: what is drilled with, its key, versions; and when a place that was left is locked, here and
-/// everywhere.
+/// Facts about this computer: its device, key and versions; and the time after which an idle window is locked, here and
+/// on all computers of the school.
 class StationPart final : public QWidget
 {
     Q_OBJECT
@@ -20,14 +20,14 @@ public:
 
     struct Facts
     {
-        QString hand;  ///< that moves the bur
+        QString hand;  ///< the device that moves the bur
         double servoHz = 0.0;
-        double middleMs = 0.0;  ///< between two servo ticks, as measured; NaN: not yet
-        double mostMs = 0.0;    ///< 99 of 100 take no longer
+        double middleMs = 0.0;  ///< median time between two servo ticks, measured; NaN: not measured yet
+        double mostMs = 0.0;    ///< 99th percentile of that time
         QString stationKey;     ///< public, hex
         QString database;
         QString program;  ///< version
-        int waiting = 0;  ///< attempts on their way to it
+        int waiting = 0;  ///< attempts not yet sent to the database
     };
     void setFacts(const Facts& facts);
     void setIdleMinutes(int minutes);
@@ -43,7 +43,7 @@ private:
     QList<QLabel*> m_names;
     QList<QLabel*> m_values;
     QSpinBox* m_idle;
-    int m_idleMinutes = 0;  ///< as the school has them
+    int m_idleMinutes = 0;  ///< as set for the school
     QLabel* m_idleWords;
 };
 
