@@ -10,25 +10,25 @@
 #include <QString>
 #include <QStringList>
 
-/// What a chart shows, as plain values: drawn on the screen and on paper (Drawing.h), written as a table (Table.h).
+/// Charts as plain values: drawn on the screen and on paper (Drawing.h), and written as a table (Table.h).
 namespace ui::charts {
 
-/// A value at which one can stop, with the pointer or the arrow keys.
+/// A value that the pointer or the arrow keys can select.
 struct Dot
 {
     double x = 0.0;
     double y = 0.0;
     QString words;        ///< the value as a sentence
-    std::int64_t id = 0;  ///< what opens when it is chosen; 0: nothing
-    QString of{};         ///< in a table of the chart: what it belongs to, under Curve::ofTitle
+    std::int64_t id = 0;  ///< the attempt that a click opens; 0: none
+    QString of{};         ///< in the table of the chart: what the value belongs to, under Curve::ofTitle
     QString note{};       ///< written beside it
     bool operator==(const Dot&) const = default;
 };
 
-/// How dots look. Each kind has a shape of its own: colour only says it again.
+/// The shape of dots. Each kind has its own shape, so that colour is not the only difference.
 enum class Mark : std::uint8_t {
-    None,   ///< nobody stops there
-    Plain,  ///< nothing but the line
+    None,   ///< the dots cannot be selected
+    Plain,  ///< no shape, only the line
     Circle,
     HollowDiamond,
     Square,
@@ -43,13 +43,13 @@ struct Line
     QList<Dot> dots;
     Mark mark = Mark::Circle;
     bool isJoined = true;
-    QColor colour{};  ///< where many lines have one each; else the ink's
+    QColor colour{};  ///< if many lines have one each; invalid: the colour of the ink
     Qt::PenStyle stroke = Qt::SolidLine;
     double widthPx = 2.0;
     bool operator==(const Line&) const = default;
 };
 
-/// The middle half of many people at one place.
+/// The middle half of many people at one position.
 struct Slice
 {
     double x = 0.0;
@@ -68,7 +68,7 @@ struct Band
     bool operator==(const Band&) const = default;
 };
 
-/// A straight line across: a pass mark, a median.
+/// A straight line across the chart: a pass mark, a median.
 struct Limit
 {
     double at = 0.0;
@@ -83,16 +83,16 @@ struct Axis
     double low = 0.0;
     double high = 1.0;
     bool isWhole = false;  ///< counts: no ticks between whole numbers
-    double base = 0.0;     ///< of a logarithmic axis; 0: a linear one
+    double base = 0.0;     ///< base of a logarithmic axis; 0: the axis is linear
     QStringList labels{};  ///< instead of numbers, at 0, 1, 2 ...
 
-    /// 0 at the low end, 1 at the high one.
+    /// Returns the position of a value on the axis: 0 at the low end, 1 at the high end.
     [[nodiscard]] double shareOf(double value) const;
     [[nodiscard]] double valueAt(double share) const;
     bool operator==(const Axis&) const = default;
 };
 
-/// Lines and clouds of dots before a band.
+/// Lines and dots in front of a band.
 struct Curve
 {
     Axis x;
@@ -100,11 +100,11 @@ struct Curve
     QList<Line> lines;
     Band band;
     QList<Limit> limits;
-    QString ofTitle{};  ///< "Lesson", where dots belong to several; else empty
+    QString ofTitle{};  ///< such as "Lesson", if dots belong to several; otherwise empty
     bool operator==(const Curve&) const = default;
 };
 
-/// Lying bars with a name each, the first on top.
+/// Horizontal bars with names, the first on top.
 struct Bars
 {
     struct Bar
@@ -115,12 +115,12 @@ struct Bars
         bool operator==(const Bar&) const = default;
     };
     Axis value;
-    QString nameTitle;  ///< what the names are, for the table
+    QString nameTitle;  ///< title of the names in the table
     QList<Bar> bars;
     bool operator==(const Bars&) const = default;
 };
 
-/// How many lie between one value and the next.
+/// The number of values in each interval.
 struct Histogram
 {
     struct Bin
@@ -159,24 +159,25 @@ struct Map
 struct Chart
 {
     QString title;
-    QString note;        ///< what has to be known to read it: of how many, of when
-    QString emptyWords;  ///< instead of a chart without values: what will be here, and how to get it
+    QString note;        ///< what a reader must know: the number of people, the dates
+    QString emptyWords;  ///< shown instead of a chart without values: what the chart will show, and what is needed for
+                         ///< it
     std::variant<Curve, Bars, Histogram, Map> content;
-    QString of{};  ///< whose it is, told in files, which lie apart from the page: "Year 1, Decay on 36"
+    QString of{};  ///< the subject of the chart in a saved file, apart from its page: "Year 1, Decay on 36"
     bool operator==(const Chart&) const = default;
 };
 
-/// As much of it as so many rows show: of more bars the first ones, and a row that says how many are left out.
+/// Returns the chart reduced to the rows that fit: of bars the first ones, and a row with the number of those left out.
 [[nodiscard]] Chart fitted(const Chart& chart, int rows);
 
-/// Everything at which one can stop, from left to right, of bars and maps from top to bottom; in the chart's own
-/// coordinates. Bar k lies at height -k, and the middle of the first cell of a map at (0.5, -0.5).
+/// Returns all values that can be selected: from left to right, of bars and maps from top to bottom; in the coordinates
+/// of the chart. Bar k is at height -k, and the middle of the first cell of a map at (0.5, -0.5).
 [[nodiscard]] QList<Dot> stopsOf(const Chart& chart);
 
-/// The lying and the upright axis, with as much more as marks at their ends need to be seen whole.
+/// Returns the horizontal and the vertical axis, extended so that shapes at the ends are fully visible.
 [[nodiscard]] std::pair<Axis, Axis> axesOf(const Chart& chart);
 
-/// The end of an axis from 0: the next of 1, 2, 2.5, 5, 10, 20 ... that is not below the value.
+/// Returns the end of an axis from 0: the smallest of 1, 2, 2.5, 5, 10, 20 ... that is not below the value.
 [[nodiscard]] double roundEnd(double value);
 
 }  // namespace ui::charts

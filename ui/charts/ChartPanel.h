@@ -11,9 +11,9 @@ namespace ui::charts {
 
 class SaveButton;
 
-/// A chart with its title. The pointer, or the arrow keys when it has the focus, go from value to value, and each is
-/// told in words; a click or Enter opens what the value stands for. Can be saved as a picture or as a table; over the
-/// foot stands what became of the file, until a value is told or the chart is another one.
+/// A chart with its title. The pointer, or the arrow keys when the chart has the focus, select values, and each is
+/// described in words; a click or Enter opens the attempt of the value. Can be saved as a picture or a table; the
+/// outcome is shown over the bottom until another value is selected or the chart changes.
 class ChartPanel : public WalkedChart
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
     void setChart(const Chart& chart);
     [[nodiscard]] const Chart& chart() const { return m_chart; }
 
-    /// The value that is being told; nothing: none.
+    /// Returns the selected value; empty: none.
     [[nodiscard]] std::optional<qsizetype> stop() const { return m_stop; }
     void setStop(std::optional<qsizetype> stop);
     [[nodiscard]] QString said() const;
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {260, 180}; }
 
 signals:
-    /// A value was opened, and stands for something.
+    /// Emitted when the user opens a value that has an id.
     void chosen(qint64 id);
 
 protected:
@@ -46,14 +46,14 @@ protected:
 
 private:
     void showWords();
-    /// Draws as much of the chart as there is room for.
+    /// Draws as much of the chart as fits.
     void fit();
     void tell();
     void say(const QString& words, const QPoint& at);
     [[nodiscard]] std::optional<qsizetype> nearest(const QPointF& at) const;
 
     Chart m_chart;
-    QList<Dot> m_stops;  ///< of what there is room for
+    QList<Dot> m_stops;  ///< those that fit
     std::optional<qsizetype> m_stop;
     QLabel* m_title;
     QLabel* m_note;

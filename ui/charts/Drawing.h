@@ -14,29 +14,29 @@ class QPainter;
 
 namespace ui::charts {
 
-/// The colours a chart is drawn in. Lines and areas differ by stroke and shape besides.
+/// The colours of a chart. Lines and areas also differ by stroke and shape.
 struct Ink
 {
     QColor words;
-    QColor quiet;  ///< of axes and the pass mark
+    QColor quiet;  ///< axes and the pass mark
     QColor grid;
     QColor ground;  ///< inside hollow marks
-    QColor first;   ///< of the first line, of bars
+    QColor first;   ///< the first line, and bars
     QColor second;
     QColor band;
 };
 
 [[nodiscard]] Ink inkOf(const QPalette& palette);
-/// Black and greys on white.
+/// Returns black and greys on white.
 [[nodiscard]] Ink paperInk();
 
-/// So many bars have room for their names, in two lines where one is not enough for one of them.
+/// Returns the number of bars that fit with their names, in two lines if one name needs two.
 [[nodiscard]] int rowsFor(const Chart& chart, const QSizeF& roomPx);
 
-/// The names of bars as they are written beside an axis of this height: folded, and shortened where they must be.
+/// Returns the names of bars as they fit beside an axis of this height: wrapped, and shortened if necessary.
 [[nodiscard]] QStringList namesOf(const Bars& bars, const QSizeF& roomPx);
 
-/// Where values lie between the axes.
+/// The rectangle of the axes, for conversion between values and pixels.
 struct Plot
 {
     QRectF px;
@@ -47,14 +47,14 @@ struct Plot
 };
 [[nodiscard]] Plot plotOf(const Chart& chart, const QRectF& area);
 
-/// The chart alone, with its axes and its key.
+/// Paints the chart alone, with its axes and its legend.
 void draw(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink);
 
-/// Title, chart and note. Needs a QApplication, and no window. Letters have the size they have on the screen when one
-/// unit of the painter is a pixel of it.
+/// Paints title, chart and note. Needs a QApplication, but no window. Font sizes are those of the screen if one unit of
+/// the painter is one pixel.
 void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink);
 
-/// A picture file in light colours on white. Empty for a chart without values.
+/// Returns a picture file in light colours on white. Empty for a chart without values.
 [[nodiscard]] QByteArray png(const Chart& chart);
 [[nodiscard]] QByteArray svg(const Chart& chart);
 

@@ -9,32 +9,33 @@
 
 namespace ui::charts {
 
-/// What became of a file, as a sentence.
+/// The outcome of writing a file, with a sentence about it.
 struct Written
 {
     bool isDone = false;
     QString told;
 };
 
-/// Writes .png, .svg or .csv, by the name's ending. An older file survives any failure. Ui thread.
+/// Writes .png, .svg or .csv, by the suffix of the name. An existing file is kept if writing fails. Ui thread.
 [[nodiscard]] Written writeChart(const Chart& chart, const QString& path);
 
-/// Saves a chart as a picture, a drawing or a table: asks for the chart when it is needed, and for a file.
+/// A button that saves a chart as a picture, a drawing or a table. Requests the chart when it is pressed, and asks for
+/// a file.
 class SaveButton : public QToolButton
 {
     Q_OBJECT
 public:
     SaveButton(std::function<Chart()> chart, QWidget* parent);
 
-    /// Writes .png, .svg or .csv, by the name's ending, and tells what became of it.
+    /// Writes .png, .svg or .csv, by the suffix of the name, and emits told() with the outcome.
     bool save(const QString& path);
-    /// To be called when the title of the chart is another.
+    /// Updates the name of the button. Call after the title of the chart has changed.
     void nameIt();
-    /// No arrow, and little around the sign: for beside a chart, whose width it takes.
+    /// Reduces the button to its icon, to save width beside a chart.
     void beSmall();
 
 signals:
-    /// What became of a file, as a sentence.
+    /// Emitted with a sentence about a file that was written or could not be.
     void told(const QString& sentence);
 
 protected:

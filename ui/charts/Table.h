@@ -22,12 +22,12 @@ struct Table
     bool operator==(const Table&) const = default;
 };
 
-/// As RFC 4180 has it, in UTF-8: a comma between cells, CR LF after each row, a quote doubled in quotes. Numbers are
-/// written in the C locale whatever the user's language; what is not finite stays empty. Words that a spreadsheet would
-/// take for a formula (they begin with = + - @ or a control character) get an apostrophe before them.
+/// Returns a CSV file as in RFC 4180, in UTF-8: commas between cells, CR LF after each row, quotes doubled within
+/// quotes. Numbers are in the C locale; values that are not finite are empty. Text that a spreadsheet would take for a
+/// formula (it begins with = + - @ or a control character) gets an apostrophe in front.
 [[nodiscard]] QByteArray csv(const Table& table);
 
-/// The numbers of a chart: one row a value, times as "2026-11-20T10:15:00Z".
+/// Returns the numbers of a chart: one row per value, times as "2026-11-20T10:15:00Z".
 [[nodiscard]] Table tableOf(const Chart& chart);
 
 }  // namespace ui::charts

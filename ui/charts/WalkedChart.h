@@ -11,28 +11,28 @@
 
 namespace ui::charts {
 
-/// What a key asks for.
+/// The meaning of a key.
 enum class Step : std::uint8_t { Back, On, First, Last, Open };
 
-/// A chart along which the arrow keys walk when it has the focus, as the pointer does; then it has a ring around it.
+/// A chart whose values the arrow keys select when it has the focus, as the pointer does. Paints a focus ring.
 class WalkedChart : public QWidget
 {
 protected:
     explicit WalkedChart(QWidget* parent);
 
-    /// Where the chart is drawn: to be put into a layout.
+    /// Returns the widget in which the chart is drawn, to be put into a layout.
     [[nodiscard]] QWidget* view() const { return m_view; }
     void setDrawn(const Chart& chart);
     [[nodiscard]] const Chart& drawn() const { return m_drawn; }
-    /// In the view, px.
+    /// Returns the axes in the view, px.
     [[nodiscard]] Plot plot() const;
-    /// The value along the lying axis that a step leads to from another.
+    /// Returns the value along the horizontal axis after a step, a multiple of `by` from 0 to `most`.
     [[nodiscard]] static double stepped(Step step, double from, double by, double most);
 
-    /// Whether a key that stands for this step is the chart's, whatever else it is a key of.
+    /// Returns whether the chart uses the keys of this step, whatever shortcuts they have elsewhere.
     [[nodiscard]] virtual bool takes(Step step) const;
     virtual void walk(Step step) = 0;
-    /// @param at  in the view, px; nothing: the pointer is gone
+    /// @param at  in the view, px; empty: the pointer has left
     virtual void point(std::optional<QPointF> at) = 0;
     virtual void viewResized() {}
     virtual void paintOver(QPainter&) {}
