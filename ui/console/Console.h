@@ -17,16 +17,15 @@ namespace ui::console {
 
 class WatchPanel;
 
-/// A line to type commands into, over the view: every registered parameter can be listed, read, set, watched and
-/// plotted while one drills, and what is set kept as a preset. It takes the pointer and the keys only inside itself.
+/// A command line over the view: every registered parameter can be listed, read, set, watched and plotted while the
+/// user drills, and the feel saved as a preset. Receives pointer and keys only inside itself.
 class Console : public QWidget
 {
     Q_OBJECT
 public:
-    /// Keeps what is felt now under a name, or feels what is kept under it; a sentence to be shown either way.
-    /// Answers what it did, or nothing: then say() follows.
+    /// Saves the current feel as a preset, or loads one. Returns a sentence about the outcome; empty: say() follows.
     using Preset = std::function<QString(const QString& name)>;
-    /// Those that are kept, for Tab.
+    /// Returns the names of the presets, for completion.
     using PresetNames = std::function<QStringList()>;
 
     /// @param parameters, panel  must outlive the console
@@ -34,13 +33,13 @@ public:
 
     void setPresets(Preset save, Preset load, PresetNames names);
     void say(const QString& text);
-    /// As if the line had been typed: its answer is appended to the output.
+    /// Executes a line as if it had been typed, and appends the answer to the output.
     void execute(const QString& line);
-    /// What Tab would make of a line that has been begun.
+    /// Returns the line as the Tab key completes it.
     [[nodiscard]] QString completed(const QString& line) const;
-    /// Somebody else works here: what was typed, answered and watched is gone, and so is the console.
+    /// Clears input, output and the watched values, and hides the console, for another user.
     void forget();
-    /// Shows itself, the line ready for typing.
+    /// Shows the console and focuses its line.
     void open();
 
 signals:

@@ -5,23 +5,23 @@
 
 #include "core/settings/Parameters.h"
 
-/// Parameters in the words of the window. Ui thread.
+/// Texts for parameters. Ui thread.
 namespace ui::console {
 
-/// "2.5 N/mm", "on", "–" where there is nothing to read.
+/// Returns a value with its unit: "2.5 N/mm", "on", "–" for an unknown value.
 [[nodiscard]] QString valueWords(const core::settings::Parameter& parameter, double value);
-/// "0.2 to 20 N/mm", "0 (off) or 1 (on)"; of a live value that it is one.
+/// Returns the range of a parameter: "0.2 to 20 N/mm", "0 (off) or 1 (on)"; for a live value, that it is one.
 [[nodiscard]] QString rangeWords(const core::settings::Parameter& parameter);
-/// Why a value was not taken; empty if it was.
+/// Returns why a value was refused; empty if it was accepted.
 [[nodiscard]] QString answerWords(const core::settings::SetAnswer& answer, const QString& name,
                                   const core::settings::Parameter* parameter);
-/// Why a value is kept from view; empty: it is not.
+/// Returns why a value is hidden; empty if it is not.
 [[nodiscard]] QString withheldWords(const core::settings::Parameter& parameter);
-/// Whether all that is felt is kept from view: two presets are being compared blind.
+/// Returns whether all values of the feel are hidden, because two presets are being compared blind.
 [[nodiscard]] bool isFeelVeiled(const core::settings::Parameters& parameters);
-/// The sentence that says so, and what ends it.
+/// Returns the sentence that says so, and how to end the comparison.
 [[nodiscard]] QString blindWords();
-/// What stands before the first point: "force" is "Force".
+/// Returns the title of a group of parameters: "Force" for "force".
 [[nodiscard]] QString groupName(const QString& group);
 
 }  // namespace ui::console

@@ -15,16 +15,16 @@ namespace ui::tooth {
 class PointerControl;
 }
 
-/// What the window has for the console and the page of settings. Ui thread.
+/// Registers the window's parameters for the console and the settings page. Ui thread.
 namespace ui::console {
 
-/// The times between the servo's ticks, as the poses in its state tell them: a second of them.
+/// Measures the times between ticks of the servo over the last second, from the poses in its state.
 class PeriodMeter
 {
 public:
-    /// The newest state; call it often, each holds the last 16 ticks only.
+    /// Adds the newest state. Call often: each state holds the last 16 ticks only.
     void take(const core::servo::ServoState& state);
-    /// The time that a share of the periods stays under, µs; NaN before there are any.
+    /// Returns the percentile of the periods for a share of 0 to 1, µs; NaN if there are none.
     [[nodiscard]] double percentileUs(double share) const;
 
 private:
@@ -35,36 +35,37 @@ private:
     std::int64_t m_newestNs = 0;
 };
 
-/// Every number of a hardness preset: "hardness.enamel.rate", "force.stiffness".
-/// While what is felt is presets::veiled(), none of them can be read or set.
-/// @param now      what is felt now
-/// @param initial  what is to be felt if nothing is turned
-/// @param feel     sets it; answers why not, or nothing
+/// Registers every number of a hardness preset: "hardness.enamel.rate", "force.stiffness". While the current feel is
+/// presets::veiled(), none of them can be read or set.
+/// @param now      returns the current feel
+/// @param initial  returns the feel before any change by hand
+/// @param feel     sets the feel; returns why not, or an empty string
 void registerFeel(core::settings::Parameters& parameters, const std::function<core::settings::FeelPreset()>& now,
                   const std::function<core::settings::FeelPreset()>& initial,
                   const std::function<std::string(const core::settings::FeelPreset&)>& feel);
 
-/// A checkable action as a switch.
+/// Registers a checkable action as a switch.
 /// @param action     must outlive the registry
-/// @param initially  whether it is on where nobody has touched it
+/// @param initially  the default
 void registerSwitch(core::settings::Parameters& parameters, const char* name, QAction* action, bool initially = false);
 
-/// "hand.feed": how fast the bur goes down at most while the mouse button is pressed. "hand.push": how hard it presses.
+/// Registers "hand.feed", the highest speed at which the bur goes down while the mouse button is pressed, and
+/// "hand.push", the force.
 /// @param hand  must outlive the parameters
 void registerHand(core::settings::Parameters& parameters, const tooth::PointerControl& hand,
                   const std::function<void(double mmPerS)>& setFeed,
                   const std::function<void(double newtons)>& setPush);
 
-/// What may be told of the bur's work, as in the panel beside the tooth.
+/// What the live values may show of the bur's work, as in the panel beside the tooth.
 struct Told
 {
     bool depth = true;
     bool removed = true;
 };
 
-/// "live.force", "live.depth" and so on.
+/// Registers "live.force", "live.depth" and so on.
 /// @param meter  must outlive the registry
-/// @param told   here and now
+/// @param told   returns what may be shown now
 void registerLive(core::settings::Parameters& parameters, const std::function<core::servo::ServoState()>& servo,
                   const PeriodMeter& meter, const std::function<Told()>& told);
 

@@ -16,8 +16,8 @@
 
 namespace ui::console {
 
-/// Values that are watched and plotted over the view while one drills: a line each, and of the plotted ones the last
-/// ten seconds. The mouse goes through it.
+/// Shows watched values over the view while the user drills: a line each, with a plot of the last ten seconds for
+/// plotted ones. Mouse events pass through it.
 class WatchPanel : public QWidget
 {
     Q_OBJECT
@@ -28,21 +28,22 @@ public:
     /// @param parameters  must outlive the panel
     WatchPanel(const core::settings::Parameters& parameters, QWidget* parent);
 
-    /// False if there are kMost already.
+    /// Adds a value. Returns false if there are kMost already.
     bool watch(const QString& name, bool plotted);
-    /// Empty: all.
+    /// Removes a value.
+    /// @param name  empty: all
     void forget(const QString& name);
     [[nodiscard]] QStringList names() const;
-    /// Reads the values once more; done ten times a second by itself.
-    /// @param seconds  since some beginning
+    /// Reads the values. A timer calls this ten times a second.
+    /// @param seconds  since a fixed moment
     void sample(double seconds);
-    /// The same as a chart for a file; nothing: it is not plotted.
+    /// Returns the plot of a value as a chart for a file; empty: the value is not plotted.
     [[nodiscard]] std::optional<charts::Chart> chart(const QString& name) const;
-    /// What has been plotted of a name so far: values, the oldest first.
+    /// Returns the plotted values, oldest first.
     [[nodiscard]] std::vector<double> plotted(const QString& name) const;
 
 signals:
-    /// It is another size, and wants to be placed.
+    /// Emitted when the panel has changed its size and must be placed again.
     void resized();
 
 protected:
@@ -61,7 +62,7 @@ private:
         double now = 0.0;
         std::deque<Point> points;
 
-        /// The least and the greatest that are plotted; nothing: there was nothing to read.
+        /// Returns the smallest and the largest plotted value; empty if there are none.
         [[nodiscard]] std::optional<std::pair<double, double>> range() const;
     };
     void fit();
