@@ -14,35 +14,36 @@ class QPainter;
 
 namespace ui::inside {
 
-/// A tooth from above with the outline of its ideal, made once for both: what is slow to make. A plain value.
+/// The picture of a tooth from above and the outline of its ideal, computed once because they are slow. A plain value.
 struct FromAbove
 {
-    QImage relief;           ///< +y up; decay that lies open is brown
-    QRectF reliefMm;         ///< where it lies in the tooth frame
-    QRectF shownMm;          ///< the tooth, with a little around it
-    QPainterPath outlineMm;  ///< of the ideal, as grading takes it: pieces, in no order
+    QImage relief;           ///< +y up; visible decay is brown
+    QRectF reliefMm;         ///< position in the tooth frame
+    QRectF shownMm;          ///< the tooth with a margin
+    QPainterPath outlineMm;  ///< of the ideal, as grading uses it: pieces in no order
 };
 
-/// Some 20 ms at 150 x 150. Any thread that may wait.
+/// Computes both. About 20 ms at 150 x 150. Any thread but the ui thread.
 [[nodiscard]] FromAbove fromAbove(const core::terrain::ToothAnatomy& anatomy, const std::vector<float>& idealTop);
 
 struct OutlineScene
 {
     const core::terrain::ToothAnatomy* anatomy = nullptr;
     const FromAbove* above = nullptr;
-    double toleranceMm = 0.0;                          ///< a band so wide on each side of the outline
-    double spanMm = 0.0;                               ///< and a paler one so much wider: beyond it all points are lost
+    double toleranceMm = 0.0;                          ///< width of the band on each side of the outline
+    double spanMm = 0.0;                               ///< width of the paler band beyond it, outside which all points
+                                                       ///< are lost
     std::optional<core::imaging::SectionPlane> plane;  ///< drawn as a line
 };
 
-/// Where a place of the tooth frame lies in the picture.
+/// Returns the position of a place of the tooth frame in the picture; mmAt() is the inverse.
 [[nodiscard]] QPointF placeOf(const QRectF& area, const FromAbove& above, QPointF mm);
 [[nodiscard]] QPointF mmAt(const QRectF& area, const FromAbove& above, QPointF place);
 
-/// The area to paint in for a picture that fills this one; its words lie outside, to be clipped.
+/// Returns the area to paint in so that the picture fills this rectangle. Its texts are outside and must be clipped.
 [[nodiscard]] QRectF areaAround(const QRectF& picture);
 
-/// Paints it, dark in either theme like the section, with which side is where. Needs no window.
+/// Paints the scene, dark in both themes, with the names of the sides. Needs no window.
 void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& scene);
 
 }  // namespace ui::inside

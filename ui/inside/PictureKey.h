@@ -10,18 +10,18 @@
 
 namespace ui::inside {
 
-/// The key of a picture: signs with words beside them, in as many rows as its width asks for.
+/// The legend of a picture: signs with text, in as many rows as its width needs.
 class PictureKey
 {
 public:
     using Sign = std::function<void(QPainter& painter, const QRectF& box)>;
 
-    /// @param signPx  how wide the sign is; it is kSignPx high
+    /// @param signPx  width of the sign; its height is kSignPx
     void add(const QString& words, double signPx, Sign sign);
-    /// What is added next begins a row.
+    /// Makes the next entry start a row.
     void endRow() { m_endsRow = true; }
     [[nodiscard]] double heightFor(double widthPx) const;
-    /// From the top left of an area down.
+    /// Paints the legend from the top left of an area.
     void paint(QPainter& painter, const QRectF& area, const QColor& wordsColour) const;
 
     static constexpr double kSignPx = 13.0;
@@ -34,7 +34,7 @@ private:
         Sign sign;
         bool beginsRow = false;
     };
-    /// Where each entry's sign is, from the top left of the key.
+    /// Returns the position of each entry's sign, from the top left of the legend.
     [[nodiscard]] std::vector<QPointF> places(double widthPx) const;
 
     std::vector<Entry> m_entries;

@@ -17,29 +17,29 @@ class QPainter;
 
 namespace ui::inside {
 
-/// What a picture of a section shows.
+/// The contents of a section's picture.
 struct SectionScene
 {
     const core::terrain::Tooth* tooth = nullptr;
     core::imaging::SectionPlane plane;
-    core::grading::IdealTop ideal;  ///< drawn as a broken line; null: none
-    /// What may be cut at no cost, drawn as a band around the ideal; null: none.
+    core::grading::IdealTop ideal;  ///< drawn as a dashed line; null: none
+    /// The region that may be cut without loss of points, drawn as a band around the ideal; null: none.
     const core::preparation::ToleranceBand* band = nullptr;
     /// A bur whose axis lies in the plane, drawn at its true size; null: none.
     const core::bur::Bur* bur = nullptr;
     glm::dvec3 tipMm{0.0};
-    std::optional<double> downToPulpMm;  ///< from the tip: a dotted line is drawn so far down
-    std::optional<glm::dvec3> markMm;    ///< a place in the plane that is ringed
+    std::optional<double> downToPulpMm;  ///< length of a dotted line down from the tip
+    std::optional<glm::dvec3> markMm;    ///< a place in the plane, marked with a ring
     render::Palette palette = render::Palette::Natural;
-    bool onPaper = false;  ///< dark words on white instead
+    bool onPaper = false;  ///< dark text on white
 };
 
-/// Paints the crown, and of the root what there is room for, on a millimetre grid: the materials, the original surface
-/// and the ideal one as lines, the bur, where the two ends of the plane point, and what the colours mean. Dark in
-/// either theme, like the room with the tooth, but on paper. Needs no window. About 1.5 ms at 320 x 500.
+/// Paints the crown, and as much of the root as fits, on a millimetre grid: the materials, the original and the ideal
+/// surface as lines, the bur, the directions at both ends of the plane, and a legend. Dark in both themes, except on
+/// paper. Needs no window. About 1.5 ms at 320 x 500.
 void paintSection(QPainter& painter, const QRectF& area, const SectionScene& scene);
 
-/// Paints materials and ideal alone, for a picture that is too small for grid and words.
+/// Paints materials and ideal only, for a picture that is too small for a grid and text.
 void paintSmallSection(QPainter& painter, const QRectF& area, const SectionScene& scene);
 
 }  // namespace ui::inside

@@ -24,32 +24,32 @@ namespace ui::inside {
 
 class SectionCanvas;
 
-/// Beside the tooth: the live cut through the bur, the plane chosen with two buttons or turned with a slider, and what
-/// is left to the pulp in figures.
+/// The live section through the bur beside the tooth. Two buttons choose its plane and a slider turns it; figures show
+/// the distances to the pulp.
 class SectionView : public QFrame
 {
     Q_OBJECT
 public:
     explicit SectionView(QWidget* parent);
 
-    /// The tooth as the view has it now. Call as often as frames come: it paints every second of them at
-    /// most, 30 times a second, and only when something that shows has changed.
+    /// Updates the section. Call once per frame: it repaints at most every second frame and 30 times a second, and only
+    /// when something visible has changed.
     /// @param tooth     borrowed until the next call; null: none
-    /// @param revision  another number whenever the tooth has changed
+    /// @param revision  changes whenever the tooth has changed
     void follow(const core::terrain::Tooth* tooth, std::uint64_t revision, const core::servo::ServoState& servo,
                 const core::imaging::DepthReading& reading);
     void setColours(render::Palette colours);
-    /// What the lesson asks for, over the grid of the tooth followed next; null: nothing.
+    /// Sets the ideal over the grid of the tooth; null: none.
     void setIdeal(core::grading::IdealTop ideal);
-    /// Shows the cut through this place, with the bur as it stood there, and not where the bur is now; nothing: goes
-    /// with the bur again.
+    /// Shows the section through this place, with the bur at it, instead of the current place of the bur; empty:
+    /// follows the bur again.
     void setHeld(std::optional<glm::dvec3> tipMm);
-    /// Without them the picture alone is there.
+    /// Shows or hides the figures.
     void setFiguresShown(bool shown);
-    /// Turns the plane to run along this direction, seen from above; 0 is along x, in which the width of a marginal
-    /// ridge is seen. To the nearest degree.
+    /// Turns the plane to this direction, seen from above; 0 is along x, in which the width of a marginal ridge is
+    /// seen. Rounds to degrees.
     void showAlong(double angleRad);
-    /// Turns the plane about the bur, +15 degrees.
+    /// Turns the plane about the bur by 15 degrees.
     void turn();
     [[nodiscard]] int angleDeg() const;
 

@@ -22,22 +22,23 @@ namespace ui::inside {
 
 class FilmView;
 
-/// The X-ray pictures of the tooth: before anything was cut, and now, side by side; the beam and the exposure can be
-/// changed. Films are developed on a pool thread, the newest wish only.
+/// Shows radiographs of the tooth side by side, before cutting and now. The user can change the beam and the exposure.
+/// Films are developed on a pool thread; only the newest request is answered.
 class XrayPage : public kit::Page
 {
     Q_OBJECT
 public:
     XrayPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Shows this tooth, with the beam as it was left.
+    /// Sets the tooth. The settings of the beam stay.
     void setTooth(const core::terrain::Tooth& tooth);
-    /// Both films beside each other with words under them; null until they are developed.
+    /// Returns both films side by side with their captions; null until they are developed.
     [[nodiscard]] QImage bothFilms() const;
-    /// False while a film is being developed.
+    /// Returns false while a film is being developed.
     [[nodiscard]] bool isReady() const { return !m_working; }
 
 signals:
+    /// Emitted when the user asks to save both films.
     void saveRequested();
 
 protected:
@@ -50,7 +51,7 @@ private:
         core::imaging::Beam beam;
         double exposure = 1.0;
         bool bitewing = false;
-        double widthToHeight = 1.0;  ///< of the room for a film
+        double widthToHeight = 1.0;  ///< of the space for a film
     };
     struct Films
     {
@@ -73,7 +74,7 @@ private:
                          std::shared_ptr<const std::vector<core::imaging::Neighbour>> neighbours);
 
     std::optional<core::terrain::Tooth> m_tooth;
-    std::shared_ptr<const std::vector<core::imaging::Neighbour>> m_neighbours;  ///< of m_tooth, once they were wanted
+    std::shared_ptr<const std::vector<core::imaging::Neighbour>> m_neighbours;  ///< of m_tooth; null until needed
     FilmView* m_before;
     FilmView* m_now;
     QPushButton* m_oneTooth = nullptr;
@@ -87,7 +88,7 @@ private:
     QPushButton* m_save = nullptr;
     QPushButton* m_back = nullptr;
     bool m_working = false;
-    bool m_again = false;  ///< something was changed while a film was being developed
+    bool m_again = false;  ///< the settings changed while a film was being developed
 };
 
 }  // namespace ui::inside
