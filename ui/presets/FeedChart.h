@@ -9,9 +9,8 @@ class QLabel;
 
 namespace ui::presets {
 
-/// How fast the chosen bur sinks into each material over the force that presses it, mm/s: what hardness means to the
-/// hand. Dashed: the preset that it was made of. Tells the figures under the pointer, or where the arrow keys have got
-/// to, and can be saved.
+/// A chart of the speed at which the chosen bur sinks into each material over the push force, mm/s. Dashed: the preset
+/// that this one is based on. Shows the figures at the pointer or at the position of the arrow keys, and can be saved.
 class FeedChart : public charts::WalkedChart
 {
     Q_OBJECT
@@ -22,9 +21,9 @@ public:
     /// @param bur        into core::bur::burs()
     /// @param handpiece  into core::settings::handpieces()
     void setTool(std::size_t bur, std::size_t handpiece = 0);
-    /// "At 1.0 N: enamel 0.8 mm/s, ...".
+    /// Returns the figures in words: "At 1.0 N: enamel 0.8 mm/s, ...".
     [[nodiscard]] QString words(double newtons) const;
-    /// As it is saved: every curve by its material.
+    /// Returns the chart as it is saved: each curve named by its material.
     [[nodiscard]] charts::Chart chart() const { return chart(false); }
     [[nodiscard]] QSize minimumSizeHint() const override { return {300, 200}; }
 
@@ -37,7 +36,7 @@ private:
     void draw();
     void tell(double newtons);
     [[nodiscard]] charts::Chart chart(bool isShown) const;
-    /// A sentence, and below it the figures at the force that is told.
+    /// Shows a sentence, and below it the figures at m_toldN.
     void say(const QString& sentence);
     [[nodiscard]] charts::Line lineOf(const core::settings::FeelPreset& preset, core::settings::Substance substance,
                                       int points) const;

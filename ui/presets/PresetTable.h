@@ -11,15 +11,15 @@ class QDoubleSpinBox;
 
 namespace ui::presets {
 
-/// All numbers of a preset: a row for each material with rate and threshold, and what the force pipeline takes, each
-/// with its unit, range and what it does.
+/// A form for all numbers of a preset: a row for each material with rate and threshold, and the numbers of the force
+/// pipeline, each with unit, range and explanation.
 class PresetTable : public QWidget
 {
     Q_OBJECT
 public:
     explicit PresetTable(QWidget* parent);
 
-    /// Says nothing.
+    /// Sets the preset without emitting changed().
     void setPreset(const core::settings::FeelPreset& preset);
 
 signals:

@@ -24,47 +24,48 @@ class FeedChart;
 class PresetTable;
 class SimplePanel;
 
-/// The hardness presets there are, each in all its versions, and one of them to be looked at, tried, turned and kept as
-/// another version. Whatever is asked of files and of the servo goes out by signals.
+/// The page of hardness presets with all their versions. One of them can be viewed, tried, changed and saved as a new
+/// version. The page emits a signal for all access to files and to the servo.
 class PresetsPage : public kit::Page
 {
     Q_OBJECT
 public:
     PresetsPage(const kit::Actions& actions, QWidget* parent);
 
-    /// What is on the shelf. What is being turned stays.
+    /// Sets the stored presets. Unsaved changes stay.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
-    /// Shows this version, unless another one is being changed.
+    /// Shows a version, unless the user has changed another.
     void select(const core::settings::FeelPreset& preset);
-    /// Takes over what was turned while it was tried: the version on the page, or what was loaded in the console.
+    /// Takes over the changes from a trial, or the preset that the console loaded.
     void setDraft(const core::settings::FeelPreset& preset);
-    /// What could not be done, beside the buttons, a second line of it quieter; empty: nothing any more.
+    /// Shows an error beside the buttons, its second line in smaller type; empty: no error.
     void setFault(const QString& sentence);
 
-    /// Whether the user may save and import versions and put them to use; else they may look at them and try them.
+    /// Sets whether the user may save and import versions and put them to use. Otherwise the page is read-only, with
+    /// trials.
     void setMayKeep(bool may);
 
-    /// The school's presets can be retired, and are seen when they are.
+    /// Sets whether the user may retire presets and sees retired ones.
     void setMayRetire(bool may);
 
-    /// Describes a preset that the user has changed, and may save, and has not. Empty: there is none.
+    /// Describes a changed preset that the user may save and has not; empty: none.
     [[nodiscard]] QString unsavedChanges() const;
-    /// Shows the version that is in use.
+    /// Discards the changes and shows the version in use.
     void discardChanges();
 
     [[nodiscard]] const core::settings::FeelPreset& draft() const { return m_draft; }
     [[nodiscard]] const std::vector<lessons::ReadPreset>& all() const { return m_all; }
 
 signals:
-    /// A preset that is perhaps not kept yet, and the version that it was made of.
+    /// Emitted when the user asks to try a preset, perhaps unsaved, with the version that it is based on.
     void tryRequested(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void compareRequested(const core::settings::FeelPreset& first, const core::settings::FeelPreset& second,
                           int trials);
-    /// As another version of its name.
+    /// Emitted when the user asks to save a new version under the preset's name.
     void saveRequested(const core::settings::FeelPreset& preset);
-    /// Teeth are to feel like this from now on, unless a lesson says otherwise.
+    /// Emitted when the user puts a preset to use for all teeth whose lesson has none of its own.
     void useRequested(const core::settings::FeelPreset& preset);
-    /// A preset in all its versions is to be offered to nobody any more, or again.
+    /// Emitted when the user asks to retire a preset in all its versions, or to offer it again.
     void retireRequested(const QString& name, bool isRetired);
     void importRequested();
     void exportRequested(const core::settings::FeelPreset& preset);
@@ -98,14 +99,14 @@ private:
 
     std::vector<lessons::ReadPreset> m_all;
     core::settings::FeelPreset m_inUse;
-    core::settings::FeelPreset m_base;   ///< the version that is chosen in the list
-    core::settings::FeelPreset m_draft;  ///< what has been made of it
+    core::settings::FeelPreset m_base;   ///< the version selected in the list
+    core::settings::FeelPreset m_draft;  ///< m_base with the user's changes
 
     bool m_mayKeep = true;
     bool m_mayRetire = false;
-    bool m_otherIsChosen = false;  ///< what to compare with, by hand
+    bool m_otherIsChosen = false;  ///< the preset to compare with was chosen by the user
 
-    QWidget* m_side = nullptr;  ///< with the list
+    QWidget* m_side = nullptr;  ///< contains the list
     QListWidget* m_list = nullptr;
     QLineEdit* m_name = nullptr;
     QLineEdit* m_notes = nullptr;
@@ -114,7 +115,7 @@ private:
     SimplePanel* m_simple = nullptr;
     PresetTable* m_table = nullptr;
     FeedChart* m_chart = nullptr;
-    QBoxLayout* m_middle = nullptr;  ///< with the numbers and the chart
+    QBoxLayout* m_middle = nullptr;  ///< contains the numbers and the chart
     QLabel* m_bound = nullptr;
     QLabel* m_fault = nullptr;
     QLabel* m_faultDetail = nullptr;

@@ -9,21 +9,21 @@
 
 namespace ui::presets {
 
-/// What of a preset can be turned without knowing numbers, each from -1 to 1 and 0 as the preset is: harder materials,
-/// a touch that must be heavier before it cuts, a stiffer wall.
+/// The dials of a preset, for users without knowledge of its numbers. Each has a range of -1 to 1, with 0 as the preset
+/// is: harder materials, a higher threshold before the bur cuts, a stiffer wall.
 enum class Dial { Enamel, Dentin, Caries, Plastic, Touch, Wall };
 inline constexpr std::size_t kDials = 6;
 using Dials = std::array<double, kDials>;
 
-/// A preset with its dials turned: rates and thresholds to a quarter and four times what they were, the stiffness to
-/// half and twice, but no farther than the loop holds. What the dials leave alone stays to the bit;
-/// what they change has no hash.
+/// Returns a preset with its dials turned: rates and thresholds from a quarter to four times, the stiffness from half
+/// to twice, limited to what the servo loop keeps stable. Numbers of unturned dials stay bit-identical. A changed
+/// preset has no hash.
 [[nodiscard]] core::settings::FeelPreset turned(const core::settings::FeelPreset& base, const Dials& dials);
 
-/// A slider stops at so many places to either side of 0.
+/// Number of slider steps on either side of 0.
 inline constexpr int kDialSteps = 20;
 
-/// The dials, at their stops, that turn `base` into a preset of these numbers; nothing where none do.
+/// Returns the dials, in slider steps, that turn `base` into a preset with these numbers; empty if there are none.
 [[nodiscard]] std::optional<Dials> dialsFor(const core::settings::FeelPreset& base,
                                             const core::settings::FeelPreset& preset);
 

@@ -13,15 +13,15 @@ class QSlider;
 
 namespace ui::presets {
 
-/// A slider for each dial, with a word at either end: "softer", "harder".
+/// A slider for each dial of a preset, with a word at either end: "softer", "harder".
 class SimplePanel : public QWidget
 {
     Q_OBJECT
 public:
     explicit SimplePanel(QWidget* parent);
 
-    /// The dials stand as they turn the first of `bases` that they can turn so into `preset`, and it is said which that
-    /// is. One that they do not come to is their middle from now on.
+    /// Sets the sliders to the dials that turn the first possible one of `bases` into `preset`, and shows the name of
+    /// that base. If there are none, `preset` itself becomes the middle of the sliders.
     void setPreset(const std::vector<core::settings::FeelPreset>& bases, const core::settings::FeelPreset& preset);
 
 signals:
@@ -32,7 +32,7 @@ private:
     void say();
 
     core::settings::FeelPreset m_base;
-    bool m_isTyped = false;  ///< the middle is no version, but numbers that were typed
+    bool m_isTyped = false;  ///< the base is not a version but numbers that the user typed
     std::array<QSlider*, kDials> m_sliders{};
     QLabel* m_middle;
 };

@@ -16,37 +16,37 @@ namespace ui::presets {
 class FeedChart;
 class SimplePanel;
 
-/// Beside the tooth while a preset is tried on a block: its dials, felt at once, and the feed that they make; or two
-/// presets behind "A" and "B", to be told apart by nothing but the hand.
+/// A card beside the tooth while a preset is tried on a block: its dials, with immediate effect, and the resulting
+/// feed; or a blind comparison of two presets "A" and "B".
 class TrialCard : public QFrame
 {
     Q_OBJECT
 public:
     explicit TrialCard(QWidget* parent);
 
-    /// While it is shown: another preset in the same trial.
-    /// @param base  the version that `preset` was made of
+    /// Starts a trial of a preset, or sets another preset in the current trial.
+    /// @param base  the version that `preset` is based on
     void tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void compare(const BlindTrial& trial);
-    /// The preset as it is turned now; nothing in a comparison.
+    /// Returns the preset as it is turned now; empty in a comparison.
     [[nodiscard]] std::optional<core::settings::FeelPreset> tuned() const;
-    /// Two presets are told apart, and what is felt is not told.
+    /// Returns whether a comparison is running. Its values must stay hidden.
     [[nodiscard]] bool isComparing() const { return m_trial && !m_trial->isOver(); }
-    /// The version that it is made of.
+    /// Returns the version that the preset is based on.
     [[nodiscard]] const core::settings::FeelPreset& base() const { return m_base; }
-    /// @param bur        that is in hand, into core::bur::burs()
+    /// @param bur        in use, into core::bur::burs()
     /// @param handpiece  into core::settings::handpieces()
-    /// @param cutMm3     of the block so far: who has cut with both may say which is better
+    /// @param cutMm3     volume cut from the block so far; an answer is possible after cutting with both presets
     void follow(std::size_t bur, std::size_t handpiece, double cutMm3);
 
 signals:
-    /// This preset is to be felt from now on; in a comparison it is veiled().
+    /// Emitted when this preset is to be felt; in a comparison it is veiled().
     void felt(const core::settings::FeelPreset& preset);
-    /// What the block is made of; felt() follows.
+    /// Emitted when the user chooses the material of the block; felt() follows.
     void blockChosen(const core::settings::ToothKind& kind);
-    /// The block is to be whole again: another trial begins.
+    /// Emitted when the block is to be restored for another trial.
     void freshBlockRequested();
-    /// Back to the page of presets.
+    /// Emitted when the user returns to the page of presets.
     void done();
     void csvRequested(const QByteArray& csv);
 
@@ -65,7 +65,7 @@ private:
     QLabel* m_title;
     QLabel* m_words;
     QWidget* m_tuning;          ///< dials and chart
-    QWidget* m_pane = nullptr;  ///< in which they scroll
+    QWidget* m_pane = nullptr;  ///< scrolls m_tuning
     SimplePanel* m_dials;
     QWidget* m_blockChoice;
     QComboBox* m_block;
@@ -79,11 +79,11 @@ private:
     QPushButton* m_end;
     QPushButton* m_back;
     core::settings::FeelPreset m_base;
-    core::settings::FeelPreset m_asItWas;  ///< before anything was turned in this trial
+    core::settings::FeelPreset m_asItWas;  ///< before any change in this trial
     std::optional<core::settings::FeelPreset> m_tuned;
     std::optional<BlindTrial> m_trial;
     BlindTrial::Answer m_held = BlindTrial::Answer::A;
-    double m_cutMm3 = 0.0;    ///< when it was last told; beyond all until it is told of a new block
+    double m_cutMm3 = 0.0;    ///< the last reported volume; the largest number until a new block is reported
     bool m_cutWithA = false;  ///< in this trial
     bool m_cutWithB = false;
 };
