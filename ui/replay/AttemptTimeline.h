@@ -13,30 +13,30 @@
 
 namespace ui::replay {
 
-/// A stroke, in seconds since the attempt began.
+/// A stroke, in seconds from the start of the attempt.
 struct Stroke
 {
     double fromS = 0.0;
     double toS = 0.0;
-    double doneS = 0.0;  ///< the moment to look at what it has left: all of it is shown
+    double doneS = 0.0;  ///< the moment at which all of its cut is visible
     std::uint8_t burIndex = 0;
     bool operator==(const Stroke&) const = default;
 };
 
-/// What happened beside the strokes.
+/// An event between the strokes.
 struct Mark
 {
     enum class Kind : std::uint8_t {
         Undo,
         Redo,
         StartAgain,
-        Bur,        ///< value: index of the bur taken
-        Handpiece,  ///< name: of the handpiece taken
-        Aids,       ///< value: those in use from now on, bits of core::servo::Aid
+        Bur,        ///< value: index of the new bur
+        Handpiece,  ///< name: of the new handpiece
+        Aids,       ///< value: the aids in use from now on, bits of core::servo::Aid
         Note,       ///< value: its code
-        Home,       ///< the hand was led home
-        Resumed,    ///< the attempt was taken up again
-        Touched     ///< value: index of the point of an exercise that was touched, for the first time
+        Home,       ///< the device moved the hand to its start
+        Resumed,    ///< the attempt was resumed
+        Touched     ///< value: index of a point of an exercise, touched for the first time
     };
     Kind kind = Kind::Undo;
     double atS = 0.0;
@@ -45,7 +45,7 @@ struct Mark
     bool operator==(const Mark&) const = default;
 };
 
-/// A point that was to be touched, of an exercise.
+/// A point that an exercise asks to touch.
 struct TouchPoint
 {
     glm::dvec2 placeMm{0.0};  ///< tooth frame, seen from above
@@ -54,17 +54,17 @@ struct TouchPoint
     bool operator==(const TouchPoint&) const = default;
 };
 
-/// What somebody has said of a moment of the attempt.
+/// A comment pinned to a moment of the attempt.
 struct Remark
 {
     double atS = 0.0;
-    std::optional<glm::dvec3> placeMm;  ///< on the tooth, in its frame
+    std::optional<glm::dvec3> placeMm;  ///< tooth frame
     std::string author;                 ///< full name
     std::string words;
     bool operator==(const Remark&) const = default;
 };
 
-/// While its student was elsewhere: no time of the attempt.
+/// An idle interval of the student, which does not count as time of the attempt.
 struct Rest
 {
     double fromS = 0.0;
@@ -72,11 +72,11 @@ struct Rest
     bool operator==(const Rest&) const = default;
 };
 
-/// How an attempt went, as far as it is known: what is drawn on a time line. All in order of time.
+/// The known part of an attempt, for a time line. All lists are in order of time.
 struct AttemptTimeline
 {
     double lengthS = 0.0;
-    double readyS = 0.0;  ///< up to here it is known, and can be shown
+    double readyS = 0.0;  ///< the attempt is known, and can be shown, up to here
     std::vector<Stroke> strokes;
     std::vector<Mark> marks;
     std::vector<core::grading::Infraction> infractions;
@@ -84,19 +84,19 @@ struct AttemptTimeline
     std::vector<Remark> remarks;
     std::vector<Rest> rests;
 
-    /// The first end of a stroke, step through the history or touched point after a moment; the end of all when there
-    /// is none.
+    /// Returns the first end of a stroke, undo step or touched point after a moment; the end of the attempt if there is
+    /// none.
     [[nodiscard]] double stepAfter(double seconds) const;
-    /// The last such before a moment; the beginning when there is none.
+    /// Returns the last such event before a moment; 0 if there is none.
     [[nodiscard]] double stepBefore(double seconds) const;
-    /// What is to be read at a moment: from a little before the one that was meant until it has been read.
+    /// Returns the comments to show at a moment: from kLeadUpS before a comment's own moment until kReadS after it.
     [[nodiscard]] std::vector<Remark> remarksAt(double seconds) const;
 };
 
-/// What leads to an infraction or to what somebody remarked is seen from so long before it on, s.
+/// Lead time with which an infraction or a comment is replayed, s.
 inline constexpr double kLeadUpS = 1.0;
-/// The replay of a moment at which points were lost begins so long before it, s.
+/// Lead time with which a moment of lost points is replayed, s.
 inline constexpr double kBeforeMomentS = 2.0;
-inline constexpr double kReadS = 4.0;  ///< a remark stays in sight so long after its moment
+inline constexpr double kReadS = 4.0;  ///< time for which a comment stays visible after its moment
 
 }  // namespace ui::replay

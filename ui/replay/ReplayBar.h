@@ -20,26 +20,26 @@ namespace ui::replay {
 
 class TimeLine;
 
-/// At the foot of the practice room while a recording is played: its time line, and beneath it what moves in time.
+/// The bar at the bottom of the practice room during a replay: the time line and the controls.
 class ReplayBar final : public QFrame
 {
     Q_OBJECT
 public:
     ReplayBar(const kit::Actions& actions, practice::ViewMenu& viewMenu, QWidget* parent);
 
-    /// A recording of this length begins, as fast as it was made; more of it is known by and by (setCourse).
+    /// Starts a recording of this length at normal speed. Call setCourse() as more of it becomes known.
     void begin(double lengthS);
     void setCourse(const AttemptTimeline& course);
-    /// What is shown beside; without a length nothing is.
+    /// Sets the attempt shown for comparison; none if its length is 0.
     void setBeside(const AttemptTimeline& beside);
-    /// The moment that is shown.
+    /// Sets the current moment.
     void setPosition(double seconds);
 
-    /// The end of the next stroke, or of the one before.
+    /// Seeks to the end of the next stroke, or of the one before.
     void step(bool onward);
     void goToBegin() { seek(0.0); }
     void goToEnd() { seek(m_course.lengthS); }
-    /// The next speed up, or down.
+    /// Chooses the next higher or lower speed.
     void changeSpeed(bool faster);
 
 signals:

@@ -8,10 +8,9 @@
 
 namespace ui::replay {
 
-/// The time line of an attempt: strokes as bars coloured by bur, above them what else happened, infractions first of
-/// all, what people have remarked, and the moment that is shown. Dragged, it goes there; a click on an infraction or a
-/// remark goes to what led to it; pointed at, it says what is there. Beneath, with an axis of its own, another attempt
-/// that is shown beside.
+/// The time line of an attempt: strokes as bars coloured by bur; above them other events, infractions first; comments;
+/// and the current moment. Dragging seeks; a click on an infraction or a comment seeks to kLeadUpS before it; a tooltip
+/// describes the event under the pointer. Below, with its own axis, an attempt shown for comparison.
 class TimeLine final : public QWidget
 {
     Q_OBJECT
@@ -19,18 +18,18 @@ public:
     explicit TimeLine(QWidget* parent);
 
     void setCourse(const AttemptTimeline& course);
-    /// @param beside  no strokes, no length: there is none
+    /// @param beside  with length 0: none
     void setBeside(const AttemptTimeline& beside);
-    /// The moment that is shown.
+    /// Sets the current moment.
     void setPosition(double seconds);
     [[nodiscard]] const AttemptTimeline& course() const { return m_course; }
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
-    /// Where a moment is on the line, px.
+    /// Returns the position of a moment on the line, px.
     [[nodiscard]] double xOf(double seconds) const;
-    /// What is there, a line each; empty: nothing but time.
+    /// Returns the events at a place, one per line; empty if there are none.
     [[nodiscard]] QStringList saidAt(const QPoint& place) const;
 
 signals:
@@ -44,7 +43,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// One attempt of the line, and where its lanes begin.
+    /// One attempt of the time line, and the top of its lanes.
     struct Lane
     {
         const AttemptTimeline& course;
@@ -65,12 +64,12 @@ private:
     bool m_scrubs = false;
 };
 
-/// Colour of a bur, by its index in core::bur::burs(): no two burs have the same. Those of the common burs also
-/// differ for people with colour blindness; the number of the bur is drawn beside each change of bur.
+/// Returns the colour of a bur by its index in core::bur::burs(). All burs have different colours. Those of the common
+/// burs also differ for people with colour blindness, and the number of the bur is drawn beside each change of bur.
 [[nodiscard]] QColor burColour(std::uint8_t index);
-/// "Undone", "Bur 2: Pear, No. 330", "Handpiece: Turbine".
+/// Returns a text such as "Undone", "Bur 2: Pear, No. 330" or "Handpiece: Turbine".
 [[nodiscard]] QString markWords(const Mark& mark);
-/// "Tina Teacher: here the wall leans in", shortened.
+/// Returns a comment with its author, shortened: "Tina Teacher: here the wall leans in".
 [[nodiscard]] QString remarkWords(const Remark& remark);
 
 }  // namespace ui::replay
