@@ -16,27 +16,27 @@ class QWidget;
 
 namespace ui::report {
 
-/// A4, or Letter where that is the paper.
+/// Returns the paper size of the locale: A4 or Letter.
 [[nodiscard]] QPageSize::PageSizeId usualPaper();
 
-/// Asks where to, beside the window's own events.
-/// @param name  what the file may be called: words, made fit for a file's name
+/// Asks for a PDF file without blocking the window.
+/// @param name  suggested file name; characters that do not fit a file name are replaced
 void askForPdf(QWidget* window, const QString& title, const QString& name,
                const std::function<void(const QString& path)>& chosen);
 
-/// Writes a PDF with margins of 15 mm. False: it could not be written, and what was there before is as it was.
+/// Writes a PDF with margins of 15 mm. Returns false on failure; an existing file is then unchanged.
 [[nodiscard]] bool savePdf(const QString& path, const QString& title, const scoring::ScoreCard& card,
                            QPageSize::PageSizeId paper = usualPaper());
 [[nodiscard]] bool savePdf(const QString& path, const QString& title, const ClassReport& report,
                            QPageSize::PageSizeId paper = usualPaper());
 
-/// Qt's dialog, without printing to a file. Its field for the file's name else begins at once to look about the home
-/// folder, and opens what lies there; whoever closes a file that SQLite has open loses SQLite's locks on it, and
-/// another program then takes its log away (https://www.sqlite.org/howtocorrupt.html, section 2.2).
+/// Returns Qt's print dialog without printing to a file. The file name field of that option would open the files of the
+/// home folder for completion; closing a file that SQLite has open drops SQLite's locks on it, and another program then
+/// deletes its log (https://www.sqlite.org/howtocorrupt.html, section 2.2).
 [[nodiscard]] QPrintDialog* makePrintDialog(QPrinter& printer, QWidget* window);
 
-/// Asks which printer, beside the window's own events. What is printed is made when one is chosen: paintOn() it.
-/// False: there is none.
+/// Asks for a printer without blocking the window. `chosen` prints on the selected one with paintOn(). Returns false if
+/// there is no printer.
 [[nodiscard]] bool askForPrinter(QWidget* window, const QString& title,
                                  const std::function<void(const std::shared_ptr<QPagedPaintDevice>& printer)>& chosen);
 

@@ -23,7 +23,7 @@
 class QPagedPaintDevice;
 class QPainter;
 
-/// What is printed: a score card and a class, on A4 or Letter, in black on white.
+/// Printed reports: a score card and a class, on A4 or Letter, black on white.
 namespace ui::report {
 
 struct ClassReport
@@ -31,9 +31,9 @@ struct ClassReport
     QString className;
     QString teacher;
     database::ClassOverview overview;
-    QList<database::ClassAssignment> given;  ///< what the class is to do
+    QList<database::ClassAssignment> given;  ///< the assignments of the class
     text::LessonTitles titles;
-    database::LessonResults results;  ///< of the lesson whose charts are shown; none where its id is empty
+    database::LessonResults results;  ///< of the lesson whose charts are printed; none if its id is empty
     int passMarkTenths = 0;           ///< of its rubric
     lessons::LocalText rubricTitle;
     int rubricVersion = 0;
@@ -42,17 +42,17 @@ struct ClassReport
     scoring::Proof proof;
 };
 
-/// Leaves the page that is full and makes the same painter paint on a clean one, in points again. Empty: the pages are
-/// only counted, and what takes long to draw is left out.
+/// Ends a page and sets the same painter to a new one, in points again. Empty: only counts pages, and skips what is
+/// slow to draw.
 using NextPage = std::function<void()>;
 
-/// Paints a report. One unit of the painter is a point, 1/72 inch; its origin is the corner of what may be printed on.
-/// @param pagePt  what may be printed on
-/// @return pages
+/// Paints a report. One unit of the painter is a point, 1/72 inch; its origin is the corner of the printable area.
+/// @param pagePt  size of the printable area
+/// @return number of pages
 int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const scoring::ScoreCard& card);
 int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ClassReport& report);
 
-/// The same on a printer or into a PDF, on the paper that it is set to. False: it could not be begun.
+/// Paints a report on a printer or into a PDF, on its paper. Returns false if the device could not be opened.
 [[nodiscard]] bool paintOn(QPagedPaintDevice& device, const scoring::ScoreCard& card);
 [[nodiscard]] bool paintOn(QPagedPaintDevice& device, const ClassReport& report);
 

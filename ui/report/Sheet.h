@@ -16,11 +16,11 @@ inline constexpr int kHeadPt = 11;
 inline constexpr int kTextPt = 9;
 inline constexpr int kSmallPt = 7;
 
-/// Draws every sign as itself: of what the window's font would join or exchange for another form a PDF could not say
-/// which signs it was made of, and copying out of it would lose them.
+/// Returns a font without ligatures and alternate forms. A PDF could not map those back to characters, and copied text
+/// would lose them.
 [[nodiscard]] QFont paperFont(int size, QFont::Weight weight = QFont::Normal);
 
-/// A report that is being painted from top to bottom, with its foot on every page. All lengths are points.
+/// Paints a report from top to bottom, with a footer on every page. All lengths are in points.
 class Sheet
 {
 public:
@@ -31,23 +31,23 @@ public:
     [[nodiscard]] double top() const { return m_top; }
     [[nodiscard]] double width() const { return m_page.width(); }
     [[nodiscard]] int pages() const { return m_pages; }
-    /// Nobody sees it: pages are counted.
+    /// Returns whether pages are only counted and nothing is painted.
     [[nodiscard]] bool isCounting() const { return !m_next; }
     [[nodiscard]] double left() const { return bottom() - m_top; }
 
-    /// Goes on to the next page if there is less height left than that.
+    /// Starts the next page if less than this height is left.
     void need(double height);
     void skip(double height) { m_top += height; }
-    /// Words over the whole width, broken into lines and over pages as wholes.
+    /// Adds text over the whole width, wrapped into lines. It is not split between pages.
     void say(const QString& words, int size, QFont::Weight weight = QFont::Normal);
-    /// A heading, kept together with what follows.
+    /// Adds a heading, kept together with content of height `with`.
     void head(const QString& words, double with);
     void rule();
     void chart(const charts::Chart& chart, double height);
-    /// Charts side by side.
+    /// Adds charts side by side.
     void chartRow(const QList<charts::Chart>& row, double height);
-    /// Words in a part of the present line; does not go on.
-    /// @return the height they take
+    /// Paints text in a box without moving the current position.
+    /// @return height of the text
     double put(const QRectF& box, const QString& words, int size, QFont::Weight weight, int flags);
     [[nodiscard]] double heightOf(double wide, const QString& words, int size, QFont::Weight weight);
     [[nodiscard]] double widthOf(const QString& words, int size, QFont::Weight weight);
