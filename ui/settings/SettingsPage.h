@@ -13,16 +13,16 @@ class QVBoxLayout;
 
 namespace ui::settings {
 
-/// Every parameter that can be turned, in groups, with range, unit, what it does and a way back; made from the registry
-/// that the console has.
+/// The page of all settings, in groups, each with range, unit, explanation and a reset button; generated from the
+/// registry that the console also uses.
 class SettingsPage : public kit::Page
 {
     Q_OBJECT
 public:
-    /// @param parameters  must outlive the page; all of them registered by now
+    /// @param parameters  must outlive the page; all must be registered already
     SettingsPage(const kit::Actions& actions, const core::settings::Parameters& parameters, QWidget* parent);
 
-    /// Shows what the values are now.
+    /// Shows the current values.
     void refresh();
 
 protected:
@@ -32,9 +32,9 @@ private:
     struct Row
     {
         QWidget* whole = nullptr;
-        QLabel* group = nullptr;  ///< heading that it stands under
+        QLabel* group = nullptr;  ///< the heading above it
         std::string name;
-        QString words;  ///< that a search looks through
+        QString words;  ///< searched for matches
         std::function<void()> show;
     };
     void fill();
@@ -47,10 +47,10 @@ private:
     const core::settings::Parameters& m_parameters;
     QLineEdit* m_search;
     QLabel* m_fault;
-    QLabel* m_blind;  ///< why what is felt is not told
+    QLabel* m_blind;  ///< why the values of the feel are hidden
     QWidget* m_content;
     QVBoxLayout* m_column;
-    QLabel* m_none;  ///< nothing is found
+    QLabel* m_none;  ///< shown if a search finds nothing
     std::vector<Row> m_rows;
     bool m_isQuiet = false;
 };
