@@ -18,7 +18,7 @@ struct AudioFormat
     bool operator==(const AudioFormat&) const = default;
 };
 
-/// Way to the audio outputs of the computer. Used by one thread, the one that creates it.
+/// Access to the audio outputs of the computer. Used only by the thread that creates it.
 class AudioPort : public QObject
 {
     Q_OBJECT
