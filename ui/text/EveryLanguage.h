@@ -7,12 +7,12 @@
 
 namespace ui::text {
 
-/// Says something now, and again in each language that is chosen while `listener` lives: the words of a widget, set
-/// where the widget is made.
+/// Calls `say` now, and again whenever the language changes while `listener` exists. For the texts of a widget, where
+/// the widget is created.
 ///
 ///     bindTranslation(button, [button] { button->setText(tr("Log in")); });
 ///
-/// @param listener  a widget, or a child of one: Qt tells nobody else that the language has changed. Ui thread.
+/// @param listener  a widget, or a child of one: Qt notifies only widgets of a change of language. Ui thread.
 void bindTranslation(QObject* listener, std::function<void()> say);
 
 }  // namespace ui::text

@@ -6,21 +6,21 @@
 
 namespace ui::text {
 
-/// The language of all words, numbers and dates of the program. Ui thread, with an application.
+/// The language of all texts, numbers and dates of the program. Ui thread; needs an application.
 class Language
 {
 public:
-    /// Codes of the languages that this build speaks: "en", "de" and so on.
+    /// Returns the codes of the available languages: "en", "de" and so on.
     [[nodiscard]] static QStringList available();
-    /// Whether a code, with or without a country ("de_AT"), means one of them.
+    /// Returns whether a code, with or without a country ("de_AT"), is an available language.
     [[nodiscard]] static bool isAvailable(const QString& code);
-    /// What a language is called by those who retranslateUi it: "Deutsch". Empty for a code that is not available.
+    /// Returns the language's own name, such as "Deutsch"; empty for a code that is not available.
     [[nodiscard]] static QString nameOf(const QString& code);
 
-    /// One of available(): the one that was chosen last.
+    /// Returns the code of the current language, one of available().
     [[nodiscard]] static QString current();
-    /// From now on every window speaks this one; what is not available becomes English, with the numbers and dates of
-    /// `code`. Where the system has the same language with a country, its dates and numbers are taken.
+    /// Switches all windows to a language. A language that is not available becomes English, with the numbers and dates
+    /// of `code`. If the system uses the same language with a country, its numbers and dates are used.
     static void choose(const QString& code);
 };
 

@@ -12,31 +12,31 @@
 
 #include "database/AttemptRecord.h"
 
-/// What attempts and people are called on the pages about them.
+/// Texts about attempts and people.
 namespace ui::text {
 
-/// What a lesson is called, by its id.
+/// Titles of lessons by id.
 using LessonTitles = QHash<QString, QString>;
 
-/// The title of a lesson; its id where nobody knows it any more; practice without a lesson by its tooth.
+/// Returns the title of a lesson; its id if the lesson is unknown; for practice without a lesson its tooth.
 [[nodiscard]] QString lessonTitle(const LessonTitles& titles, const std::string& lessonId);
-/// "20/11/2026 10:15", in the language's order and this computer's time zone; empty for none.
+/// Returns a local date and time, "20/11/2026 10:15", in the order of the language; empty for an empty string.
 [[nodiscard]] QString when(const std::string& utc);
-/// The same in few letters: "today", "yesterday", "Tue", "12 Nov", "Nov 2024".
+/// Returns a short date: "today", "yesterday", "Tue", "12 Nov", "Nov 2024".
 [[nodiscard]] QString whenShort(const std::string& utc, const QDateTime& now);
-/// The day until whose end something is to be done: "2 Feb", of another year than this "02/02/2027"; empty for none.
+/// Returns the due day: "2 Feb", or "02/02/2027" in another year; empty if there is none.
 [[nodiscard]] QString dueShort(const std::string& dueUtc, const QDateTime& now);
 [[nodiscard]] QDateTime momentOf(const std::string& utc);
-/// The last second of a day of this computer's calendar, as what is due is kept: "2026-11-27T22:59:59Z".
+/// Returns the last second of a local day in UTC, as due dates are stored: "2026-11-27T22:59:59Z".
 [[nodiscard]] std::string endOfDay(QDate day);
-/// The day here at whose end something is due; none for none.
+/// Returns the local day at whose end something is due; invalid if there is no due date.
 [[nodiscard]] QDate dueDay(const std::string& dueUtc);
-/// "12:07"; hours where there are: "1:12:07".
+/// Returns a duration: "12:07", or "1:12:07" from one hour on.
 [[nodiscard]] QString clock(std::int64_t ms);
 
-/// What the criteria of a lesson are called, by their ids.
+/// Names of the criteria of a lesson, by id.
 using CriterionNames = std::map<std::string, QString>;
-/// The name, or the id made readable.
+/// Returns the name of a criterion, or its id made readable.
 [[nodiscard]] QString criterionName(const CriterionNames& names, const std::string& id);
 
 }  // namespace ui::text

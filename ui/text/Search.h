@@ -3,15 +3,15 @@
 
 #include <QString>
 
-/// How every search of the program compares words.
+/// Text comparison for all searches of the program.
 namespace ui::text {
 
-/// As searches see it: without case, accents and the width of letters, so that "linea" finds "Línea".
+/// Returns text without case, accents and character width, so that "linea" finds "Línea".
 [[nodiscard]] QString plain(const QString& words);
 
-/// Whether a part occurs somewhere in all. Nothing occurs everywhere.
+/// Returns whether a part occurs in the whole. An empty part always does.
 [[nodiscard]] bool holds(const QString& all, const QString& part);
-/// Whether each of the words, parted by spaces, does.
+/// Returns whether each of the words, separated by spaces, occurs.
 [[nodiscard]] bool holdsEach(const QString& all, const QString& words);
 
 }  // namespace ui::text

@@ -13,10 +13,10 @@
 #include "core/terrain/Tooth.h"
 #include "lessons/ScoreSheet.h"
 
-/// Codes and values of the rooms below, in words of the user's language. No other place in ui decides on such words.
+/// Texts for codes and values of the lower layers, in the user's language. Only this file decides on these texts.
 namespace ui::text {
 
-/// What could not be done.
+/// The operation that failed.
 enum class FailedOperation {
     OpeningScan,
     MakingTooth,
@@ -26,89 +26,90 @@ enum class FailedOperation {
     SavingReference,
     Marking,
     KeepingGrades,
-    KeepingGrade,    ///< on the disk; it is tried again
-    ReadingSchool,   ///< what is known of people, classes and attempts
-    ChangingSchool,  ///< the same; nothing was changed
-    Reporting,       ///< on paper or in a file, what of it is read for that
-    SendingAttempt,  ///< to the school; it is damaged
-    KeepingAttempt,  ///< on the disk, while it goes on
-    KeepingExam,     ///< the same, of what cannot be saved by hand
-    ResumingAttempt  ///< that was not finished
+    KeepingGrade,    ///< to the disk; it is retried
+    ReadingSchool,   ///< reading people, classes or attempts
+    ChangingSchool,  ///< the same, writing; no change was made
+    Reporting,       ///< printing or exporting, including what must be read for it
+    SendingAttempt,  ///< to the database; the attempt is damaged
+    KeepingAttempt,  ///< to the disk, while it is being made
+    KeepingExam,     ///< the same, of an exam, which cannot be saved by hand
+    ResumingAttempt  ///< an unfinished one
 };
 
-/// What happened, what still works and what to try, two or three sentences. The error's own detail (English, exact) is
-/// for the log and for whoever asks.
+/// Returns what happened, what still works and what to try, in two or three sentences. The detail of the error
+/// (English, exact) is not included; it is for the log and for tooltips.
 [[nodiscard]] QString errorText(const core::Error& error, FailedOperation failed);
-/// Why somebody could not log in, or be entered.
+/// Returns why a person could not log in or be entered.
 [[nodiscard]] QString loginFault(const core::Error& error);
 
-/// What the importer guessed, left out or could not make sense of, one sentence each; empty when all is well.
+/// Returns what the importer guessed, left out or did not understand, one sentence each; empty if there is none.
 [[nodiscard]] QStringList scanNotes(const core::teeth::ToothReport& report);
 
-/// A time of today, or a day and a time, local.
+/// Returns a local time today, or a local day and time.
 [[nodiscard]] QString shortWhen(const QDateTime& at);
 
-/// "enamel", "dentin", "decay", "pulp".
+/// Returns "enamel", "dentin", "decay" or "pulp".
 [[nodiscard]] QString materialName(core::terrain::Material material);
-/// One letter that stands for the material where colour alone would not do.
+/// Returns a letter that identifies the material where colour alone is not enough.
 [[nodiscard]] QString materialLetter(core::terrain::Material material);
 
-/// "lower left first molar"; empty for a number that is not an FDI tooth.
+/// Returns a name such as "lower left first molar"; empty for a number that is not an FDI tooth.
 [[nodiscard]] QString toothName(int fdi);
-/// One or two letters for the sides of a tooth of the left half, in the order of the axes of its frame: -x mesial,
-/// +x distal, -y, +y (cheek or lip, palate or tongue), -z (empty), +z occlusal or incisal. Empty for no tooth.
+/// Returns one or two letters for the sides of a tooth of the left half, in the order of the axes of its frame: -x
+/// mesial, +x distal, -y, +y (cheek or lip, palate or tongue), -z (empty), +z occlusal or incisal. Empty for no tooth.
 [[nodiscard]] QStringList surfaceLetters(int fdi);
-/// "Tooth 36", "Practice block: cross", or the file's name for a scan without a number.
+/// Returns "Tooth 36", "Practice block: cross", or the file name of a scan without a number.
 [[nodiscard]] QString toothTitle(const core::terrain::ToothAnatomy& tooth);
 
-/// Where a direction square to the axis of a tooth points: "distal", "mesiobuccal"; of a scan, of which nobody knows
-/// the sides, "+x", "−x +y".
+/// Returns the name of a direction at right angles to the axis of a tooth: "distal", "mesiobuccal"; for a scan with
+/// unknown sides "+x", "−x +y".
 /// @param angleRad  about +z of its own frame, 0 along +x
 [[nodiscard]] QString sideName(const core::terrain::ToothAnatomy& tooth, double angleRad);
-/// Where a horizontal direction of the frame a tooth is cut in points: as sideName() where it stands upright; on a side
-/// also "incisal", "apical", "mesial / occlusal".
+/// Returns the name of a horizontal direction of the frame in which a tooth is cut: as sideName() for an upright tooth;
+/// for a tooth on its side also "incisal", "apical", "mesial / occlusal".
 /// @param angleRad  about +z of that frame, 0 along +x
 [[nodiscard]] QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad);
-/// The two planes people ask for, as directionName() would have them: "Mesio-distal" and "Bucco-lingual", or "Along x"
-/// and "Along y".
+/// Return the names of the two usual planes in the terms of directionName(): "Mesio-distal" and "Bucco-lingual", or
+/// "Along x" and "Along y".
 [[nodiscard]] QString planeAlongX(const core::terrain::ToothAnatomy& tooth);
 [[nodiscard]] QString planeAlongY(const core::terrain::ToothAnatomy& tooth);
 
-/// "Pear, No. 330"; the id itself for a bur we have no word for.
+/// Returns a name such as "Pear, No. 330"; the id itself for a bur without a name.
 [[nodiscard]] QString burName(std::string_view id);
-/// What a handpiece is called, by its name in settings; a name that is not known is said as it is.
+/// Returns the displayed name of a handpiece by its name in settings; an unknown name is returned unchanged.
 [[nodiscard]] QString handpieceName(std::string_view name);
 
-/// What a bit pattern of core::servo::Health means for the person drilling, the gravest first; empty when well.
+/// Returns the meaning of core::servo::Health bits for the user, the most severe first; empty if there are none.
 [[nodiscard]] QString healthText(std::uint32_t health);
 
-/// "Decay left": what the rubric calls it in the user's language; the measure's own name where it says nothing.
+/// Returns the title that the rubric gives a criterion in the user's language, otherwise the name of its measure:
+/// "Decay left".
 [[nodiscard]] QString criterionName(const lessons::Criterion& criterion);
-/// "50 % of the decay is removed": what has to be done before a criterion earns anything.
+/// Returns the condition for a criterion to earn points: "50 % of the decay is removed".
 [[nodiscard]] QString onceWords(const lessons::Once& once);
-/// What "sound_tissue" counts, two sentences: the same beside the tooth and in the grade.
+/// Returns two sentences on what "sound_tissue" counts, for the panel beside the tooth and the score page.
 [[nodiscard]] QString soundTissueCounted();
-/// "12.4 %", "1.84 mm³", "not measured".
+/// Returns the measured value: "12.4 %", "1.84 mm³", "not measured".
 [[nodiscard]] QString criterionMeasured(const lessons::Criterion& criterion);
-/// The formula with its numbers: "(3.20 − 1.00 free) % / 30.00 × 60.0 points = 4.4".
+/// Returns the formula with its numbers: "(3.20 − 1.00 free) % / 30.00 × 60.0 points = 4.4".
 [[nodiscard]] QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict);
-/// "100.0 − 4.4 − 12.0 − 0.0 = 83.6".
+/// Returns the sum of a score: "100.0 − 4.4 − 12.0 − 0.0 = 83.6".
 [[nodiscard]] QString scoreSum(const lessons::ScoreSheet& sheet);
-/// Tenths of a point as the language writes them, always with one decimal: "83.6".
+/// Returns tenths of a point in the user's language, always with one decimal: "83.6".
 [[nodiscard]] QString points(int tenths);
 
-/// "mm³" for "mm3", "mm²" for "mm2"; other units as they are.
+/// Returns "mm³" for "mm3" and "mm²" for "mm2"; other units unchanged.
 [[nodiscard]] QString unitName(std::string_view unit);
-/// A number with fixed decimals as the user's language writes it, with a true minus sign.
+/// Returns a number with fixed decimals in the user's language, with a true minus sign.
 [[nodiscard]] QString number(double value, int decimals);
-/// With a large first letter.
+/// Returns the text with a capital first letter.
 [[nodiscard]] QString capitalised(QString words);
-/// Minutes and seconds: "1:07".
+/// Returns minutes and seconds: "1:07".
 [[nodiscard]] QString duration(double seconds);
-/// How a day is written without its year: "d MMM" as it is translated, in American English the month first.
+/// Returns the format of a day without its year: the translated "d MMM", in American English with the month first.
 [[nodiscard]] QString dayFormat(const QString& translated);
 
-/// Which aids were in use, or that none was.
+/// Returns which aids were in use, or that none was.
 /// @param aids  bits of core::servo::Aid
 [[nodiscard]] QString aidWords(std::uint64_t aids);
 

@@ -6,12 +6,12 @@
 #include "core/base/LocalizableText.h"
 #include "lessons/ValidationIssue.h"
 
-/// What is wrong with the file of a lesson or of a hardness preset, in the user's language.
+/// Texts about errors in the file of a lesson or a hardness preset, in the user's language.
 namespace ui::text {
 
-/// "is missing; name the preparation".
+/// Returns the error alone: "is missing; name the preparation".
 [[nodiscard]] QString faultWords(const core::LocalizableText& what);
-/// With file and key: "deep-36.lesson.json, ideal.kind: is missing; name the preparation".
+/// Returns the error with file and key: "deep-36.lesson.json, ideal.kind: is missing; name the preparation".
 [[nodiscard]] QString faultWords(const lessons::ValidationIssue& fault);
 
 }  // namespace ui::text
