@@ -8,7 +8,7 @@
 
 namespace ui::toothchooser {
 
-/// One tooth of the arches for keyboard and screen reader. It paints its own focus, its picture is ArchView's.
+/// One tooth of the arches, for keyboard and screen reader. Paints nothing: ArchView paints the tooth and its focus.
 class ArchTooth : public QAbstractButton
 {
     Q_OBJECT
@@ -23,8 +23,8 @@ private:
     int m_fdi;
 };
 
-/// Both arches seen from above as a dentist sees the patient, the left half to choose from: hover, click, arrow keys.
-/// The right half is drawn faintly, to show which way round one is looking.
+/// Both arches from above as a dentist sees the patient, with the left half to choose from: hover, click, arrow keys.
+/// The right half is drawn faintly for orientation.
 class ArchView : public QWidget
 {
     Q_OBJECT
@@ -33,14 +33,14 @@ public:
 
     void setSelected(int fdi);  ///< 0: none
     [[nodiscard]] int selected() const { return m_selected; }
-    /// Puts the keyboard on the selected tooth, or on the first.
+    /// Focuses the selected tooth, or the first.
     void takeFocus();
     [[nodiscard]] QSize sizeHint() const override { return {400, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {260, 420}; }
 
 signals:
     void selectionChanged(int fdi);
-    /// Double click or Enter: this one, now.
+    /// Emitted on a double click or Enter.
     void toothActivated(int fdi);
 
 protected:
@@ -56,11 +56,11 @@ private:
     struct Tooth
     {
         int fdi = 0;
-        QPainterPath outline;  ///< widget coordinates, as the grooves
+        QPainterPath outline;  ///< widget coordinates
         QPainterPath grooves;
         QPointF centre;
         QPointF label;
-        ArchTooth* button = nullptr;  ///< null in the faint half
+        ArchTooth* button = nullptr;  ///< null in the right half
     };
     void layOut();
     [[nodiscard]] const Tooth* toothAt(QPointF where) const;

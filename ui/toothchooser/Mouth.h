@@ -16,14 +16,15 @@
 
 namespace ui::toothchooser {
 
-/// The whole mouth in space, to choose one of the sixteen teeth of the left side: hover, click, arrow keys. Looked at
-/// steeply from above or below, the jaw that would be in the way is not drawn.
+/// The whole mouth in 3D, to choose one of the sixteen teeth of the left side: hover, click, arrow keys. Seen steeply
+/// from above or below, the jaw that would hide the other is not drawn.
 ///
-/// Mouse: a click chooses, a double click takes the tooth at once; right or middle drag turns, the wheel zooms.
+/// Mouse: a click selects, a double click takes the tooth at once; dragging with the right or middle button turns the
+/// view, the wheel zooms.
 /// Keys: arrows walk along the arch and from jaw to jaw, Enter takes the tooth, Ctrl + arrows turn, plus and minus
 /// zoom, Home resets the view.
 ///
-/// Make it only where isPossible(); ArchView does the same without OpenGL. Its meshes are made when it is first shown.
+/// Create it only if isPossible(); ArchView does the same without OpenGL. Its meshes are built when it is first shown.
 class Mouth : public tooth::SceneWidget
 {
     Q_OBJECT
@@ -31,23 +32,23 @@ public:
     explicit Mouth(QWidget* parent);
     ~Mouth() override;
 
-    /// This computer gives OpenGL 3.3.
+    /// Returns whether this computer has OpenGL 3.3.
     [[nodiscard]] static bool isPossible();
 
     void setSelected(int fdi);  ///< 0: none
-    /// Reduced motion: a zoom is there at once.
+    /// Reduced motion: zooms without animation.
     void setMovesLittle(bool little) { m_movesLittle = little; }
     [[nodiscard]] int selected() const { return m_selected; }
     [[nodiscard]] int hovered() const { return m_hovered; }
-    /// The teeth are there, and drawn from the next picture on.
+    /// Returns whether the teeth have been built.
     [[nodiscard]] bool isReady() const { return m_arch != nullptr; }
     [[nodiscard]] const tooth::Camera& camera() const { return m_camera; }
-    /// The middle of a tooth's crown in the picture.
+    /// Returns the middle of a tooth's crown in widget coordinates.
     [[nodiscard]] QPointF placeOf(int fdi) const;
 
 signals:
     void selectionChanged(int fdi);
-    /// Double click or Enter: this one, now.
+    /// Emitted on a double click or Enter.
     void toothActivated(int fdi);
     void ready();
 
@@ -82,14 +83,14 @@ private:
 
     render::ArchPointer m_arch;
     std::vector<core::teeth::ArchPiece> m_pieces;  ///< of both jaws
-    std::vector<core::teeth::ArchPiece> m_shown;   ///< of those that are drawn now
+    std::vector<core::teeth::ArchPiece> m_shown;   ///< those of the jaws drawn now
     std::unique_ptr<render::ArchRenderer> m_renderer;
-    bool m_piecesAreNew = false;  ///< the renderer has not seen them
+    bool m_piecesAreNew = false;  ///< not passed to the renderer yet
     tooth::Camera m_camera;
     int m_selected = 0;
     int m_hovered = 0;
     tooth::Jaws m_jawsShown;
-    bool m_fitted = true;  ///< until someone zooms
+    bool m_fitted = true;  ///< the distance follows the size of the widget until the user zooms
     bool m_movesLittle = false;
 
     QTimer m_zooming;

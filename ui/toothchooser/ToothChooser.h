@@ -13,18 +13,18 @@ namespace ui::toothchooser {
 class ArchView;
 class Mouth;
 
-/// The page on which another tooth is chosen: the arches, what is chosen in words, and the way to a scan of one's own.
+/// The page for choosing another tooth: the arches, the name of the selected tooth, and a button to open a scan.
 class ToothChooser : public kit::Page
 {
     Q_OBJECT
 public:
     ToothChooser(const kit::Actions& actions, QWidget* parent);
 
-    /// The tooth now on the table; 0 for a scan without a number.
+    /// Sets the current tooth; 0 for a scan without a number.
     void setPresent(int fdi);
-    /// The whole mouth in space in place of the flat arches. Only where Mouth::isPossible().
+    /// Shows the mouth in 3D instead of the flat arches. Only if Mouth::isPossible().
     void showMouth(bool inSpace);
-    /// Reduced motion.
+    /// Reduced motion: without animations.
     void setMovesLittle(bool little);
     [[nodiscard]] bool isMouthShown() const { return m_mouthShown; }
 
@@ -42,14 +42,14 @@ private:
 
     QStackedWidget* m_pictures;
     QHBoxLayout* m_row;
-    QSpacerItem* m_gap;  ///< between picture and words
+    QSpacerItem* m_gap;  ///< between picture and text
     ArchView* m_arches;
-    Mouth* m_mouth = nullptr;  ///< from when it is first asked for
+    Mouth* m_mouth = nullptr;  ///< null until needed
     QLabel* m_number;
     QLabel* m_name;
     QLabel* m_note;
     QPushButton* m_take;
-    QPushButton* m_other;  ///< from the flat arches to the mouth and back
+    QPushButton* m_other;  ///< switches between the flat arches and the mouth
     int m_present = 0;
     bool m_mouthShown = false;
     bool m_movesLittle = false;

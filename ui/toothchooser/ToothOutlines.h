@@ -7,26 +7,27 @@
 
 namespace ui::toothchooser {
 
-/// A crown seen from above, for the picture of the arches. Millimetres, origin at the crown's centre,
-/// +x distal, +y towards cheek or lip. Sizes: mean crown diameters (Wheeler); shapes simplified by eye.
+/// A crown from above, for the picture of the arches. Millimetres, origin at the crown's centre, +x distal, +y towards
+/// cheek or lip. Sizes: mean crown diameters (Wheeler); shapes simplified by eye.
 struct CrownPicture
 {
     QPainterPath outline;
     QPainterPath grooves;  ///< fissures, or the incisal edge
 };
 
-/// A smooth line through the points (Catmull-Rom as cubic pieces).
+/// Returns a smooth curve through the points (Catmull-Rom as cubic segments).
 [[nodiscard]] QPainterPath smoothThrough(const QList<QPointF>& points, bool closed);
 
+/// Returns the picture of a crown.
 /// @param upper     upper or lower jaw
-/// @param position  1 central incisor .. 8 third molar
+/// @param position  1 central incisor to 8 third molar
 [[nodiscard]] CrownPicture crownPicture(bool upper, int position);
 
-/// Where a crown stands in its arch, seen from above with the lips at +y: x to the side of the midline.
+/// The position of a crown in its arch, from above with the lips at +y; x is the distance from the midline.
 struct ArchPlace
 {
     QPointF centreMm;
-    double angleRad = 0.0;  ///< of the distal direction against +x
+    double angleRad = 0.0;  ///< angle of the distal direction to +x
 };
 
 [[nodiscard]] ArchPlace archPlace(bool upper, int position);
