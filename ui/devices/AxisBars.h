@@ -14,7 +14,7 @@ class AxisBars : public QWidget
 public:
     explicit AxisBars(QWidget* parent);
 
-    /// @param pedalAxis  is marked; kNoAxis: none
+    /// @param pedalAxis  this axis is marked; kNoAxis: none
     void setController(const core::session::Controller& controller, int pedalAxis);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }

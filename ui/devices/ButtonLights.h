@@ -7,7 +7,7 @@
 
 namespace ui::devices {
 
-/// The four grip buttons by what they do. A button that is held is filled.
+/// The four grip buttons by their functions. A held button is filled.
 class ButtonLights : public QWidget
 {
     Q_OBJECT

@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace ui::devices {
 
-/// Which button of a controller does what. A click on an action, then a press of the button, teaches it.
+/// Assigns functions to the buttons of a controller: the user clicks a function, then presses a button.
 class ControllerButtonsCard : public QFrame
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     void setSettings(const ControllerSettings& settings);
     /// Takes the newest state of the controller that is shown.
     void setController(const core::session::Controller& controller);
-    /// Ends the teaching without a result.
+    /// Ends the assignment without a result.
     void stopLearning();
     [[nodiscard]] bool isLearning() const { return m_learning.has_value(); }
 

@@ -11,13 +11,13 @@
 
 namespace ui::devices {
 
-/// What a button of a pedal or gamepad does.
+/// The functions that a button of a pedal or gamepad can have.
 enum class ControllerAction : std::uint8_t { Drill, Undo, Redo, Mirror, Centre, NextView, NextBur, Grade };
 inline constexpr std::size_t kControllerActions = 8;
 inline constexpr int kNoButton = -1;
 inline constexpr int kNoAxis = -1;
 
-/// What the user sets for one kind of controller.
+/// The user's settings for one kind of controller.
 struct ControllerSettings
 {
     int axis = kNoAxis;  ///< of the pedal; kNoAxis until it has been learnt
@@ -29,12 +29,12 @@ struct ControllerSettings
 
     [[nodiscard]] int& buttonOf(ControllerAction action) { return buttons.at(static_cast<std::size_t>(action)); }
     [[nodiscard]] int buttonOf(ControllerAction action) const { return buttons.at(static_cast<std::size_t>(action)); }
-    /// Returns whether there is an axis or a button that can run the bur.
+    /// Returns whether an axis or a button can turn the bur.
     [[nodiscard]] bool canRunBur() const { return axis != kNoAxis || buttonOf(ControllerAction::Drill) != kNoButton; }
 };
 
-/// Returns the settings of a controller that the user has set nothing for. A gamepad has the usual buttons, and its
-/// left trigger as a pedal; anything else has to be learnt.
+/// Returns the settings of a controller before the user has changed any. A gamepad has the usual buttons, and its left
+/// trigger as a pedal; any other controller must be taught.
 [[nodiscard]] inline ControllerSettings firstSettings(bool isGamepad)
 {
     ControllerSettings settings;

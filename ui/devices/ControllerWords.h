@@ -10,7 +10,7 @@
 #include "ui/devices/ControllerSettings.h"
 #include "ui/devices/DeviceWords.h"
 
-/// Pedals and gamepads in the user's language.
+/// Texts about pedals and gamepads in the user's language.
 namespace ui::devices {
 
 struct ControllerState
@@ -21,18 +21,18 @@ struct ControllerState
 };
 
 [[nodiscard]] Sign signOf(const ControllerState& state);
-/// "The pedal is ready."
+/// Returns a sentence on the state, such as "The pedal is ready."
 [[nodiscard]] QString stateWords(const ControllerState& state);
-/// What to do about the state, one or two sentences.
+/// Returns one or two sentences on what to do in this state.
 [[nodiscard]] QString helpWords(const ControllerState& state);
 
-/// "Undo"
+/// Returns the name of a function, such as "Undo".
 [[nodiscard]] QString actionName(ControllerAction action);
-/// "Left trigger" of a gamepad, else "Axis 1".
+/// Returns "Left trigger" or the like for a gamepad, otherwise "Axis 1".
 [[nodiscard]] QString axisName(const core::session::Controller& controller, std::size_t axis);
-/// "A" of a gamepad, else "3".
+/// Returns "A" or the like for a gamepad, otherwise "3".
 [[nodiscard]] QString buttonName(const core::session::Controller& controller, std::size_t button);
-/// What the fixed controls of a gamepad do, a line each: control, tab, what it does.
+/// Returns the fixed controls of a gamepad, one per line: control, tab, function.
 [[nodiscard]] QStringList gamepadLayout();
 
 }  // namespace ui::devices

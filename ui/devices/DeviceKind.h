@@ -7,34 +7,34 @@
 
 namespace ui::devices {
 
-/// Ids of the two hands that need no device.
+/// Ids of the two input methods that need no force device.
 inline constexpr const char* kPointer = "pointer";
 inline constexpr const char* kSimulated = "simulated";
-/// Id of the row for head tracking, which is no hand.
+/// Id of the row for head tracking, which does not move the bur.
 inline constexpr const char* kHeadTracking = "head tracking";
-/// The same for foot pedals and gamepads.
+/// Id of the row for foot pedals and gamepads, likewise.
 inline constexpr const char* kPedals = "pedals";
-/// Id of the row for sound, which is no hand either.
+/// Id of the row for sound, likewise.
 inline constexpr const char* kSound = "sound";
 
-/// A kind of force device, as the page of devices shows it.
+/// A kind of force device, for the devices page.
 struct DeviceKind
 {
     QString id;                 ///< as in database::AttemptRecord::device
-    QString name;               ///< of the product, the same in every language
+    QString name;               ///< product name, the same in every language
     bool isInBuild = true;      ///< false: this program was built without the library for it
-    bool needsFirmware = true;  ///< it gets its firmware from a file of the user
-    QString rule;               ///< line that lets every user of the station open it; empty: none is needed
+    bool needsFirmware = true;  ///< its firmware comes from a file of the user
+    QString rule;               ///< udev rule that lets every user of the computer open it; empty: none is needed
     QString ruleFile;           ///< file for the rule
     QString ruleCommand;        ///< prints the rule
-    QString badCalibration;     ///< file with its calibration that cannot be used; empty: there is none
+    QString badCalibration;     ///< its calibration file, if that is invalid; otherwise empty
 };
 
-/// A firmware file that the user has chosen.
+/// The firmware file that the user has chosen.
 struct FirmwareFile
 {
     QString path;         ///< empty: none is chosen
-    QString name;         ///< of a firmware that is known
+    QString name;         ///< of a known firmware
     QString sha256;       ///< 64 hexadecimal digits; empty if the file is not firmware
     core::Error error{};  ///< why it is not
     bool operator==(const FirmwareFile& other) const

@@ -10,27 +10,27 @@
 #include "core/session/DeviceReport.h"
 #include "ui/devices/DeviceKind.h"
 
-/// States of force devices in the user's language.
+/// Texts about force devices in the user's language.
 namespace ui::devices {
 
-/// The shape beside a state.
+/// The icon beside a state.
 enum class Sign : std::uint8_t {
     Ready,      ///< a tick
-    Working,    ///< an hourglass: it gets ready by itself
-    Attention,  ///< a triangle: the user has to do something
-    Missing,    ///< a cross: there is nothing to use
-    Off         ///< an eye, quiet: the user has not turned it on
+    Working,    ///< an hourglass: it becomes ready by itself
+    Attention,  ///< a triangle: the user must do something
+    Missing,    ///< a cross: there is no device
+    Off         ///< a pale eye: the user has not switched it on
 };
 
 [[nodiscard]] Sign signOf(const DeviceKind& kind, const core::session::DeviceReport& report);
 [[nodiscard]] QPixmap signPixmap(Sign sign, const QPalette& palette, int sizePx, double devicePixelRatio);
-/// "Plugged in, but it cannot be opened."
+/// Returns a sentence on the state, such as "Plugged in, but it cannot be opened."
 [[nodiscard]] QString stateWords(const DeviceKind& kind, const core::session::DeviceReport& report);
-/// What to do about the state, one or two sentences; empty if there is nothing to do.
+/// Returns one or two sentences on what to do in this state; empty if there is nothing to do.
 [[nodiscard]] QString helpWords(const DeviceKind& kind, const core::session::DeviceReport& report);
-/// The device is plugged in, and the user lacks the right to open it.
+/// Returns whether the device is plugged in and the user lacks the permission to open it.
 [[nodiscard]] bool lacksPermission(const core::session::DeviceReport& report);
-/// "Drill", "Undo", "Mirror", "Centre": the grip buttons in the order of DeviceReport::presses.
+/// Returns the function of a grip button in the order of DeviceReport::presses: "Drill", "Undo", "Mirror", "Centre".
 [[nodiscard]] QString gripButtonName(std::size_t button);
 
 }  // namespace ui::devices

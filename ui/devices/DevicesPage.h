@@ -29,52 +29,51 @@ class RuleCard;
 class SetupCard;
 class SoundCard;
 
-/// The page on which a hand is chosen and tried: mouse or pen, a simulated hand, or a force device. Head tracking, foot
-/// pedals, gamepads and sound are set up here, too.
+/// The page on which the user chooses and tests an input device: mouse or pen, a simulated hand, or a force device.
+/// Head tracking, foot pedals, gamepads and sound are set up here, too.
 ///
-/// The page finds and opens nothing itself: the reports of the devices are given to it, and its signals ask for the
-/// rest.
+/// The page opens no device. Its owner passes reports to it and handles its signals.
 class DevicesPage : public kit::Page
 {
     Q_OBJECT
 public:
     DevicesPage(const kit::Actions& actions, QWidget* parent);
 
-    /// The kinds of force devices, in the order of the list. None has a report yet.
+    /// Sets the kinds of force devices, in the order of the list, without reports.
     void setKinds(const QList<DeviceKind>& kinds);
     void setReport(const QString& id, const core::session::DeviceReport& report);
     void setSetup(const QString& id, const core::session::DeviceSetup& setup);
     void setFirmware(const QString& id, const FirmwareFile& file);
-    /// The hand that is in use. Shows it, too.
+    /// Sets the device in use and selects it.
     void setChosen(const QString& id);
     /// @param whyNot  why the simulated hand cannot be chosen or left now; empty: it can
     void setSimulatedFixed(const QString& whyNot);
 
-    /// Id of the hand that is shown at the right, kHeadTracking, kPedals or kSound.
+    /// Returns the id of the selected row: a device, kHeadTracking, kPedals or kSound.
     [[nodiscard]] QString shownHand() const;
-    /// From the guide to the devices.
+    /// Goes back from the guide to the devices.
     [[nodiscard]] bool stepBack() override;
-    /// Force that the user tries with a button held down, tooth frame; zero if none is.
+    /// Returns the force of the test button that is held, tooth frame, N; zero if none is.
     [[nodiscard]] glm::dvec3 testForce() const;
 
-    /// What the page shows of head tracking, and what it asks for.
+    /// Returns the card of head tracking, for its setters and signals.
     [[nodiscard]] HeadTrackingCard& headTracking() { return *m_headTracking; }
 
-    /// The same for foot pedals and gamepads.
+    /// Returns the card of foot pedals and gamepads, likewise.
     [[nodiscard]] PedalCard& pedals() { return *m_pedals; }
-    /// The same for the pen of a graphics tablet.
+    /// Returns the card of the pen of a graphics tablet, likewise.
     [[nodiscard]] PenCard& pen() { return *m_pen; }
-    /// The same for sound.
+    /// Returns the card of sound, likewise.
     [[nodiscard]] SoundCard& sound() { return *m_sound; }
 
-    /// Opens the guide for hand and rest, for the hand that is shown or, if that is none, for the chosen one.
+    /// Opens the guide for hand and rest, for the selected device or, if that is none, for the one in use.
     void openGuide();
 
-    /// "Mouse or pen", "Simulated hand", "Head tracking", "Pedal and gamepad", "Sound", or the name of the product.
+    /// Returns "Mouse or pen", "Simulated hand", "Head tracking", "Pedal and gamepad", "Sound", or a product name.
     [[nodiscard]] QString handName(const QString& id) const;
 
 signals:
-    /// Emitted when the user wants to use this hand.
+    /// Emitted when the user chooses a device for use.
     void handRequested(const QString& id);
     void setupChanged(const QString& id, const core::session::DeviceSetup& setup);
     void firmwareChosen(const QString& id, const QString& path);
@@ -113,9 +112,9 @@ private:
     [[nodiscard]] Device* find(const QString& id);
 
     QAction* m_back;
-    QWidget* m_devicesPart;  ///< all but the guide
+    QWidget* m_devicesPart;  ///< all parts but the guide
     HandGuide* m_guide;
-    QString m_guideHand;  ///< id of the force device that the guide is about
+    QString m_guideHand;  ///< id of the force device in the guide
     QPushButton* m_openGuide = nullptr;
     QList<Device> m_devices;
     QString m_chosen;

@@ -11,7 +11,7 @@ class QLabel;
 
 namespace ui::devices {
 
-/// The firmware file: what was recognised, and a button that chooses another.
+/// The firmware file: its name if it is known, and a button that chooses another.
 class FirmwareCard : public QFrame
 {
     Q_OBJECT
@@ -19,9 +19,9 @@ public:
     explicit FirmwareCard(QWidget* parent);
 
     void setFile(const FirmwareFile& file);
-    /// Whether choosing a file is the next step of the page.
+    /// Sets whether choosing a file is the next step of the page.
     void setIsNextStep(bool isNext) { setFilled(*m_choose, isNext); }
-    /// Opens the dialog in which a file is chosen.
+    /// Opens the file dialog.
     void choose();
 
 signals:

@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace ui::devices {
 
-/// Six buttons. While one is held down, the device pushes the hand gently in its direction.
+/// Six buttons. While one is held, the device pushes the hand gently in its direction.
 class ForceTest : public QWidget
 {
     Q_OBJECT
@@ -19,7 +19,7 @@ public:
 
     explicit ForceTest(QWidget* parent);
 
-    /// Force of the button that is held down, tooth frame; zero if none is.
+    /// Returns the force of the held button, tooth frame, N; zero if none is held.
     [[nodiscard]] glm::dvec3 force() const;
 
 private:

@@ -23,8 +23,8 @@ namespace ui::devices {
 class HandGuidePicture;
 class StillnessTest;
 
-/// Leads through what makes drilling steady: the hand, the screen, the rest, and how still the hand is held. One step
-/// at a time, each with a picture. Every choice is applied at once.
+/// A guide to steady drilling: the hand, the screen, the hand rest, and a test of steadiness. One step at a time, each
+/// with a picture. Every choice is applied at once.
 class HandGuide : public QWidget
 {
     Q_OBJECT
@@ -75,7 +75,7 @@ private:
     bool m_hasForce = false;
     core::session::DeviceSetup m_setup;
     core::session::DeviceReport m_report;
-    std::optional<double> m_refusedMm;  ///< height that was asked for, and from which the tooth is not reachable
+    std::optional<double> m_refusedMm;  ///< requested height from which the tooth cannot be reached
 
     QLabel* m_count;
     QLabel* m_title;

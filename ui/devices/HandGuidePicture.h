@@ -10,7 +10,7 @@ class QPainter;
 
 namespace ui::devices {
 
-/// Draws the step of HandGuide that is shown.
+/// Draws the current step of HandGuide.
 class HandGuidePicture : public QWidget
 {
     Q_OBJECT
@@ -19,8 +19,8 @@ public:
 
     explicit HandGuidePicture(QWidget* parent);
 
-    /// @param isLeft    the left hand works
-    /// @param hasForce  a force device is set up, not a mouse or a pen
+    /// @param isLeft    the user is left-handed
+    /// @param hasForce  for a force device, not a mouse or a pen
     void setScene(Scene scene, bool isLeft, bool hasForce);
     /// Sets the heights in the scale beside the force device, mm above the middle of the work area.
     /// @param gripMm  empty if the device is not ready

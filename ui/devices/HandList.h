@@ -7,7 +7,7 @@
 
 namespace ui::devices {
 
-/// The hands that a student can drill with, head tracking and sound, each with its state as a shape and a sentence.
+/// The list of input devices, head tracking and sound, each with its state as an icon and a sentence.
 class HandList : public QListWidget
 {
     Q_OBJECT
@@ -21,14 +21,14 @@ public:
         QString state;
         Sign sign = Sign::Ready;
         bool isChosen = false;
-        bool isApart = false;  ///< a line divides it from the rows above
+        bool isApart = false;  ///< a line separates it from the rows above
         bool operator==(const Row&) const = default;
     };
-    /// Shows the rows. The selected one stays selected.
+    /// Sets the rows. The selection stays.
     void setRows(const QList<Row>& rows);
     [[nodiscard]] const QList<Row>& rows() const { return m_rows; }
     void selectHand(const QString& id);
-    /// Id of the selected row.
+    /// Returns the id of the selected row.
     [[nodiscard]] QString selectedHand() const;
 
 private:

@@ -21,10 +21,10 @@ class TagPicture;
 class TrackingFigures;
 class TrackingSetupCard;
 
-/// Head tracking on the page of devices: the live picture with the tag, how well it runs, and its settings.
+/// Head tracking on the devices page: the live picture with the tag, figures on its quality, and its settings.
 ///
-/// It opens no camera: reports, cameras and settings are given to it, and its signals ask for the rest. A report needs
-/// its picture only while this widget is visible.
+/// It opens no camera. Its owner passes reports, cameras and settings to it and handles its signals. A report needs its
+/// picture only while this widget is visible.
 class HeadTrackingCard : public QWidget
 {
     Q_OBJECT
@@ -37,20 +37,20 @@ public:
     void setCameras(const std::vector<core::tracking::CameraInfo>& cameras);
     void setSettings(const HeadTrackingSettings& settings);
     [[nodiscard]] const HeadTrackingSettings& settings() const { return m_state.settings; }
-    /// One part is below the other, for a page where there is no room beside it.
+    /// Sets whether the parts are stacked, for a narrow page.
     void setNarrow(bool isNarrow);
 
-    /// What is known now, for the head of the page and its list.
+    /// Returns the current state, for the head of the page and its list.
     [[nodiscard]] const TrackingState& state() const { return m_state; }
-    /// "Follow my head": the page shows this check box in its head.
+    /// Returns the check box "Follow my head", which the page shows in its head.
     [[nodiscard]] QCheckBox& followSwitch() { return *m_follow; }
 
 signals:
-    /// Emitted when the user turns head tracking on or off.
+    /// Emitted when the user switches head tracking on or off.
     void trackingChanged(bool isOn);
-    /// Emitted when the user has changed a setting other than that.
+    /// Emitted when the user has changed another setting.
     void settingsChanged(const HeadTrackingSettings& settings);
-    /// Emitted when the place of the head becomes the middle.
+    /// Emitted when the user sets the current place of the head as the middle.
     void recentreRequested();
     void printRequested();
     /// Emitted when the user holds the tag at HeadTrackingSettings::kMeasuredMm from the camera.

@@ -20,17 +20,17 @@ class ForceTest;
 class IntervalChart;
 class PositionView;
 
-/// Shows what a device that is ready measures: position, grip buttons, and how the exchange with it runs. Six buttons
-/// try its force.
+/// Shows the measurements of a ready device: position, grip buttons, and statistics of the exchange. Six buttons test
+/// its force.
 class LiveTest : public QFrame
 {
     Q_OBJECT
 public:
     explicit LiveTest(QWidget* parent);
 
-    /// @param scale  of the set-up: how far the hand moves for one millimetre of the bur
+    /// @param scale  movement of the hand per movement of the bur
     void setReport(const core::session::DeviceReport& report, double scale);
-    /// One part is below the other, for a page where there is no room beside it.
+    /// Sets whether the parts are stacked, for a narrow page.
     void setNarrow(bool isNarrow);
     [[nodiscard]] const ForceTest& force() const { return *m_force; }
 

@@ -22,9 +22,9 @@ class AxisBars;
 class ControllerButtonsCard;
 class PedalSetupCard;
 
-/// Foot pedals and gamepads on the page of devices: their axes and buttons as they move, and their settings.
+/// Foot pedals and gamepads on the devices page: their axes and buttons, live, and their settings.
 ///
-/// It reads no controller: reports and settings are given to it, and its signals ask for the rest.
+/// It reads no controller. Its owner passes reports and settings to it and handles its signals.
 class PedalCard : public QWidget
 {
     Q_OBJECT
@@ -36,21 +36,21 @@ public:
     void setReport(const core::session::ControllerReport& report);
     /// Sets the settings of one kind of controller.
     void setSettings(const QString& guid, const ControllerSettings& settings);
-    /// Sets the controller that runs the bur.
+    /// Sets the controller that turns the bur.
     /// @param guid  empty: none
     void setPedal(const QString& guid, const QString& name);
 
-    /// What is known now, for the head of the page and its list.
+    /// Returns the current state, for the head of the page and its list.
     [[nodiscard]] const ControllerState& state() const { return m_state; }
-    /// The controller that is shown; null if none is plugged in.
+    /// Returns the controller that is shown; null if none is plugged in.
     [[nodiscard]] const core::session::Controller* shown() const;
-    /// True while the user teaches a pedal or a button: buttons do nothing else meanwhile.
+    /// Returns whether the user is teaching a pedal or a button. Buttons have no other effect meanwhile.
     [[nodiscard]] bool isLearning() const;
 
 signals:
     /// Emitted when the user has changed the settings of a controller.
     void settingsChanged(const QString& guid, const ui::devices::ControllerSettings& settings);
-    /// Emitted when the user chooses what runs the bur; empty: no pedal does.
+    /// Emitted when the user chooses the controller that turns the bur; empty: none.
     void pedalChosen(const QString& guid, const QString& name);
     /// Emitted when state() has changed.
     void stateChanged();
@@ -69,8 +69,8 @@ private:
     std::map<QString, ControllerSettings> m_settings;
     QString m_pedal;  ///< guid
     std::optional<ControllerSettings> m_shownSettings;
-    int m_shown = -1;       ///< instance of the controller that is shown
-    QPushButton* m_forget;  ///< a pedal that is not plugged in
+    int m_shown = -1;       ///< instance of the shown controller; -1: none
+    QPushButton* m_forget;  ///< removes the choice of a pedal that is not plugged in
     QFrame* m_live;
     QComboBox* m_choice = nullptr;
     QLabel* m_twice = nullptr;

@@ -20,7 +20,7 @@ namespace ui::devices {
 
 class ResponseCurve;
 
-/// How the travel of a pedal becomes the speed of the bur: teaching, dead zone, curve, direction.
+/// Sets up how the travel of a pedal controls the speed of the bur: teaching, dead zone, curve, direction.
 class PedalSetupCard : public QFrame
 {
     Q_OBJECT
@@ -28,7 +28,7 @@ public:
     explicit PedalSetupCard(QWidget* parent);
 
     void setSettings(const ControllerSettings& settings);
-    /// Takes the newest reading of the controller that is shown.
+    /// Sets the newest reading of the shown controller.
     void setController(const core::session::Controller& controller);
     /// Ends the teaching without a result.
     void stopLearning();

@@ -15,7 +15,7 @@ namespace ui::devices {
 class PenField;
 class ResponseCurve;
 
-/// The pen of a graphics tablet on the page of devices: a field to try it in, and the curve from pressure to force.
+/// The pen of a graphics tablet on the devices page: a test field, and the curve from pressure to force.
 class PenCard : public QFrame
 {
     Q_OBJECT

@@ -6,7 +6,7 @@
 
 namespace ui::devices {
 
-/// A field to press a pen in: its bar grows with the pressure.
+/// A field to test a pen in. Its bar shows the pressure.
 class PenField : public QWidget
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ signals:
     /// Emitted for each event of a pen in the field.
     /// @param pressure  0 to 1; 0 while the pen hovers
     void penMoved(double pressure);
-    /// Emitted when something that has no pressure presses the field.
+    /// Emitted when a device without pressure presses the field.
     void mousePressed();
 
 protected:

@@ -7,7 +7,7 @@
 
 namespace ui::devices {
 
-/// Draws how a device with three arms stands: seen from its side, and seen from above with the user and the screen.
+/// Draws the placement of a device with three arms: from its side, and from above with the user and the screen.
 class PlacementPicture : public QWidget
 {
     Q_OBJECT

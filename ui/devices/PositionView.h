@@ -6,7 +6,7 @@
 
 namespace ui::devices {
 
-/// Shows where the grip is in the work area: a dot seen from above, and the same dot seen from the front.
+/// Shows the position of the grip in the work area: a dot from above and from the front.
 class PositionView : public QWidget
 {
     Q_OBJECT

@@ -8,7 +8,7 @@
 
 namespace ui::devices {
 
-/// A small picture of what an input gives over its range, with a point where the input is now.
+/// A small chart of the response to an input over its range, with a point at the current input.
 class ResponseCurve : public QWidget
 {
     Q_OBJECT
@@ -19,9 +19,9 @@ public:
     explicit ResponseCurve(QWidget* parent);
 
     void setCurve(Curve curve);
-    /// @param input  0 to 1; empty: no point is drawn
+    /// @param input  0 to 1; empty: no point
     void setInput(std::optional<double> input);
-    /// Sets the name for screen readers, which is the tool tip, too.
+    /// Sets the name for screen readers, which is also the tooltip.
     void setName(const QString& name);
     [[nodiscard]] QSize sizeHint() const override { return {180, 120}; }
 

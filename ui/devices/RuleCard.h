@@ -12,7 +12,7 @@ class QPlainTextEdit;
 
 namespace ui::devices {
 
-/// How to let every user of the computer open the device: a rule that can be copied, and where to put it.
+/// Explains how to let every user of the computer open the device: a udev rule to copy, and the file for it.
 class RuleCard : public QFrame
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ public:
     explicit RuleCard(QWidget* parent);
 
     void setKind(const DeviceKind& kind);
-    /// Whether copying the rule is the next step of the page.
+    /// Sets whether copying the rule is the next step of the page.
     void setIsNextStep(bool isNext) { setFilled(*m_copy, isNext); }
 
 private:

@@ -16,7 +16,7 @@ namespace ui::devices {
 
 class PlacementPicture;
 
-/// How the device is placed, with a picture: stand, side and scale.
+/// The placement of the device, with a picture: orientation, side and scale.
 class SetupCard : public QFrame
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     explicit SetupCard(QWidget* parent);
 
     void setSetup(const core::session::DeviceSetup& setup);
-    /// The picture is above the form, for a page where there is no room beside it.
+    /// Sets whether the picture is above the form, for a narrow page.
     void setNarrow(bool isNarrow);
     [[nodiscard]] const core::session::DeviceSetup& setup() const { return m_setup; }
 

@@ -19,9 +19,9 @@ class TabularDigitsLabel;
 
 namespace ui::devices {
 
-/// Sound on the page of devices: the volumes, the audio output, and a sample to try them.
+/// Sound on the devices page: the volumes, the audio output, and a sample to test them.
 ///
-/// It plays nothing: reports, outputs and settings are given to it, and its signals ask for the rest.
+/// It plays nothing. Its owner passes reports, outputs and settings to it and handles its signals.
 class SoundCard : public QWidget
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ public:
     void setReport(const sound::SoundReport& report);
     [[nodiscard]] const sound::SoundSettings& settings() const { return m_settings; }
     [[nodiscard]] const sound::SoundReport& report() const { return m_report; }
-    /// "Play sound": the page shows this check box in its head.
+    /// Returns the check box "Play sound", which the page shows in its head.
     [[nodiscard]] QCheckBox& soundSwitch() { return *m_switch; }
 
 signals:
@@ -44,7 +44,7 @@ signals:
     void stateChanged();
 
 private:
-    /// A volume: the whole (0) or a part (1 and up).
+    /// One volume: the total (0) or a part (1 and up).
     struct Volume
     {
         QLabel* caption = nullptr;

@@ -6,13 +6,13 @@
 #include "ui/devices/DeviceWords.h"
 #include "ui/sound/SoundSettings.h"
 
-/// States of sound in the user's language.
+/// Texts about sound in the user's language.
 namespace ui::devices {
 
 [[nodiscard]] Sign signOf(const sound::SoundReport& report);
-/// "Plays on the headphones."
+/// Returns a sentence on the state, such as "Plays on the headphones."
 [[nodiscard]] QString stateWords(const sound::SoundReport& report);
-/// What to do about the state, one or two sentences.
+/// Returns one or two sentences on what to do in this state.
 [[nodiscard]] QString helpWords(const sound::SoundReport& report);
 
 }  // namespace ui::devices

@@ -15,27 +15,27 @@ class QPushButton;
 
 namespace ui::devices {
 
-/// Lets the user hold the hand still for 8 seconds, and says how far it drifted and trembled. It looks at the grip of a
-/// force device or, without one, at the pointer on the screen.
+/// Lets the user hold the hand still for 8 seconds and shows its drift and tremor. Measures the grip of a force device
+/// or, without one, the pointer on the screen.
 class StillnessTest : public QWidget
 {
     Q_OBJECT
 public:
-    static constexpr double kLeadS = 2.0;  ///< from the button to the first measured moment
+    static constexpr double kLeadS = 2.0;  ///< from the button to the start of the measurement
 
     explicit StillnessTest(QWidget* parent);
 
-    /// Forgets the result.
+    /// Clears the result.
     /// @param hasForce  a force device is measured; otherwise the pointer
     void begin(bool hasForce);
-    /// Sets where the bur of the force device is, mm, in the frame of the tooth. Empty if the device is not ready.
+    /// Sets the place of the force device's bur, tooth frame, mm. Empty if the device is not ready.
     void setBur(std::optional<glm::dvec3> burMm);
-    /// Lets the space bar start the test.
+    /// Focuses the start button, so that the space bar starts the test.
     void focusStart();
-    /// Stops a test that is running.
+    /// Stops a running test.
     void stop();
     [[nodiscard]] const std::optional<core::session::Stillness>& result() const { return m_result; }
-    /// Returns what the figures mean, in words. Empty before the first result.
+    /// Returns the meaning of the figures in words. Empty before the first result.
     [[nodiscard]] QString resultWords() const;
     /// For tests: replaces the clock, which returns seconds.
     void setClock(std::function<double()> clock) { m_clock = std::move(clock); }
@@ -50,9 +50,9 @@ private:
     std::function<double()> m_clock;
     bool m_hasForce = false;
     std::optional<glm::dvec3> m_burMm;
-    std::optional<core::session::StillnessCheck> m_check;  ///< runs
+    std::optional<core::session::StillnessCheck> m_check;  ///< of the running test
     std::optional<core::session::Stillness> m_result;
-    const char* m_failure = nullptr;  ///< to be translated
+    const char* m_failure = nullptr;  ///< source text for translation
     double m_startS = 0.0;
     QTimer m_look{this};
     QLabel* m_words;

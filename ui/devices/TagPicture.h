@@ -24,13 +24,13 @@ public:
     using Corners = std::array<glm::dvec2, 4>;
     /// @param tag  empty: the picture has no tag
     void setPicture(const core::tracking::Picture& picture, const std::optional<Corners>& tag);
-    /// Shows words in place of a picture.
+    /// Shows text instead of a picture.
     void setWords(const QString& words);
-    /// Sets whether the picture looks like a mirror. The default is true.
+    /// Sets whether the picture is mirrored. The default is true.
     void setMirrored(bool isMirrored);
 
     [[nodiscard]] bool hasPicture() const { return !m_picture.isNull(); }
-    /// Corners of the drawn outline in the widget; empty if there is none.
+    /// Returns the corners of the drawn outline in the widget; empty if there is none.
     [[nodiscard]] QPolygonF outline() const;
     [[nodiscard]] QSize sizeHint() const override { return {516, 290}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }

@@ -13,8 +13,8 @@ class QPainter;
 
 namespace ui::devices {
 
-/// What is printed for head tracking, at its exact size: tags to cut out, a headband with a tag, and the board for the
-/// calibration of a camera. It fits A4 and Letter. The words are in the language of the program.
+/// Printed sheets for head tracking at their exact size: tags to cut out, a headband with a tag, and the board for
+/// calibrating a camera. They fit A4 and Letter. The text is in the current language.
 class TagSheet
 {
     Q_DECLARE_TR_FUNCTIONS(ui::devices::TagSheet)
@@ -29,10 +29,10 @@ public:
 
     TagSheet(int id, const core::tracking::TagCells& cells);
 
-    /// Paints a page in the middle of a paper. The painter's origin is the upper left corner of the paper.
+    /// Paints a sheet in the middle of the paper. The painter's origin is the upper left corner of the paper.
     void paint(QPainter& painter, Page page, const QSizeF& paperMm) const;
 
-    /// All pages, A4.
+    /// Returns all sheets as a PDF, A4.
     [[nodiscard]] QByteArray pdf() const;
 
 private:
@@ -40,7 +40,7 @@ private:
     void paintTags(Pen& pen) const;
     void paintHeadband(Pen& pen) const;
     static void paintBoard(Pen& pen);
-    /// @param upperLeft  of its white border, mm
+    /// @param upperLeft  corner of its white border, mm
     void paintTag(Pen& pen, const QPointF& upperLeft, double edgeMm) const;
     static void paintRuler(Pen& pen, const QPointF& leftEnd);
 

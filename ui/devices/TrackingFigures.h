@@ -13,7 +13,7 @@ class TabularDigitsLabel;
 
 namespace ui::devices {
 
-/// How well head tracking runs: pictures, share of them with the tag, time, latency and jitter.
+/// Figures on the quality of head tracking: frame rate, share of frames with the tag, time, latency and jitter.
 class TrackingFigures : public QWidget
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
     explicit TrackingFigures(QWidget* parent);
 
     void setReport(const core::tracking::TrackerReport& report);
-    /// Shows dashes.
+    /// Replaces the figures by dashes.
     void clear();
 
 private:

@@ -17,7 +17,7 @@ class QSpinBox;
 
 namespace ui::devices {
 
-/// Camera, tag, and how far the view turns.
+/// Settings of head tracking: camera, tag, and rotation of the view.
 class TrackingSetupCard : public QFrame
 {
     Q_OBJECT
@@ -26,9 +26,9 @@ public:
 
     void setCameras(const std::vector<core::tracking::CameraInfo>& cameras);
     void setSettings(const HeadTrackingSettings& settings);
-    /// Whether the tag is seen: then the field of view can be measured.
+    /// Sets whether the tag is visible, so that the field of view can be measured.
     void setSeen(bool isSeen);
-    /// Has two columns, not four, for a page where there is no room beside them.
+    /// Sets whether the form has two columns instead of four, for a narrow page.
     void setNarrow(bool isNarrow);
 
 signals:

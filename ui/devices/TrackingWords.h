@@ -7,22 +7,22 @@
 #include "ui/devices/DeviceWords.h"
 #include "ui/devices/HeadTrackingSettings.h"
 
-/// States of head tracking in the user's language.
+/// Texts about head tracking in the user's language.
 namespace ui::devices {
 
 struct TrackingState
 {
     bool isInBuild = true;  ///< false: this program was built without head tracking
     HeadTrackingSettings settings;
-    core::tracking::TrackerReport report;  ///< without its picture; counts while head tracking is on
+    core::tracking::TrackerReport report;  ///< without its picture; valid while head tracking is on
 };
 
-/// Pictures come in, and the tag may be looked for in them.
+/// Returns whether the camera delivers pictures.
 [[nodiscard]] bool hasPictures(const TrackingState& state);
 [[nodiscard]] Sign signOf(const TrackingState& state);
-/// "The tag is not in the picture."
+/// Returns a sentence on the state, such as "The tag is not in the picture."
 [[nodiscard]] QString stateWords(const TrackingState& state);
-/// What to do about the state, one or two sentences.
+/// Returns one or two sentences on what to do in this state.
 [[nodiscard]] QString helpWords(const TrackingState& state);
 
 }  // namespace ui::devices
