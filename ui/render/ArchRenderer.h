@@ -22,41 +22,42 @@
 
 namespace ui::render {
 
-/// From where pieces of a mouth are seen. The scene is whatever frame the pieces stand in: the mouth's, or that of the
-/// tooth being worked on.
+/// The view of pieces of a mouth. The scene frame is that of the pieces: the mouth's, or that of the tooth being worked
+/// on.
 struct ArchScene
 {
     glm::dmat4 eyeFromScene{1.0};
     glm::dmat4 clipFromEye{1.0};
     glm::dvec3 eyeMm{0.0, 0.0, 40.0};
     glm::vec3 towardsLight{0.0F, 0.0F, 1.0F};
-    glm::vec3 towardsSky{0.0F, 0.0F, 1.0F};  ///< where the room is brightest
-    int hoveredFdi = 0;                      ///< a little lighter
+    glm::vec3 towardsSky{0.0F, 0.0F, 1.0F};  ///< direction in which the room is brightest
+    int hoveredFdi = 0;                      ///< drawn a little lighter
     int chosenFdi = 0;                       ///< tinted
-    glm::dvec4 clipPlane{0.0};               ///< scene frame; what is behind it is not drawn, unless it is zero
-    double dimmed = 0.0;                     ///< 0 .. 1: how far all of it steps back behind something else
+    glm::dvec4 clipPlane{0.0};               ///< scene frame; everything behind it is not drawn; zero: no plane
+    double dimmed = 0.0;                     ///< 0 to 1: how much the pieces are dimmed, behind other content
 };
 
 /// Draws teeth and gums of core::teeth::Arch with OpenGL 3.3 core, lit as ToothRenderer lights the single tooth. The
-/// context given to initialize() must be current in every call, the destructor included.
+/// context of initialize() must be current in every call, including the destructor.
 class ArchRenderer : private QOpenGLFunctions_3_3_Core
 {
 public:
     ArchRenderer();
     ~ArchRenderer() override;
 
-    /// False when the context has no OpenGL 3.3 or refuses a shader; `reason` then says which.
+    /// Compiles the shaders. Returns false if the context has no OpenGL 3.3 or refuses a shader, with the cause in
+    /// `reason`.
     [[nodiscard]] bool initialize(QString& reason);
 
-    /// What draw() draws from now on. Uploads each mesh once, however often it stands there.
+    /// Sets the pieces for draw(). Uploads each mesh once, however often it is used.
     void setPieces(std::vector<core::teeth::ArchPiece> pieces);
     [[nodiscard]] const std::vector<core::teeth::ArchPiece>& pieces() const { return m_pieces; }
 
-    /// The empty practice room over the whole viewport, and depth cleared.
-    /// @param lamp  where the room is brightest, clip coordinates
+    /// Draws the empty practice room over the whole viewport and clears the depth.
+    /// @param lamp  the brightest place of the room, clip coordinates
     void drawRoom(glm::vec2 sizePx, glm::vec2 lamp);
-    /// Adds the pieces to what is in the bound framebuffer, which has a depth buffer. Either matrix of the scene may
-    /// mirror. Leaves depth test and culling off.
+    /// Draws the pieces into the bound framebuffer, which must have a depth buffer, over its contents. Either matrix of
+    /// the scene may mirror. Leaves depth test and culling off.
     void draw(const ArchScene& scene);
 
     [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }
@@ -75,13 +76,13 @@ private:
     QOpenGLVertexArrayObject m_layout;
     QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_indices{QOpenGLBuffer::IndexBuffer};
-    bool m_fades = false;  ///< some of the pieces do
+    bool m_fades = false;  ///< some of the pieces fade
     std::vector<core::teeth::ArchPiece> m_pieces;
     std::map<const core::teeth::LookMesh*, Span> m_spans;
     std::uint64_t m_uploadedBytes = 0;
 };
 
-/// The FDI number of the tooth that a ray meets first; 0 where it meets none, or gum before it.
+/// Returns the FDI number of the first tooth that a ray meets; 0 if it meets none, or gum first.
 [[nodiscard]] int toothMet(std::span<const core::teeth::ArchPiece> pieces, const Ray& ray);
 
 }  // namespace ui::render

@@ -15,23 +15,23 @@
 
 namespace ui::render {
 
-/// A place to draw pictures with OpenGL 3.3 where there is no window, read back as images. Needs a QGuiApplication on a
-/// display that has OpenGL. The thread that made it.
+/// Draws pictures with OpenGL 3.3 without a window and reads them back as images. Needs a QGuiApplication on a display
+/// with OpenGL. Used only by the thread that created it.
 class Canvas
 {
 public:
-    static constexpr int kSamples = 4;  ///< of each pixel, for smooth edges
+    static constexpr int kSamples = 4;  ///< per pixel, for anti-aliasing
 
-    /// FileUnreadable, with one sentence, where there is no OpenGL 3.3 core profile; OutOfRange for a size that the
-    /// driver refuses.
+    /// Creates a canvas. Error FileUnreadable, with one sentence, if there is no OpenGL 3.3 core profile; OutOfRange
+    /// for a size that the driver refuses.
     [[nodiscard]] static core::Result<std::unique_ptr<Canvas>> make(QSize sizePx);
     ~Canvas();
 
-    /// The canvas is what OpenGL draws into while `draw` runs.
-    /// @param samples  kSamples, or 0: hard edges, for less than half the time
-    /// @return opaque, Format_RGB32, size(); holds until the next picture
+    /// Calls `draw` with the canvas as the bound framebuffer, and reads the picture back.
+    /// @param samples  kSamples, or 0: no anti-aliasing, in less than half the time
+    /// @return opaque, Format_RGB32, size(); valid until the next picture
     [[nodiscard]] const QImage& picture(const std::function<void()>& draw, int samples = kSamples);
-    /// For the pictures to come.
+    /// Sets the size of later pictures.
     void resize(QSize sizePx);
     void makeCurrent() { m_context.makeCurrent(&m_surface); }
     [[nodiscard]] QSize size() const { return m_size; }
@@ -44,10 +44,10 @@ private:
     QOpenGLContext m_context;
     QOffscreenSurface m_surface;
     QSize m_size;
-    std::unique_ptr<QOpenGLFramebufferObject> m_smooth;    ///< of several samples a pixel
-    std::unique_ptr<QOpenGLFramebufferObject> m_resolved;  ///< the same, to be read
+    std::unique_ptr<QOpenGLFramebufferObject> m_smooth;    ///< with several samples per pixel
+    std::unique_ptr<QOpenGLFramebufferObject> m_resolved;  ///< the same, resolved for reading
     std::unique_ptr<QOpenGLFramebufferObject> m_hard;
-    std::vector<std::uint32_t> m_strip;  ///< of the picture as OpenGL gives it, from below
+    std::vector<std::uint32_t> m_strip;  ///< a part of the picture as OpenGL stores it, from below
     QImage m_image;
 };
 

@@ -6,14 +6,14 @@
 
 namespace ui::render {
 
-/// What our widgets draw with: OpenGL 3.3 core, depth, four samples a pixel.
+/// Returns the surface format of our widgets: OpenGL 3.3 core, depth, four samples per pixel.
 [[nodiscard]] QSurfaceFormat wantedFormat();
 
-/// What this computer draws with. Asked once: it cannot change while we run.
+/// The OpenGL driver of this computer. Queried once, because it cannot change while the program runs.
 struct Driver
 {
     bool hasOpenGl33 = false;
-    QString name;             ///< as it calls itself
+    QString name;             ///< its own name
     bool isSoftware = false;  ///< every sample of every pixel costs processor time
 };
 [[nodiscard]] const Driver& driver();

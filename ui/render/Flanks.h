@@ -27,23 +27,23 @@ struct FlankNode
 /// square of its height over the contour grows evenly with the distance from the outline, and of that the lattice has
 /// the slope right. From it follows a normal at each height of the flank.
 ///
-/// Found once, for what is near the rim. Ui thread.
+/// Computed once, for nodes near the rim. Ui thread.
 class Flanks
 {
 public:
     enum class Side : std::uint8_t { Upper, Lower };
 
     /// @param tops, bottoms  of the uncut tooth, mm, [side * side]; empty where top <= bottom
-    /// @param drawnTops, drawnBottoms  the same as they are to be drawn: it is for these heights that slopes are found
+    /// @param drawnTops, drawnBottoms  the same as drawn: the slopes are computed for these heights
     Flanks(const core::terrain::Grid& lattice, const std::vector<float>& tops, const std::vector<float>& bottoms,
            const std::vector<float>& drawnTops, const std::vector<float>& drawnBottoms);
 
-    /// @param heightMm  of the flank where the normal is wanted; on the rim it has none but looks straight outwards
-    /// @param normal    unit vector, of no use where the share is 0
-    /// @return how much of it to take: 1 on a flank, 0 where there is none or the lattice knows better
+    /// @param heightMm  height on the flank; on the rim the normal always points straight outwards
+    /// @param normal    unit vector; undefined if the share is 0
+    /// @return weight of the normal: 1 on a flank, 0 where there is none or the lattice is better
     [[nodiscard]] float normalAt(std::size_t node, Side side, float heightMm, glm::vec3& normal) const;
 
-    /// Some of it is taken at some height.
+    /// Returns whether normalAt() has a weight above 0 at some height.
     [[nodiscard]] bool isNear(std::size_t node) const { return m_nodes[node].share > 0.0F; }
 
 private:

@@ -14,18 +14,18 @@ class QPainter;
 
 namespace ui::render {
 
-/// What the ends of a tooth's axes are called: -x, +x, -y, +y, -z, +z. Empty: that end is not drawn.
+/// The letters at the ends of a tooth's axes: -x, +x, -y, +y, -z, +z. Empty: that end is not drawn.
 using GizmoLetters = std::array<QString, 6>;
 
-/// Paints a little cross of the three axes of a tooth as they are seen, with a letter at each end: which way round one
-/// is looking. What points away is small and faint.
-/// @param eyeFromTooth  rotation, mirrored for a tooth that stands mirrored
-/// @param radiusPx      of the whole
+/// Paints the three axes of a tooth as a small cross for orientation, with a letter at each end. Axes that point away
+/// are small and faint.
+/// @param eyeFromTooth  rotation, mirrored for a mirrored tooth
+/// @param radiusPx      of the whole cross
 void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::dmat3& eyeFromTooth,
                 const GizmoLetters& letters);
 
-/// Returns which end of an axis is painted at a point, the nearest to the eye first; nothing if there is none. Other
-/// arguments as for paintGizmo().
+/// Returns the end of an axis that is painted at a point, the nearest to the eye first; empty if there is none. Other
+/// parameters as for paintGizmo().
 [[nodiscard]] std::optional<std::size_t> gizmoEndAt(QPointF point, QPointF centre, double radiusPx,
                                                     const glm::dmat3& eyeFromTooth, const GizmoLetters& letters);
 

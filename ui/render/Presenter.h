@@ -16,49 +16,49 @@
 
 namespace ui::render {
 
-/// How two eyes get two pictures: not at all, by red and cyan glasses (in colours of little ghosting after Dubois 2001,
-/// or in grey, which ghosts least), or as halves of one picture for a display that parts them.
+/// The stereo mode: off; red and cyan glasses (in colour with little ghosting after Dubois 2001, or in grey with the
+/// least ghosting); or two halves of one picture for a display that separates them.
 enum class Stereo : std::uint8_t { Off, RedCyan, RedCyanGrey, SideBySide, TopBottom };
 
-/// A colour of one surface as a picture for both eyes has it: what is painted over such a picture must match it.
+/// Returns a colour as it appears in a picture for both eyes, for content painted over such a picture.
 [[nodiscard]] QColor seenAs(const QColor& colour, Stereo stereo);
 
-/// "flat", "red-cyan" ...: as an attempt says what it was seen in.
+/// Returns the id that is stored with an attempt: "flat", "red-cyan" ...
 [[nodiscard]] const char* idOf(Stereo stereo);
 
-/// What becomes of a picture on its way to the screen.
+/// The stereo mode and the flips of the picture.
 struct Presentation
 {
     Stereo stereo = Stereo::Off;
-    double apart = 0.04;         ///< the two eyes, as a share of the distance to what is looked at
-    double convergence = 1.0;    ///< what appears in the plane of the screen, as a share of that distance
+    double apart = 0.04;         ///< distance of the two eyes, relative to the distance to the focus
+    double convergence = 1.0;    ///< distance of the plane of the screen, relative to the same
     bool flipLeftRight = false;  ///< for a half-silvered mirror over the hand
     bool flipUpDown = false;     ///< for a screen that hangs upside down over it
     bool operator==(const Presentation&) const = default;
     [[nodiscard]] bool isPlain() const { return stereo == Stereo::Off && !flipLeftRight && !flipUpDown; }
 };
 
-/// Draws a scene as it is presented. The context given to initialize() must be current in every call, the destructor
-/// included.
+/// Draws a scene with a presentation. The context of initialize() must be current in every call, including the
+/// destructor.
 class Presenter : private QOpenGLFunctions_3_3_Core
 {
 public:
-    /// False when a shader is refused; `reason` then says which.
+    /// Compiles the shader. Returns false if it is refused, with the cause in `reason`.
     [[nodiscard]] bool initialize(QString& reason);
 
-    /// Into the bound framebuffer, whole viewport.
-    /// @param focusMm  distance from the eye to what is looked at
-    /// @param samples  of each pixel of what is drawn aside, for smooth edges
+    /// Draws into the whole viewport of the bound framebuffer.
+    /// @param focusMm  distance from the eye to the point it looks at
+    /// @param samples  per pixel of intermediate pictures, for anti-aliasing
     void draw(ToothRenderer& renderer, const Scene& scene, const Presentation& how, double focusMm, int samples);
 
-    /// The scene as one of two eyes sees it: -1 the left, 1 the right.
+    /// Returns the scene as one of two eyes sees it: -1 the left, 1 the right.
     [[nodiscard]] static Scene seenBy(int eye, const Scene& scene, const Presentation& how, double focusMm);
 
 private:
     struct Pictures
     {
-        std::unique_ptr<QOpenGLFramebufferObject> drawn;     ///< of several samples a pixel
-        std::unique_ptr<QOpenGLFramebufferObject> resolved;  ///< of one, to be read
+        std::unique_ptr<QOpenGLFramebufferObject> drawn;     ///< with several samples per pixel
+        std::unique_ptr<QOpenGLFramebufferObject> resolved;  ///< with one, for reading
     };
 
     QOpenGLShaderProgram m_program;

@@ -8,9 +8,9 @@
 
 namespace ui::render {
 
-/// Compiles and links a program from two of our shaders; a context must be current. False when the driver refuses one;
-/// `reason` then says which and why.
-/// @param vertex, fragment  file names without their ending
+/// Compiles and links a program from two of our shaders; a context must be current. Returns false if the driver refuses
+/// one, with the shader and the cause in `reason`.
+/// @param vertex, fragment  file names without suffix
 [[nodiscard]] bool buildProgram(QOpenGLShaderProgram& program, const char* vertex, const char* fragment,
                                 QString& reason);
 

@@ -12,8 +12,8 @@ namespace ui::render {
 
 using ArchPointer = std::shared_ptr<const core::teeth::Arch>;
 
-/// Gives the arch to `done`: at once where it has been made before, else later, after a pool thread has made it; not
-/// at all if `owner` has gone meanwhile. Ui thread. It is made once a run, when the first one asks.
+/// Passes the arch to `done`: at once if it has been built, otherwise after a pool thread has built it. Does not call
+/// `done` if `owner` has been destroyed. The arch is built once per run, on the first call. Ui thread.
 void withArch(QObject* owner, std::function<void(const ArchPointer&)> done);
 
 }  // namespace ui::render

@@ -28,22 +28,22 @@ struct SolidMesh
     std::vector<std::uint32_t> indices;
 };
 
-/// Shank and handpiece are drawn up to this much higher, so that deep in the tooth they do not go through it, mm.
+/// Largest lift of shank and handpiece, so that they do not intersect a deep tooth, mm.
 inline constexpr double kMostLiftMm = 6.0;
 /// Height above the head at which the shank begins to widen, mm.
 inline constexpr double kNeckMm = 1.0;
 
-/// The bur from its tip up: head by its outline, and a neck long enough for any lift of the shank.
+/// Returns the bur from its tip up: the head, and a neck long enough for any lift of the shank.
 [[nodiscard]] SolidMesh burMesh(const core::bur::Bur& bur);
-/// The neck, from the top of the head, and the shank (1.6 mm, friction grip) up into the chuck. Its lower end is round,
-/// so that it meets the neck of burMesh() at any angle. That of a diamond has a ring below the chuck.
+/// Returns the neck above the head and the shank (1.6 mm, friction grip) up to the chuck. Its lower end is round, so
+/// that it meets the neck of burMesh() at any angle. The shank of a diamond has a ring below the chuck.
 [[nodiscard]] SolidMesh shankMesh(const core::bur::Bur& bur);
 
-/// A turbine handpiece above the chuck: head, neck and handle at the natural angle.
+/// Returns a turbine handpiece above the chuck: head, neck and handle at the natural angle.
 [[nodiscard]] SolidMesh handpieceMesh();
 
-/// A dental mirror without its glass: the cup behind it and the handle. Middle of the glass at the origin, which looks
-/// along +z; the handle goes towards +x and back.
+/// Returns a dental mirror without its glass: the cup and the handle. The middle of the glass is at the origin and
+/// faces +z; the handle points to +x and back.
 [[nodiscard]] SolidMesh mirrorMesh();
 
 }  // namespace ui::render

@@ -10,23 +10,23 @@
 
 namespace ui::render {
 
-/// How a wall that follows no line of the lattice is drawn without the lattice's steps. Where ground is steep, the
-/// heights are a little blurred, so that the steps run together to one slope, and the nodes on that slope are pulled
-/// to its middle, so that it is a wall again. Ground that is not steep stays as it is.
+/// Removes the steps of the lattice from walls that do not follow its lines, for drawing. On steep ground, the heights
+/// are slightly blurred, so that the steps become one slope, and the nodes on that slope are moved towards its middle,
+/// so that it is a wall again. Other ground is unchanged.
 ///
-/// Keeps its scratch between calls. Ui thread.
+/// Keeps its buffers between calls. Ui thread.
 class SteepGround
 {
 public:
-    /// How far around a changed node what is drawn changes, nodes.
+    /// Distance over which a changed node affects the drawn surface, nodes.
     static constexpr int kReach = 5;
 
     explicit SteepGround(const core::terrain::Grid& lattice);
 
-    /// @param tops    heights, kEmptyTop where there is nothing, [side * side]
-    /// @param rect    nodes to be brought up to date: grow what has changed by kReach
-    /// @param drawn   heights to draw, mm
-    /// @param shifts  where from its lattice place each node is drawn, mm; less than half a cell along each axis
+    /// @param tops    heights, kEmptyTop where there is no material, [side * side]
+    /// @param rect    nodes to update: what has changed, grown by kReach
+    /// @param drawn   heights for drawing, mm
+    /// @param shifts  displacement of each drawn node from its place in the lattice, mm; less than half a cell per axis
     void draw(const std::vector<float>& tops, const core::terrain::NodeRect& rect, std::vector<float>& drawn,
               std::vector<glm::vec2>& shifts);
 
@@ -35,10 +35,10 @@ private:
 
     core::terrain::Grid m_lattice;
     // Over the lattice.
-    std::vector<float> m_passed;   ///< heights blurred along rows, times the weights of what is there
+    std::vector<float> m_passed;   ///< heights blurred along rows, times the weights of the solid nodes
     std::vector<float> m_weights;  ///< their sum
-    std::vector<float> m_blurred;  ///< along columns too
-    std::vector<float> m_whole;    ///< 1 where all that the blur takes is there, 0 beside nothing
+    std::vector<float> m_blurred;  ///< also along columns
+    std::vector<float> m_whole;    ///< 1 where the whole blur kernel is solid, 0 beside empty nodes
     std::vector<float> m_low;      ///< lowest within the reach of a wall, along rows
     std::vector<float> m_high;
 };

@@ -16,7 +16,7 @@
 
 namespace ui::render {
 
-/// Everything that decides how tooth and room look while nothing is cut.
+/// All that the picture of tooth and room depends on while nothing is cut.
 struct StillView
 {
     glm::dmat4 eyeFromTooth{1.0};
@@ -24,23 +24,23 @@ struct StillView
     glm::dvec4 clipPlane{0.0};
     glm::vec3 towardsLight{0.0F};
     Look look;
-    std::uint64_t surfaces = 0;  ///< a number of its own for each tooth and each set of neighbours
+    std::uint64_t surfaces = 0;  ///< a different number for each tooth and each set of neighbours
     bool operator==(const StillView&) const = default;
 };
 
-/// Tooth and room as they were last drawn, colours and depths, for an eye that rests: a software driver copies them in
-/// a tenth of the time in which it draws them. The context that was current at the first use must be current in every
-/// call, the destructor included.
+/// The last picture of tooth and room, colours and depths, for a camera at rest: a software driver copies it in a tenth
+/// of the time of drawing. The context that was current at the first use must be current in every call, including the
+/// destructor.
 class StillPicture
 {
 public:
-    /// Of this size and view, or nothing is kept in it.
+    /// Returns whether the picture has this size and view.
     [[nodiscard]] bool holds(QSize size, const StillView& view) const;
-    /// Makes room for a picture; its content is then the caller's to draw into framebuffer().
+    /// Prepares a picture of this size and view. The caller must draw it into framebuffer().
     void take(QSize size, const StillView& view);
-    /// This part of it, pixels from the lower left, no longer holds.
+    /// Marks a part of the picture, in pixels from the lower left, as outdated.
     void spoil(const QRect& part) { m_spoilt = m_spoilt.united(part); }
-    /// What no longer holds, and forgets it.
+    /// Returns the outdated part and clears the mark.
     [[nodiscard]] QRect takeSpoilt();
     [[nodiscard]] GLuint framebuffer() const { return m_pixels->handle(); }
     [[nodiscard]] const std::optional<StillView>& view() const { return m_view; }

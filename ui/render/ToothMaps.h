@@ -29,22 +29,22 @@ struct Box
     glm::vec3 high{0.0F};
 };
 
-/// Where a tile of a surface is and where it looks.
+/// The position and orientation of a tile of a surface.
 struct TileBounds
 {
     Box box;
     glm::vec3 axis{0.0F, 0.0F, 1.0F};  ///< mean normal of its triangles, unit vector
-    float spreadRad = 4.0F;            ///< the furthest of them from it
+    float spreadRad = 4.0F;            ///< largest angle of a normal to `axis`
 
-    /// False only if an eye sees nothing but the backs of its triangles.
+    /// Returns false only if an eye sees nothing but the backs of its triangles.
     [[nodiscard]] bool mayFace(const glm::dvec3& eyeMm) const;
 };
 
-/// The pixels, from the lower left, that a box may cover in a picture of this size.
+/// Returns the pixels, from the lower left, that a box may cover in a picture of this size.
 [[nodiscard]] QRect pixelsOf(const Box& box, const glm::dmat4& clipFromTooth, QSize size);
 
-/// A ToothSurface as OpenGL has it: its maps as textures, its triangles by tiles. The context given to initialize()
-/// must be current in every call, the destructor included.
+/// The OpenGL data of a ToothSurface: its maps as textures, its triangles by tiles. The context of initialize() must be
+/// current in every call, including the destructor.
 class ToothMaps : private QOpenGLFunctions_3_3_Core
 {
 public:
@@ -53,39 +53,39 @@ public:
     ToothMaps();
     ~ToothMaps() override;
 
-    /// False when the context has no OpenGL 3.3.
+    /// Returns false if the context has no OpenGL 3.3.
     [[nodiscard]] bool initialize();
 
-    /// Uploads a whole surface in place of the one before.
+    /// Uploads a whole surface and replaces the one before.
     void setSurface(const ToothSurface& surface);
-    /// Uploads what a refresh() of that surface changed, and nothing else.
+    /// Uploads only what a refresh() of that surface changed.
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
     [[nodiscard]] bool isEmpty() const { return !m_lattice; }
-    /// Returns whether the decay of the tooth is soft, leathery and firm.
+    /// Returns whether the decay of the tooth has soft, leathery and firm zones.
     [[nodiscard]] bool hasDecayZones() const { return m_hasDecayZones; }
 
-    /// Where what is drawn of a rectangle of nodes lies, and, if part of that is gone, where it was.
+    /// Returns the box of what is drawn of a rectangle of nodes, including what was drawn there before if part of it is
+    /// gone.
     [[nodiscard]] Box boxOf(const core::terrain::NodeRect& rect) const;
 
     /// Tiles of one surface.
     struct Selection
     {
         Side side = Side::Upper;
-        std::vector<int> counts;           ///< of their indices
-        std::vector<const void*> offsets;  ///< of the first one, bytes
-        QRect nodes;                       ///< around all of them, columns and rows of the lattice
+        std::vector<int> counts;           ///< number of indices of each tile
+        std::vector<const void*> offsets;  ///< byte offset of the first index of each tile
+        QRect nodes;                       ///< bounds of all tiles, columns and rows of the lattice
     };
-    /// Those that are wanted.
+    /// Returns the tiles that fulfil a condition.
     [[nodiscard]] Selection select(Side side, const std::function<bool(const TileBounds&)>& isWanted) const;
-    /// Sets the maps of one surface and its lattice in a program that is bound.
+    /// Sets the maps and the lattice of one surface in a bound program.
     void bind(QOpenGLShaderProgram& program, Side side);
-    /// Draws tiles with the program for which bind() was called last: its vertices are lattice nodes, numbered row by
-    /// row.
+    /// Draws tiles with the program of the last bind(). Its vertices are lattice nodes, numbered row by row.
     void draw(const Selection& tiles);
-    /// Nodes on a side of the lattice.
+    /// Returns the number of nodes on a side of the lattice.
     [[nodiscard]] int side() const { return m_lattice ? m_lattice->side : 0; }
 
-    /// Bytes of textures and buffers written so far.
+    /// Returns the number of bytes written to textures and buffers so far.
     [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }
 
 private:
@@ -96,10 +96,10 @@ private:
     };
     struct Tile
     {
-        int count = 0;  ///< of its indices
+        int count = 0;  ///< number of indices
         TileBounds upper;
         TileBounds lower;
-        // What it has ever been: what is gone must be painted over.
+        // The largest extent it has had: what is gone must be painted over.
         int mostCount = 0;
         float lowestMm = std::numeric_limits<float>::max();
         float highestMm = std::numeric_limits<float>::lowest();
@@ -129,7 +129,7 @@ private:
     bool m_hasDecayZones = false;
     int m_tilesPerSide = 0;
     std::vector<Tile> m_tiles;
-    std::vector<float> m_shownTops;  ///< as they were uploaded
+    std::vector<float> m_shownTops;  ///< as last uploaded
     std::uint64_t m_uploadedBytes = 0;
 };
 

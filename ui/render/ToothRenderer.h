@@ -28,63 +28,65 @@
 
 namespace ui::render {
 
-/// Below every tooth: a height from which nothing fades, mm.
+/// A height below every tooth, mm: with it, nothing fades.
 inline constexpr float kNoFadeMm = -1.0e6F;
 
-/// Everything one picture shows besides the tooth itself.
+/// The contents of one picture besides the tooth itself.
 struct Scene
 {
     glm::dmat4 eyeFromTooth{1.0};
     glm::dmat4 clipFromEye{1.0};
     glm::dvec3 eyeMm{0.0, 0.0, 40.0};
     glm::vec3 towardsLight{0.0F, 0.0F, 1.0F};
-    glm::vec2 sizePx{1.0F, 1.0F};  ///< of the picture, device pixels
+    glm::vec2 sizePx{1.0F, 1.0F};  ///< size of the picture, device pixels
 
     bool instrumentShown = false;
     std::size_t burIndex = 0;
     glm::dvec3 tipMm{0.0};                    ///< of the bur
-    std::optional<double> surfaceBelowTipMm;  ///< height of the tooth under the tip, if any; the cue line ends there
-    double handAzimuthRad = 0.0;              ///< from +x to where the handle points, about +z
-    double leanRad = 0.0;                     ///< of shank and handpiece from upright, out of the way of the view
-    double leanAzimuthRad = 0.0;              ///< from +x to where they lean, about +z
+    std::optional<double> surfaceBelowTipMm;  ///< height of the tooth under the tip, if there is any; the cue line ends
+                                              ///< there
+    double handAzimuthRad = 0.0;              ///< direction of the handle, about +z from +x
+    double leanRad = 0.0;                     ///< of shank and handpiece from upright, so that they do not hide the
+                                              ///< tooth
+    double leanAzimuthRad = 0.0;              ///< direction of the lean, about +z from +x
     double turnRad = 0.0;                     ///< of the bur about its axis
     bool drillOn = false;
-    glm::vec4 burTint{0.0F};  ///< colour of the bur's head, and how much of it
+    glm::vec4 burTint{0.0F};  ///< colour of the bur's head, and its share
     double liftMm = 0.0;      ///< of shank and handpiece along the bur, so that they clear the tooth
 
-    std::optional<glm::dvec3> ghostMm;  ///< where the hand holds the bur, shown faintly
+    std::optional<glm::dvec3> ghostMm;  ///< place where the hand holds the bur, drawn faintly
     std::optional<DentalMirror> mirror;
-    bool mirrorHandleLeft = true;  ///< the mirror is held by the other hand than the handpiece
+    bool mirrorHandleLeft = true;  ///< the hand opposite the handpiece holds the mirror
     Look look;
 
-    int eye = 0;  ///< of two: 0 the left one or the only one, 1 the right one
-    /// Keep what does not move from picture to picture: right for a software driver, which draws slowly and copies
-    /// quickly.
+    int eye = 0;  ///< 0: the left or only eye, 1: the right eye
+    /// Keeps the picture of what does not move: useful for a software driver, which draws slowly and copies fast.
     bool keepsStill = false;
 };
 
-/// Draws a ToothSurface, the bur and the handpiece with OpenGL 3.3 core. The context given to initialize() must be
-/// current in every call, the destructor included.
+/// Draws a ToothSurface, the bur and the handpiece with OpenGL 3.3 core. The context of initialize() must be current in
+/// every call, including the destructor.
 class ToothRenderer : private QOpenGLFunctions_3_3_Core
 {
 public:
     ToothRenderer();
     ~ToothRenderer() override;
 
-    /// Compiles the shaders. False when the context has no OpenGL 3.3 or refuses a shader; `reason` then says which.
+    /// Compiles the shaders. Returns false if the context has no OpenGL 3.3 or refuses a shader, with the cause in
+    /// `reason`.
     [[nodiscard]] bool initialize(QString& reason);
 
-    /// Uploads a whole surface in place of the one before.
+    /// Uploads a whole surface and replaces the one before.
     void setSurface(const ToothSurface& surface);
-    /// Uploads what a refresh() of that surface changed, and nothing else.
+    /// Uploads only what a refresh() of that surface changed.
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
-    /// What stands beside the tooth, in its frame; empty: nothing.
+    /// Sets the pieces beside the tooth, in its frame; empty: none.
     void setNeighbours(std::vector<core::teeth::ArchPiece> pieces);
-    /// Draws into the bound framebuffer, whole viewport. Without a surface: the empty room.
+    /// Draws into the whole viewport of the bound framebuffer. Without a surface: the empty room.
     void draw(const Scene& scene);
 
-    /// Bytes of textures and buffers written by setSurface() and update() so far. For the test: no picture shows
-    /// whether update() left out what had not changed.
+    /// Returns the number of bytes that setSurface() and update() have written so far. For tests: a picture does not
+    /// show whether update() skipped what had not changed.
     [[nodiscard]] std::uint64_t uploadedBytes() const { return m_maps.uploadedBytes(); }
 
 private:
@@ -122,24 +124,25 @@ private:
     QOpenGLShaderProgram m_metalProgram;
     QOpenGLShaderProgram m_lineProgram;
     QOpenGLShaderProgram m_glassProgram;
-    QOpenGLVertexArrayObject m_nothing;  ///< for pictures without vertices
+    QOpenGLVertexArrayObject m_nothing;  ///< for drawing without vertices
     ToothMaps m_maps;
     std::vector<std::unique_ptr<Part>> m_burs;
     std::vector<std::unique_ptr<Part>> m_shanks;
     ArchRenderer m_neighbours;
-    glm::vec2 m_fadeMm{kNoFadeMm,
-                       kNoFadeMm - 1.0F};  ///< heights between which the root fades, as the gum beside it does
+    glm::vec2 m_fadeMm{kNoFadeMm, kNoFadeMm - 1.0F};  ///< heights between which the root fades, like the gum beside it
     Part m_handpiece;
     Part m_mirror;
-    std::unique_ptr<QOpenGLFramebufferObject> m_reflected;   ///< what the dental mirror shows, as the eye sees it
-    std::unique_ptr<QOpenGLFramebufferObject> m_reflection;  ///< the same to be read, where that has several samples
-    bool m_isMirrored = false;                               ///< what is drawn is a mirror image: its front faces turn
-    glm::vec4 m_clipPlane{0.0F};                             ///< tooth frame; what is behind it is not drawn
+    std::unique_ptr<QOpenGLFramebufferObject> m_reflected;   ///< the picture in the dental mirror, from the eye
+    std::unique_ptr<QOpenGLFramebufferObject> m_reflection;  ///< m_reflected resolved for reading, if it has several
+                                                             ///< samples
+    bool m_isMirrored = false;                               ///< the picture is a mirror image: front faces have the
+                                                             ///< opposite orientation
+    glm::vec4 m_clipPlane{0.0F};                             ///< tooth frame; everything behind it is not drawn
 
-    /// Of each eye, straight and in the mirror.
+    /// For each eye, direct and in the mirror.
     std::array<StillPicture, 4> m_stills;
     BurLight m_burLight;
-    std::uint64_t m_surfaces = 0;  ///< teeth and neighbours that came so far
+    std::uint64_t m_surfaces = 0;  ///< number of teeth and sets of neighbours so far
     glm::vec3 m_crownMm{0.0F};
 };
 

@@ -10,13 +10,14 @@
 
 namespace ui::render {
 
-/// Works out how a whole tooth is drawn, a tenth of a second for a usual lattice and a third for the finest that is
-/// drawn: whoever shows it afterwards need not. Any thread that may wait.
+/// Computes the drawn surface of a whole tooth in advance: about 0.1 s for a usual lattice, 0.3 s for the finest. Any
+/// thread but the ui thread.
 /// @param towardsLight  unit vector to the operating light, tooth frame, z > 0
 void workOutSurface(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, glm::vec3 towardsLight);
 
-/// A whole tooth to show and cut: a copy of what was worked out of it, a few milliseconds, if it is one of the last two
-/// teeth; else it is worked out now. Any thread. Parameters as above; for another light some of it is done again.
+/// Returns the drawn surface of a whole tooth, to show and cut. Copies it in a few milliseconds if it was computed for
+/// one of the last two teeth; otherwise computes it now. Any thread. Parameters as above; for another light part of it
+/// is computed again.
 [[nodiscard]] std::unique_ptr<ToothSurface>
 wholeSurface(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, glm::vec3 towardsLight);
 
