@@ -9,7 +9,7 @@
 #include "core/base/Result.h"
 #include "core/settings/PedalSettings.h"
 
-/// What foot pedals and gamepads report to the ui. Plain values.
+/// The report of foot pedals and gamepads to the ui. Plain values.
 namespace core::session {
 
 /// Axes of a gamepad, in the order of Controller::axes. Sticks: -1 left or up, 1 right or down; triggers: 0 to 1.
@@ -43,17 +43,18 @@ struct Controller
 {
     std::string guid;  ///< 32 hexadecimal digits; the same for two devices of one kind
     std::string name;
-    int instance = -1;                   ///< another number each time that it is plugged in
+    int instance = -1;                   ///< a new number each time it is plugged in
     bool isGamepad = false;              ///< axes and buttons are those of GamepadAxis and GamepadButton
     std::vector<float> axes;             ///< -1 to 1
-    std::uint32_t held = 0;              ///< buttons that are down, a bit each
-    std::vector<std::uint32_t> presses;  ///< of each button since it was plugged in
+    std::uint32_t held = 0;              ///< the buttons that are down, one bit each
+    std::vector<std::uint32_t> presses;  ///< number of presses of each button since it was plugged in
     bool operator==(const Controller&) const = default;
 
     [[nodiscard]] bool isHeld(std::size_t button) const { return (held >> button & 1U) != 0; }
 };
 
-/// Axis and button of one kind of controller that run the bur. The one that requests the higher speed counts.
+/// The axis and the button of one kind of controller that control the speed of the bur. The higher of both speeds
+/// applies.
 struct PedalSource
 {
     std::string guid;  ///< empty: no pedal is chosen
@@ -66,17 +67,17 @@ struct PedalSource
 enum class PedalStage : std::uint8_t {
     NotChosen,
     Missing,       ///< no such controller is plugged in
-    WaitsForRest,  ///< pressed since it was plugged in or chosen: counts as released
+    WaitsForRest,  ///< has been down since it was plugged in or chosen: counts as released
     Ready,
 };
 
 struct ControllerReport
 {
-    core::Error error{};  ///< why no controller can be read; empty: they are read
+    core::Error error{};  ///< why no controller can be read; empty: no error
     std::vector<Controller> controllers;
     PedalStage pedal = PedalStage::NotChosen;
-    int percent = 0;              ///< speed that the pedal asks of the bur
-    std::uint32_t unplugged = 0;  ///< times that the chosen pedal was unplugged
+    int percent = 0;              ///< speed of the bur that the pedal requests, per cent
+    std::uint32_t unplugged = 0;  ///< number of times that the chosen pedal was unplugged
 };
 
 }  // namespace core::session

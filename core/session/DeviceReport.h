@@ -9,24 +9,24 @@
 
 #include "core/base/Result.h"
 
-/// What a force device reports to the ui, and how it is set up. Plain values.
+/// The report of a force device to the ui, and its setup. Plain values.
 namespace core::session {
 
-/// How far a force device has come from the plug to the hand.
+/// The state of a force device on its way to being ready.
 enum class DeviceStage : std::uint8_t {
     Absent,           ///< no device is plugged in
     Unavailable,      ///< plugged in, but cannot be opened; DeviceReport::error says why
     NeedsFirmware,    ///< no firmware file is set, or it is not firmware; the error says why
     LoadingFirmware,  ///< DeviceReport::progress grows from 0 to 1
     Homing,           ///< waits until the user has moved the grip past the index marks
-    Ready,            ///< gives positions and takes forces
-    Silent,           ///< was ready and has stopped to answer; the force is zero. Becomes Ready when it answers again
+    Ready,            ///< delivers positions and accepts forces
+    Silent,           ///< has stopped to answer; the force is zero. Becomes Ready when it answers again
 };
 
-/// What the exchange of packets with a device has been like since it was opened.
+/// Statistics of the packets exchanged with a device since it was opened.
 struct ExchangeFigures
 {
-    /// Intervals between answers, in steps of kBinUs; the last bin has the longer ones too.
+    /// Histogram of the intervals between answers, in steps of kBinUs; the last bin includes all longer ones.
     static constexpr std::size_t kBins = 40;
     static constexpr double kBinUs = 50.0;
 
@@ -46,28 +46,30 @@ struct DeviceReport
     std::string serial;  ///< of the device; empty while absent
     int others = 0;      ///< devices of the same kind that were plugged in when this one was opened
     core::Error
-        error{};  ///< why it is Unavailable or NeedsFirmware; else the last one that it recovered from, or empty
+        error{};  ///< why it is Unavailable or NeedsFirmware; otherwise the last error that it recovered from, or empty
     double progress = 0.0;                   ///< of LoadingFirmware
-    std::array<bool, 3> homed{};             ///< which arms have passed their index mark
+    std::array<bool, 3> homed{};             ///< the arms that have passed their index mark
     glm::vec3 tipMm{0.0F};                   ///< tooth frame; valid while Ready
-    glm::vec3 forceN{0.0F};                  ///< tooth frame, as sent last
-    std::uint8_t buttons = 0;                ///< held; bits in the order of `presses`
-    std::array<std::uint32_t, 4> presses{};  ///< of each button since it was opened: drill, undo, mirror, centre
+    glm::vec3 forceN{0.0F};                  ///< tooth frame, as last sent
+    std::uint8_t buttons = 0;                ///< held buttons; bits in the order of `presses`
+    std::array<std::uint32_t, 4> presses{};  ///< number of presses of each button since it was opened: drill, undo,
+                                             ///< mirror, centre
     ExchangeFigures exchange;
 };
 
-/// How the device stands before the user.
+/// The placement of the device in front of the user.
 struct DeviceSetup
 {
     enum class Stand : std::uint8_t { Upright, OnItsBack };  ///< as sold; with the arms up
-    enum class Side : std::uint8_t { Front, Right, Left };   ///< where it stands, seen by the user
+    enum class Side : std::uint8_t { Front, Right, Left };   ///< side of the user on which it is placed
     static constexpr double kLeastScale = 0.5;
     static constexpr double kMostScale = 2.5;
 
     Stand stand = Stand::Upright;
     Side side = Side::Front;
-    double scale = 1.0;   ///< how far the hand moves for one millimetre of the bur
-    double restMm = 0.0;  ///< height of the hand for the top of the tooth, above the middle of the work area
+    double scale = 1.0;   ///< movement of the hand per movement of the bur
+    double restMm = 0.0;  ///< height of the hand, above the middle of the work area, at which the bur is at the top of
+                          ///< the tooth
     bool operator==(const DeviceSetup&) const = default;
 };
 

@@ -13,14 +13,14 @@
 
 namespace core::session {
 
-/// Brings an attempt to the disk while it goes on, so that a killed program or a cut of power takes no more than the
-/// last tenth of a second of it. It asks the session for what is new, 25 times a second, and writes that, which no end
-/// of the program undoes; syncing() waits for that and then until the disk has it, which no cut of power undoes. Each
-/// has a thread of its own: session and servo never wait for a disk, and what a slow one is behind stays in the
-/// session's recording.
+/// Writes an attempt to the disk while it is being made, so that a killed program or a power failure loses no more than
+/// the last tenth of a second. 25 times a second, tick() gets the new events from the session and writes them, after
+/// which they survive the end of the program; syncing() then waits until they are on the disk, after which they survive
+/// a power failure. Each has its own thread: session and servo never wait for a disk, and events that a slow disk has
+/// not taken stay in the session's recording.
 ///
-/// A file comes into being with the first cut, and goes when the attempt is put away: when another tooth is taken, and
-/// by putAway(). Every other end leaves it to be found (recording::journalsIn).
+/// A file is created at the first cut. It is removed when another tooth begins, and by putAway(). After any other end
+/// it stays and is found by recording::journalsIn().
 class JournalLoop final : public rt::Loop
 {
 public:
@@ -31,29 +31,28 @@ public:
     JournalLoop(const SessionLoop& session, std::filesystem::path folder);
 
     void tick(std::chrono::microseconds dt) override;
-    /// Writes what there is and waits for the disk.
+    /// Writes all events and waits for the disk.
     void end() override;
-    /// For the other thread. A tick waits up to kPeriod for something to sync.
+    /// Returns the loop that waits for the disk, for a second thread. Its tick waits up to kPeriod for new data.
     [[nodiscard]] rt::Loop& syncing() { return m_syncing; }
 
-    /// Before an attempt that was found is resumed as the tooth of this generation: its file is kept for it. Any
-    /// thread.
+    /// Assigns the file of an attempt that was found to the tooth of this generation. Call before that attempt is
+    /// resumed. Any thread.
     void takeUp(std::uint64_t generation, recording::FoundAttempt found);
-    /// What is done to the tooth of this generation is nobody's work, and of it and those before no file is begun any
-    /// more. Before it is begun. Any thread.
+    /// Writes no file for the tooth of this generation and those before it, because the work belongs to no user. Call
+    /// before that tooth begins. Any thread.
     void leaveOut(std::uint64_t generation) { m_leftOut.store(generation, std::memory_order_release); }
-    /// The attempt has been saved or given up: its file goes. When the loop has ended.
+    /// Removes the file, because the attempt was saved or discarded. Call after the loop has ended.
     void putAway();
 
-    /// A failure that has not been told yet, once until things have gone well again. Any thread. Writing is tried again
-    /// by and by, from where it failed.
+    /// Returns the first failure since the last success, once. Writing is retried from where it failed. Any thread.
     [[nodiscard]] std::optional<Error> failure();
-    /// Things go well, or go well again. Any thread.
+    /// Returns whether the last write and the last sync succeeded. Any thread.
     [[nodiscard]] bool isWell() const { return !m_cannotWrite.load() && !m_cannotSync.load(); }
-    /// The file of the attempt at the tooth of this generation, whether it is there yet or not; empty: that is not the
-    /// present one. Any thread.
+    /// Returns the path of the journal file, existing or not, of the tooth of this generation; empty if that is not the
+    /// current tooth. Any thread.
     [[nodiscard]] std::filesystem::path fileOf(std::uint64_t generation);
-    /// Events of the present attempt that are written. Any thread.
+    /// Returns the number of events of the current attempt that are written. Any thread.
     [[nodiscard]] std::uint64_t eventsWritten() const { return m_written.load(std::memory_order_acquire); }
 
 private:
@@ -77,20 +76,20 @@ private:
 
     const SessionLoop& m_session;
     std::filesystem::path m_folder;
-    std::uint64_t m_generation = 0;  ///< of the tooth whose attempt this is; written under the mutex
+    std::uint64_t m_generation = 0;  ///< of the current tooth; written under the mutex
     std::int64_t m_begunUtcMs = 0;
     std::filesystem::path m_path;  ///< written under the mutex
     std::shared_ptr<recording::JournalFile> m_file;
-    std::optional<recording::JournalLock> m_older;  ///< of the file that m_file takes the place of
-    std::chrono::microseconds m_rest{0};            ///< until writing is tried again
+    std::optional<recording::JournalLock> m_older;  ///< of the file that m_file replaces
+    std::chrono::microseconds m_rest{0};            ///< time until writing is retried
     std::atomic<bool> m_cannotWrite{false};
     std::atomic<std::uint64_t> m_written{0};
-    std::atomic<std::uint64_t> m_leftOut{0};  ///< the last generation of which no file is begun
+    std::atomic<std::uint64_t> m_leftOut{0};  ///< no files for teeth up to this generation
     Syncing m_syncing{*this};
     std::atomic<bool> m_cannotSync{false};  ///< of the thread that syncs
 
     std::condition_variable m_somethingWritten;
-    std::mutex m_mutex;  ///< guards what follows
+    std::mutex m_mutex;  ///< guards the members below
     bool m_isToBeSynced = false;
     std::shared_ptr<recording::JournalFile> m_toSync;
     std::optional<Error> m_failure;

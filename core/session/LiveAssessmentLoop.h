@@ -13,18 +13,18 @@
 
 namespace core::session {
 
-/// How the present attempt goes, as of some tick of it.
+/// The assessment of the current attempt at some tick.
 struct Findings
 {
-    std::uint64_t generation = 0;  ///< of the tooth; 0: none yet
+    std::uint64_t generation = 0;  ///< of the tooth; 0: no tooth yet
     std::uint64_t ticks = 0;
     grading::Process process;
     std::vector<grading::Infraction> infractions;
-    std::uint8_t aids = 0;                        ///< bits of Aid: in use at any time
-    std::optional<grading::Practised> practised;  ///< of an exercise; else nothing
+    std::uint8_t aids = 0;                        ///< bits of servo::Aid that were in use at any time
+    std::optional<grading::Practised> practised;  ///< empty unless the lesson is an exercise
 };
 
-/// An attempt at one tick, whole: what it is marked by, and what a replay of the recording comes to.
+/// An attempt at one tick: its recording, its tooth and its assessment, which belong together.
 struct AttemptSnapshot
 {
     recording::Recording recording;
@@ -32,9 +32,8 @@ struct AttemptSnapshot
     Findings findings;
 };
 
-/// Follows the attempt that goes on by replaying it a little behind the servo, 20 times a second, and examines what it
-/// sees. So nothing is asked of the servo, and what is found live is what every later replay finds. Costs about a
-/// hundredth of a core.
+/// Assesses the current attempt by replaying it a little behind the servo, 20 times a second. So the servo has no extra
+/// work, and live results are those of every later replay. Costs about a hundredth of a core.
 class LiveAssessmentLoop final : public rt::Loop
 {
 public:
@@ -45,13 +44,13 @@ public:
 
     void tick(std::chrono::microseconds dt) override;
 
-    /// What is to be watched in the attempt at the tooth of this generation. Before or after that tooth is begun; an
-    /// attempt that goes on is looked at anew. Any thread.
+    /// Sets the examination for the tooth of this generation, before or after that tooth begins. An attempt that has
+    /// begun is assessed again from its start. Any thread.
     void watch(std::uint64_t generation, Examination examination);
-    /// Any thread.
+    /// Returns the current assessment. Any thread.
     [[nodiscard]] Findings findings() const;
-    /// The attempt up to now, to the tick: recording, tooth and findings that go together. Waits for what is still to
-    /// be replayed, some milliseconds. Any thread; nothing before the first tooth.
+    /// Returns the attempt up to now, exact to the tick. Waits some milliseconds until the rest is replayed. Empty
+    /// before the first tooth. Any thread.
     [[nodiscard]] std::optional<AttemptSnapshot> conclude();
 
 private:
@@ -61,11 +60,11 @@ private:
     [[nodiscard]] Findings found() const;
 
     const SessionLoop& m_session;
-    mutable std::mutex m_mutex;  ///< guards all below
+    mutable std::mutex m_mutex;  ///< guards all members below
     std::uint64_t m_watchedGeneration = 0;
     Examination m_examination;
-    std::uint64_t m_generation = 0;  ///< of what is followed; 0: nothing
-    std::uint64_t m_events = 0;      ///< that have been played
+    std::uint64_t m_generation = 0;  ///< of the replayed tooth; 0: none
+    std::uint64_t m_events = 0;      ///< number of events replayed
     std::optional<recording::Replayer> m_replayer;
     std::optional<LiveAssessor> m_examiner;
 };

@@ -3,12 +3,12 @@
 
 namespace core::session {
 
-/// Radius of the ball that the grip of every supported device is sure to reach, around the middle of its work area, mm.
+/// Radius of the sphere around the middle of the work area that the grip of every supported device can reach, mm.
 inline constexpr double kHandReachMm = 45.0;
 
-/// Returns the nearest height of the hand at which the whole tooth can still be reached. 0 if it is not finite.
-/// @param restMm  above the middle of the work area, for the top of the tooth
-/// @param scale   how far the hand moves for one millimetre of the bur
+/// Returns the nearest height of the hand from which the whole tooth can be reached, mm. 0 if restMm is not finite.
+/// @param restMm  wanted height above the middle of the work area for the top of the tooth
+/// @param scale   movement of the hand per movement of the bur
 [[nodiscard]] double reachableRestMm(double restMm, double scale) noexcept;
 
 }  // namespace core::session

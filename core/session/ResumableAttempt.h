@@ -10,22 +10,23 @@
 
 namespace core::session {
 
-/// An attempt as it was left, with all that a session needs to go on with it.
+/// An unfinished attempt, with all that a session needs to continue it.
 struct ResumableAttempt
 {
-    recording::Recording recording;  ///< with what the tooth was after its last tick as witness
+    recording::Recording recording;  ///< its witness is the tooth after its last tick
     history::TiledHeights uncut;
-    history::UndoTree history;  ///< its present moment is what the tooth came to
+    history::UndoTree history;  ///< its current moment is the tooth after the last tick
     int strokes = 0;
-    std::unique_ptr<servo::ServoTick> servo;     ///< with the recording's settings, new: what goes on computing it
-    std::optional<std::uint8_t> bur = {};        ///< in hand last; nothing: that which an attempt begins with
-    std::optional<std::uint8_t> handpiece = {};  ///< the same, of those at hand (SetHandpiece)
-    double restedS = 0.0;                        ///< of the recording, in which the student was elsewhere
+    std::unique_ptr<servo::ServoTick> servo;     ///< new, with the recording's settings: computes the rest of the
+                                                 ///< attempt
+    std::optional<std::uint8_t> bur = {};        ///< last in use; empty: the one with which an attempt begins
+    std::optional<std::uint8_t> handpiece = {};  ///< the same, as an index into the attempt's handpieces (SetHandpiece)
+    double restedS = 0.0;                        ///< time of the recording in which the student was away
 };
 
-/// Replays a recording to its end and finds its moments again. Strokes and undo steps are told from what the recording
-/// holds, so that after a jump (GoTo) or a reload a moment may stand on another branch than it did; none is missing.
-/// Any thread; takes as long as a replay. Only the settings can be wrong.
+/// Replays a recording to its end and rebuilds its undo history. Strokes and undo steps are derived from the recording,
+/// so after a jump (GoTo) or a reload a moment may be on another branch than before; none is missing. Any thread; takes
+/// as long as a replay. The only possible error is invalid settings.
 [[nodiscard]] Result<std::unique_ptr<ResumableAttempt>> rebuild(recording::Recording recording);
 
 }  // namespace core::session

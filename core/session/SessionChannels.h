@@ -20,70 +20,70 @@
 /// the loops.
 namespace core::session {
 
-/// What the ui asks of the session. Ui writes, session reads and passes on what concerns the servo.
+/// Commands of the ui. The ui writes them; the session reads them and forwards those for the servo.
 struct Undo
 {};
 struct Redo
 {};
-/// Back to the uncut tooth; a step like a stroke, which can be undone.
+/// Restores the uncut tooth, as a step that can be undone.
 struct Reload
 {};
-/// To any moment of the history.
+/// Goes to any moment of the history.
 struct GoTo
 {
     history::MomentId id{};
 };
-/// A new tooth.
+/// Replaces the tooth.
 struct ReplaceTooth
 {
     std::unique_ptr<terrain::Tooth> tooth;
-    std::uint64_t generation = 0;  ///< the number that states and patches of this tooth will carry
+    std::uint64_t generation = 0;  ///< number that states and patches of this tooth carry
     std::string lesson = {};       ///< for which the attempt is made (recording::checkLesson); empty: none
-    /// Computes the attempt; new. Null: the servo loop keeps the one it has.
+    /// A new servo that computes the attempt. Null: the servo loop keeps its servo.
     std::unique_ptr<servo::ServoTick> servo = {};
 };
-/// Continues an attempt that was not finished when the program ended.
+/// Continues an attempt that was unfinished when the program ended.
 struct ResumeAttempt
 {
     std::unique_ptr<ResumableAttempt> attempt;
-    std::uint64_t generation = 0;  ///< as of ReplaceTooth
+    std::uint64_t generation = 0;  ///< as in ReplaceTooth
 };
-/// Holds the hand within an outline until this command comes again.
+/// Keeps the hand within an outline until the next such command.
 struct SetFixture
 {
     std::unique_ptr<const guidance::Fixture> fixture;  ///< null: none
 };
-/// The aids that are in use from now on: goes on the recording.
+/// Sets the aids in use from now on. Recorded.
 struct SetAids
 {
     std::uint8_t aids = 0;
 };
-/// Puts a number on the recording at this moment; what it means is between those who write and read it.
+/// Records a number at this moment. Its meaning is defined by those who write and read it.
 struct AddNote
 {
     std::uint64_t code = 0;
 };
-/// A command owns what it carries: one that is refused or never carried out frees it.
+/// A command owns its contents. A command that is refused or never executed frees them.
 using SessionCommand =
     std::variant<Undo, Redo, Reload, ReplaceTooth, servo::SetBur, servo::SetDrill, servo::SetHandpiece, SetFixture,
                  servo::BringHome, GoTo, ResumeAttempt, SetAids, AddNote, servo::SetParameter>;
 
-/// Newest state of the session. Session thread writes, ui reads.
+/// The newest state of the session. The session thread writes it, the ui reads it.
 struct SessionState
 {
     std::uint64_t toothGeneration = 0;
-    int undoSteps = 0;  ///< strokes that can be taken back
+    int undoSteps = 0;  ///< strokes that can be undone
     int redoSteps = 0;
-    std::uint64_t historyVersion = 0;   ///< another one whenever SessionLoop::historySoFar() would be another
+    std::uint64_t historyVersion = 0;   ///< changes whenever the result of SessionLoop::historySoFar() changes
     int strokes = 0;                    ///< made since the tooth was opened
     terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
-    terrain::PerMaterial removedMm3{};  ///< against the uncut tooth, after undo and all
-    double overcutMm3 = 0.0;  ///< of these, what the grade counts: enamel and dentin beside or below the decay
-    bool perforated = false;  ///< there is a hole through the tooth, after undo and all
+    terrain::PerMaterial removedMm3{};  ///< compared with the uncut tooth, after undo
+    double overcutMm3 = 0.0;  ///< part of removedMm3 that costs points: enamel and dentin beside or below the decay
+    bool perforated = false;  ///< there is a hole through the tooth, after undo
     double recordedS = 0.0;
 };
 
-/// The channels between ui and the loops, owned by the application, handed by reference.
+/// The channels between the ui and the loops. The application owns them and passes references.
 struct UiChannels
 {
     rt::TripleBuffer<servo::ServoState> servo;                         ///< servo -> ui

@@ -17,28 +17,28 @@
 
 namespace core::session {
 
-/// What a session remembers of an attempt. It grows with the attempt, so a headless run keeps only what it asks for.
+/// What a session stores of an attempt. Both grow with the attempt, so a headless run stores only what it needs.
 struct SessionMemory
 {
     bool recording = true;
     std::size_t undoBytes = history::UndoTree::kDefaultLimitBytes;
 };
 
-/// What of an attempt a journal is still to write.
+/// The part of an attempt that a journal has not written yet.
 struct RecordedPart
 {
-    std::uint64_t generation = 0;           ///< of the tooth that is being recorded; 0: none yet
-    bool isWorthKeeping = false;            ///< something has come off it
-    std::vector<servo::ServoEvent> events;  ///< the next that are at hand; empty where another generation was asked for
+    std::uint64_t generation = 0;           ///< of the recorded tooth; 0: no tooth yet
+    bool isWorthKeeping = false;            ///< material has been removed
+    std::vector<servo::ServoEvent> events;  ///< the next events available; empty if another generation was requested
 };
 
-/// The servo's patient partner (about 100 Hz): keeps a mirror of the tooth, the undo history and the recording, builds
-/// restored teeth and hands them over, passes cut tiles on to the view. It may wait and allocate; the servo never does.
+/// The partner of the servo that may wait and allocate (about 100 Hz): maintains a mirror of the tooth, the undo
+/// history and the recording, builds restored teeth for the servo, and forwards cut tiles to the view.
 class SessionLoop final : public rt::Loop
 {
 public:
     /// @param servo, ui  must outlive the loop
-    /// @param settings   of the servo, until a command brings another
+    /// @param settings   of the servo, until a command changes them
     SessionLoop(servo::ServoChannels& servo, UiChannels& ui, servo::ServoSettings settings,
                 const SessionMemory& memory = {});
     ~SessionLoop() override;
@@ -46,31 +46,31 @@ public:
     void tick(std::chrono::microseconds dt) override;
     void end() override;
 
-    /// The attempt so far, with what the tooth was at the mirror's tick. Any thread; empty before the first tooth, and
-    /// where no recording is kept.
+    /// Returns the attempt so far, with the tooth at the mirror's tick as witness. Empty before the first tooth, and if
+    /// nothing is recorded. Any thread.
     [[nodiscard]] std::optional<recording::Recording> recordingSoFar() const;
-    /// Which tooth's attempt is being recorded; 0 where none is. Any thread; constant time.
+    /// Returns the generation of the recorded tooth; 0 if there is none. Any thread; constant time.
     [[nodiscard]] std::uint64_t recordedGeneration() const;
-    /// What has been recorded of a tooth from event number `first` on. Any thread.
+    /// Returns the recorded events of a tooth from event number `first` on. Any thread.
     [[nodiscard]] RecordedPart recordedSince(std::uint64_t generation, std::uint64_t first) const;
-    /// The top map that was put back by one of the last steps through the history, by the tick after which the tooth
-    /// had stood so. Any thread.
+    /// Returns the top map that one of the last undo steps restored, by the tick after which the tooth had it. Empty if
+    /// it is not stored any more. Any thread.
     [[nodiscard]] std::optional<history::TiledHeights> restored(std::uint64_t tick) const;
-    /// The tooth as the mirror has it. Any thread; empty before the first tooth.
+    /// Returns the mirror of the tooth. Empty before the first tooth. Any thread.
     [[nodiscard]] std::optional<terrain::Tooth> toothSoFar() const;
 
-    /// The moments that can be gone back to, oldest first. Any thread; empty before the first tooth. Cheap, but ask
-    /// only when SessionState::historyVersion is another than before.
+    /// Returns the moments of the history, oldest first. Empty before the first tooth. Any thread. Cheap, but only
+    /// needed when SessionState::historyVersion has changed.
     [[nodiscard]] std::vector<history::MomentInfo> historySoFar() const;
-    /// The top map at a moment, row by row, mm, for a small picture of it. Any thread; empty if it is not known any
-    /// more.
+    /// Returns the top map at a moment, row by row, mm, for a small picture. Empty if the moment is not stored any
+    /// more. Any thread.
     [[nodiscard]] std::vector<float> momentHeights(history::MomentId id) const;
 
 private:
     struct Upcoming
     {
         std::uint64_t generation = 0;
-        recording::Recording recording;  ///< what is on it already
+        recording::Recording recording;  ///< what it contains already
     };
 
     void freeRetired();
@@ -107,30 +107,31 @@ private:
     bool m_records;
     std::size_t m_undoBytes;
 
-    mutable std::mutex m_mutex;  ///< guards what other threads ask for; the servo never comes here
+    mutable std::mutex m_mutex;  ///< guards members that other threads read; the servo never locks it
     std::optional<recording::Recording> m_recording;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
-    std::deque<std::pair<std::uint64_t, history::TiledHeights>> m_restored;  ///< what was handed over of late
-    std::uint64_t m_recordedGeneration = 0;                                  ///< the tooth that m_recording is about
+    std::deque<std::pair<std::uint64_t, history::TiledHeights>> m_restored;  ///< the last maps that were given to the
+                                                                             ///< servo
+    std::uint64_t m_recordedGeneration = 0;                                  ///< the tooth of m_recording
     history::TiledHeights m_uncut;
     history::TiledHeights m_mirror;
     std::uint64_t m_mirrorTick = 0;
-    history::TiledHeights m_vouched;  ///< the newest group of patches made the tooth this; undo does not touch it
-    std::optional<std::uint64_t> m_vouchedTick;  ///< nothing: since the attempt was resumed there was none
+    history::TiledHeights m_vouched;  ///< the tooth after the newest group of patches; undo does not change it
+    std::optional<std::uint64_t> m_vouchedTick;  ///< empty: no patches since the attempt was resumed
     history::UndoTree m_undo;
 
-    std::deque<Upcoming> m_upcoming;         ///< handed to the servo, not yet begun there
-    std::vector<servo::ServoEvent> m_noted;  ///< of an attempt that has not begun there
+    std::deque<Upcoming> m_upcoming;         ///< given to the servo, not begun there yet
+    std::vector<servo::ServoEvent> m_noted;  ///< for an attempt that has not begun there yet
     std::uint64_t m_historyVersion = 0;
     std::chrono::microseconds m_attemptTime{0};
     bool m_unfinished = false;  ///< the mirror differs from m_undo.current()
-    bool m_hasCut = false;      ///< something has come off this tooth, and be it put back
+    bool m_hasCut = false;      ///< material has been removed from this tooth, even if it was restored
     int m_strokes = 0;
     std::uint64_t m_serial = 0;
     std::uint64_t m_generation = 0;
     terrain::PerMaterial m_wholeMm3{};
     history::RemovedTally m_removed;
-    std::vector<servo::TilePatch> m_group;  ///< patches of a group that is not complete yet
+    std::vector<servo::TilePatch> m_group;  ///< of the incomplete group
     std::deque<servo::TilePatch> m_toUi;
 };
 

@@ -8,7 +8,7 @@
 
 namespace core::session {
 
-/// From where a student looks. It is noted in the recording (AddNote), so that a replay can show what they saw.
+/// A student's viewpoint. Recorded as a note (AddNote), so that a replay can show what they saw.
 struct Sight
 {
     double azimuthDeg = 0.0;    ///< -180 .. 180, as in ui::tooth::Camera

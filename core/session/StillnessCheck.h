@@ -8,30 +8,30 @@
 
 namespace core::session {
 
-/// How still a hand was held.
+/// The steadiness of a hand.
 struct Stillness
 {
-    double driftMm = 0.0;   ///< from the mean place of the first second to that of the last one
+    double driftMm = 0.0;   ///< from the mean place of the first second to that of the last
     double tremorMm = 0.0;  ///< root mean square of the distance from the moving mean
 };
 
-/// Measures how still a hand is held for kDurationS. Pure; docs/hand-and-rest.md has the definitions.
+/// Measures the steadiness of a hand for kDurationS. Pure; docs/hand-and-rest.md has the definitions.
 class StillnessCheck
 {
 public:
     static constexpr double kDurationS = 8.0;
     static constexpr double kEdgeS = 1.0;      ///< length of the first and the last part
     static constexpr double kMeanS = 0.5;      ///< length of the window of the moving mean
-    static constexpr double kLeastHz = 10.0;   ///< with fewer places there is no result
-    static constexpr double kMostHz = 1000.0;  ///< places that come faster are left out
+    static constexpr double kLeastHz = 10.0;   ///< with fewer places per second there is no result
+    static constexpr double kMostHz = 1000.0;  ///< places that come faster are ignored
 
-    /// Takes a place of the hand. One that is not finite, or not later than the one before, is left out.
-    /// @param timeS  since the beginning
+    /// Adds a place of the hand. Ignores a place that is not finite or not later than the one before.
+    /// @param timeS  since the start
     void add(double timeS, glm::dvec3 placeMm);
     [[nodiscard]] bool isOver() const { return m_timeS >= kDurationS; }
     /// Returns the share of the time that has passed, 0 to 1.
     [[nodiscard]] double progress() const;
-    /// Empty if the time is not over, or if any part of it had too few places.
+    /// Returns the result. Empty if the time is not over, or if any part of it had too few places.
     [[nodiscard]] std::optional<Stillness> result() const;
 
 private:
