@@ -14,24 +14,25 @@ namespace core::servo {
 
 class ServoTick;
 
-/// Another tooth for the servo; the pointer owns. Undo and reload hand over a restored copy of the same tooth.
+/// Gives the servo another tooth, which it then owns. Undo and reload give it a restored copy of the same tooth.
 struct SwapTooth
 {
     contact::LiveTooth* tooth = nullptr;
-    std::uint64_t generation = 0;  ///< of the ReplaceTooth it goes back to
-    std::uint64_t serial = 0;      ///< of this hand-over; patches carry it, so that late ones are told apart
-    bool anew = false;             ///< a tooth to begin with, not a step back
-    std::uint64_t tick =
-        0;                 ///< of the attempt, after which the tooth stood like this; anew, the servo counts on from it
-    bool resumed = false;  ///< anew, but in the middle of an attempt that was begun before
-    ServoTick* servo = nullptr;  ///< anew, owned: what computes from now on; null: as before
+    std::uint64_t generation = 0;  ///< of the ReplaceTooth that the tooth belongs to
+    std::uint64_t serial = 0;      ///< number of this swap; patches carry it, so that late ones of an older swap are
+                                   ///< ignored
+    bool anew = false;             ///< a new tooth, not an undo step
+    std::uint64_t tick = 0;  ///< tick of the attempt after which the tooth was in this state; for a new tooth, the tick
+                             ///< from which the servo counts on
+    bool resumed = false;    ///< a new tooth for an attempt that was begun before
+    ServoTick* servo = nullptr;  ///< for a new tooth, owned: computes from now on; null: no change
 };
-/// Session to servo.
+/// Commands from the session to the servo.
 using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, SetHandpiece, SetFixture, BringHome, SetParameter>;
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
-/// One thing that happened to the servo, or to the student while it worked, in the order in which it happened: what a
-/// recording is made of. Aids and notes come from the session, the rest from the servo.
+/// One event of a recording, in the order in which they happened. Aids and notes come from the session, all others from
+/// the servo.
 struct ServoEvent
 {
     enum class Kind : std::uint8_t {
@@ -39,15 +40,15 @@ struct ServoEvent
         NoDevice,   ///< a step without a reading
         Drill,      ///< value: 0 off, 1 on
         Bur,        ///< value: index into burs()
-        Spring,     ///< value: per cent of the stiffness that the force law has from now on
-        Restore,    ///< value: the tick after which the tooth stood that is put back
-        Home,       ///< the hand is to be led home from now on
-        Aids,       ///< value: the aids in use from now on, bits of servo::Aid. Nothing to the servo
-        Note,       ///< value: what the ui wants remembered of this moment. Nothing to the servo
-        Resume,     ///< taken up again after the program had ended: with a new servo, on the tooth as it stands
+        Spring,     ///< value: stiffness from now on, per cent of the force law's
+        Restore,    ///< value: the tick after which the restored tooth had its state
+        Home,       ///< the device starts to lead the hand to its start
+        Aids,       ///< value: the aids in use from now on, bits of servo::Aid. Ignored by the servo
+        Note,       ///< value: a code that the ui stores with this moment. Ignored by the servo
+        Resume,     ///< resumed after the program had ended: with a new servo, on the tooth as it was
         Handpiece,  ///< value: index into the settings' handpieces
-        Number,     ///< value: a number of the settings from now on (ServoParameters.h, packed)
-        Speed,      ///< value: per cent of its full speed at which the bur turns from now on, while it turns
+        Number,     ///< value: a parameter of the servo from now on (ServoParameters.h, packed)
+        Speed,      ///< value: speed of the turning bur from now on, per cent of its full speed
         Begin,      ///< a new tooth; value: its generation. Ends the recording before it
     };
     Kind kind = Kind::Tick;
@@ -57,7 +58,7 @@ struct ServoEvent
     bool operator==(const ServoEvent&) const = default;
 };
 
-/// Room for every tile of the largest grid: the servo sends a group of patches whole or waits.
+/// One slot for every tile of the largest grid: the servo sends a group of patches as a whole or not yet.
 inline constexpr std::size_t kServoPatches = 4096;
 
 /// The channels between servo and session.
@@ -68,7 +69,7 @@ struct ServoChannels
     rt::SpscQueue<ServoTick*, 8> retiredServos;                  ///< servo -> session: to be freed
     rt::SpscQueue<const guidance::Fixture*, 8> retiredFixtures;  ///< servo -> session: to be freed
     rt::SpscQueue<TilePatch, kServoPatches> patches;             ///< servo -> session
-    rt::SpscQueue<ServoEvent, 16384> events;  ///< servo -> session: 16 s at 1 kHz before anything is lost
+    rt::SpscQueue<ServoEvent, 16384> events;                     ///< servo -> session: room for 16 s at 1 kHz
 };
 
 }  // namespace core::servo

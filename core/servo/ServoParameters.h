@@ -12,24 +12,26 @@
 
 namespace core::servo {
 
-/// What of a servo's settings may change while it works: rate and threshold of caries, enamel, dentin and pulp, the
+/// The servo settings that may change while the servo runs: rate and threshold of caries, enamel, dentin and pulp, the
 /// axial share, stiffness, damping, damping of fast motion, friction, force limit, the share of flat ends, the full
-/// load. Their numbers are in recordings: new ones go to the end.
+/// load. Recordings store their indices: add new ones at the end only.
 inline constexpr std::size_t kServoNumbers = 2 * terrain::kMaterialCount + 8;
 using ServoParameters = std::array<double, kServoNumbers>;
 
+/// Returns the current values of all parameters.
 [[nodiscard]] ServoParameters parametersOf(const ServoSettings& settings);
 
-/// Whether the servo takes this: a number there is, finite and in its range (settings::feelFields()). Any thread.
+/// Returns whether the servo accepts a parameter: the index exists and the value is finite and in its range
+/// (settings::feelFields()). Any thread.
 [[nodiscard]] bool isServoNumber(const SetParameter& number) noexcept;
-/// Nothing where isServoNumber() says no. No allocation.
+/// Sets a parameter. Does nothing if isServoNumber() is false. No allocation.
 void setServoNumber(ServoSettings& settings, const SetParameter& number) noexcept;
 
-/// As ServoEvent::Kind::Number keeps it.
+/// Packs a parameter into the value of ServoEvent::Kind::Number.
 [[nodiscard]] std::uint64_t packNumber(const SetParameter& number) noexcept;
-/// Nothing where isServoNumber() says no.
+/// Unpacks a parameter. Empty if isServoNumber() is false.
 [[nodiscard]] std::optional<SetParameter> unpackParameter(std::uint64_t packed) noexcept;
-/// True if the packed number is one of those up to the force limit, which recordings had first.
+/// Returns whether a packed parameter is one of the first recordings', up to the force limit.
 [[nodiscard]] bool isOfFirstParameters(std::uint64_t packed) noexcept;
 
 }  // namespace core::servo

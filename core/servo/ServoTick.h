@@ -18,10 +18,10 @@ namespace core::servo {
 
 inline constexpr std::size_t kMostHandpieces = 8;
 
-/// Everything that decides what a tick computes. Stored in a recording, so that a replay computes the same.
+/// All settings on which a tick depends. Stored in a recording, so that a replay computes the same.
 struct ServoSettings
 {
-    /// Those at hand, at most kMostHandpieces; an attempt begins with the first.
+    /// The handpieces to choose from, at most kMostHandpieces; an attempt begins with the first.
     std::vector<settings::Handpiece> handpieces = std::vector<settings::Handpiece>(1);
     std::string method = "continuous";
     contact::ForceSettings force;
@@ -30,46 +30,48 @@ struct ServoSettings
     bool operator==(const ServoSettings&) const = default;
 };
 
-/// What one servo tick computes from one device position: contact, cutting, force. No device, no queue, no clock, so
-/// the servo loop and a replay run the very same code to the very same bits.
+/// Computes one servo tick from one device position: contact, cutting, force. Has no device, queue or clock, so that
+/// the servo loop and a replay run the same code with bit-identical results.
 ///
 /// Servo thread (or the one thread of a replay). After construction nothing allocates, locks or throws.
 class ServoTick
 {
 public:
-    /// @param settings  method name must exist and values be checked: see makeServoTick()
+    /// @param settings  the method must exist and the values must be valid: see makeServoTick()
     ServoTick(std::unique_ptr<contact::ContactMethod> method, ServoSettings settings);
 
-    /// Takes another tooth and gives the old one back for its owner to free. Constant time.
-    /// @param anew  a tooth to begin with: bur to the device, force and removed volumes to zero
-    /// @param tick  anew: the number that the next step's follows
+    /// Replaces the tooth and returns the old one, which the caller frees. Constant time.
+    /// @param anew  a new tooth: moves the bur to the device and sets force and removed volumes to zero
+    /// @param tick  for a new tooth: the number before that of the next step
     contact::LiveTooth* swapTooth(contact::LiveTooth* tooth, bool anew, std::uint64_t tick = 0) noexcept;
     void setBur(std::size_t index) noexcept;
     void setDrill(bool on) noexcept { m_state.drillOn = on; }
-    /// Sets the speed of the bur from now on, per cent of its full speed, 1 to 100: what a pedal asks for.
+    /// Sets the speed of the turning bur, per cent of its full speed, 1 to 100, as a pedal requests it.
     void setSpeed(std::uint64_t percent) noexcept { m_drill.setSpeedShare(static_cast<double>(percent) / 100.0); }
-    /// Another of the settings' handpieces; nothing where there is none of this number.
+    /// Selects a handpiece of the settings. Does nothing if there is none of this index.
     void setHandpiece(std::size_t index) noexcept;
-    /// Before the first tooth: hand, bur and drill as another servo leaves them.
+    /// Copies hand, bur and drill from the state of another servo. Call before the first tooth.
     void beginAs(const ServoState& left) noexcept;
-    /// The spring from now on as per cent of the settings: what a loop with more delay still holds.
+    /// Sets the stiffness, per cent of the settings: what is stable in a loop with more delay.
     void setSpring(std::uint64_t percent) noexcept { m_force.setShare(0.01 * static_cast<double>(percent)); }
 
-    /// One of the settings' numbers (ServoParameters.h) from now on; nothing where it may not be that.
+    /// Sets a parameter (ServoParameters.h). Does nothing if it is not valid.
     void setNumber(const SetParameter& number) noexcept;
 
-    /// Leads the hand home over the tooth, if the device has a work area (contact::WorkArea).
+    /// Leads the hand to its start over the tooth, if the device has a work area (contact::WorkArea).
     void bringHome() noexcept { m_workArea.bringHome(); }
 
-    /// One tick. A tooth must be there.
-    /// @param device  null: no reading this tick. So counts a position that is not finite, is more than a metre away or
-    ///                cannot have been come to by a hand. For less than 10 ms the hand is taken to rest where it was;
-    ///                after that, or when there was none before, the device is lost: no force, and nothing moves
+    /// Computes one tick. There must be a tooth.
+    /// @param device  null: no reading in this tick. A position that is not finite, is more than a metre away or is
+    ///                farther from the last than a hand can move is treated as null. For less than 10 ms the hand is
+    ///                assumed to rest. After that, or if there was no reading before, the device is lost: no force, and
+    ///                nothing moves
     void step(const glm::vec3* device, std::chrono::microseconds dt) noexcept;
 
-    /// As of the last step. `tick` counts steps of the attempt; links' fields are not filled here.
+    /// Returns the state after the last step. `tick` counts the steps of the attempt; the loop sets the fields about
+    /// its channels.
     [[nodiscard]] const ServoState& state() const noexcept { return m_state; }
-    /// Columns that the last step lowered.
+    /// Returns the columns that the last step lowered.
     [[nodiscard]] const cutting::CutRect& changed() const noexcept { return m_changed; }
     [[nodiscard]] const contact::LiveTooth* tooth() const noexcept { return m_tooth; }
     [[nodiscard]] const ServoSettings& settings() const noexcept { return m_settings; }
@@ -84,8 +86,8 @@ private:
     void takeNumbers() noexcept;
 
     ServoSettings m_settings;
-    contact::ForceSettings m_firstForce;       ///< before setNumber(): every tooth taken anew begins with it
-    settings::HardnessPreset m_firstHardness;  ///< the same
+    contact::ForceSettings m_firstForce;       ///< before setNumber(); every new tooth begins with it
+    settings::HardnessPreset m_firstHardness;  ///< likewise
     std::unique_ptr<contact::ContactMethod> m_method;
     contact::ForceLaw m_force;
     contact::WorkArea m_workArea;
@@ -94,14 +96,14 @@ private:
     contact::LiveTooth* m_tooth = nullptr;
     ServoState m_state;
     cutting::CutRect m_changed;
-    std::chrono::microseconds m_unread{0};  ///< for so long no reading could be used
+    std::chrono::microseconds m_unread{0};  ///< time without a usable reading
     bool m_restart = true;
     bool m_wasLost = false;
-    bool m_groundIsNew = false;  ///< another state of the tooth or another bur since the last step
-    bool m_mayAct = false;       ///< the bur has been free since the tooth was taken anew
+    bool m_groundIsNew = false;  ///< the tooth or the bur was replaced since the last step
+    bool m_mayAct = false;       ///< the bur has been outside the tooth since the tooth began
 };
 
-/// Checks the settings, then builds. The error names the first thing wrong.
+/// Checks the settings and builds the servo. The error names the first invalid setting.
 [[nodiscard]] Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings);
 
 }  // namespace core::servo

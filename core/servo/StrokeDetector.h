@@ -3,14 +3,14 @@
 
 namespace core::servo {
 
-/// Tells where a stroke ends, and so an undo step: with a pause in cutting. Tick by tick; no allocation.
+/// Detects the end of a stroke, and so of an undo step: a pause in cutting of kPauseTicks. No allocation.
 class StrokeDetector
 {
 public:
     static constexpr int kPauseTicks = 150;
 
-    /// To be asked after every tick. True when the pause after a stroke has just lasted long enough.
-    /// @param cut  material came away in this tick
+    /// Returns whether a stroke ends in this tick. Call after every tick.
+    /// @param cut  material was removed in this tick
     bool endsWith(bool cut) noexcept
     {
         if (cut) {
@@ -22,11 +22,11 @@ public:
         }
         return false;
     }
-    /// Another tooth, or another moment of it.
+    /// Forgets a stroke that has not ended, for another tooth or another moment of it.
     void restart() noexcept { m_inStroke = false; }
 
     [[nodiscard]] bool isInStroke() const noexcept { return m_inStroke; }
-    /// In a stroke: ticks since material last came away.
+    /// Returns the number of ticks since the last cut. Valid within a stroke.
     [[nodiscard]] int ticksSinceCut() const noexcept { return m_ticksSinceCut; }
 
 private:
