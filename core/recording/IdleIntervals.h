@@ -5,11 +5,11 @@
 
 namespace core::recording {
 
-/// Which part of a recording is no work at the attempt: its student was elsewhere, as notes on it say.
+/// Detects the idle intervals of a recording, which do not count as working time, by its notes.
 class IdleIntervals
 {
 public:
-    /// Every event, in order.
+    /// Processes an event. Call for every event, in order.
     void hear(const servo::ServoEvent& event)
     {
         if (event.kind == servo::ServoEvent::Kind::Note &&
@@ -18,7 +18,7 @@ public:
         if (event.kind == servo::ServoEvent::Kind::Resume)  // whoever takes it up again is there
             m_rests = false;
     }
-    /// Whatever a note says, what is cut is cut in the attempt.
+    /// Returns whether the current step does not count. A step that cuts always counts.
     [[nodiscard]] bool leaveOut(const servo::ServoState& state) const { return m_rests && !state.cutting; }
 
 private:

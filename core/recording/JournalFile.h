@@ -13,20 +13,20 @@
 
 #include "core/recording/Recording.h"
 
-/// The journal of an attempt: a file that grows while the student works, so that a killed program or a cut of power
-/// leaves all but the last moments of it. It holds what a recording holds, in small frames with a checksum each, and is
-/// read up to the first one that is not whole.
+/// The journal of an attempt: a file that grows during the work, so that a killed program or a power failure loses only
+/// the last moments. It contains the same as a recording, in small frames with a checksum each, and is read up to the
+/// first frame that is incomplete.
 ///
 /// Format: "CUSPJRN\n", the version of recordings, then frames of kind, size, number of their first event, checksum and
-/// payload: when it was begun, settings, lesson if there is one, tooth, events, events, ...
+/// payload: start time, settings, lesson if there is one, tooth, events, events, ...
 namespace core::recording {
 
-/// Keeps other programs, and other parts of this one, from a journal while it lives (flock).
+/// Locks a journal against other programs, and other parts of this one, while the object exists (flock).
 class JournalLock
 {
 public:
     JournalLock() = default;
-    /// Takes over an open file that is locked.
+    /// Takes ownership of an open, locked file.
     explicit JournalLock(int file) : m_file(file) {}
     JournalLock(JournalLock&& other) noexcept : m_file(std::exchange(other.m_file, -1)) {}
     JournalLock& operator=(JournalLock&& other) noexcept
@@ -42,28 +42,28 @@ private:
     int m_file = -1;
 };
 
-/// A journal being written. One thread appends and removes, another may sync at the same time.
+/// A journal that is being written. One thread appends and removes; another may sync at the same time.
 class JournalFile
 {
 public:
-    /// Makes the file, locked, with all of an attempt so far. Until sync() it stands beside its name ("….part"), where
-    /// it is found as well, so that an older journal of that name stays until the disk has the new one. FileUnwritable
-    /// with a sentence otherwise.
+    /// Creates the file, locked, with the whole attempt so far. Until sync() it has the suffix ".part", with which it
+    /// is also found, so that an older journal of this name stays until the disk has the new one. Error FileUnwritable
+    /// with one sentence.
     [[nodiscard]] static Result<std::shared_ptr<JournalFile>> create(const std::filesystem::path& path,
                                                                      const Recording& soFar, std::int64_t begunUtcMs);
     JournalFile(const JournalFile&) = delete;
     JournalFile& operator=(const JournalFile&) = delete;
     ~JournalFile();
 
-    /// Writes what happened next, at most 4096 events: from then on no end of this program can undo it. After a failure
-    /// the file is whole as far as events() says, and may be tried again.
+    /// Appends events, at most 4096. They then survive the end of this program. After a failure the file is valid up to
+    /// events(), and the call may be repeated.
     [[nodiscard]] Status append(std::span<const servo::ServoEvent> events);
-    /// How many events it holds.
+    /// Returns the number of events in the file.
     [[nodiscard]] std::uint64_t events() const { return m_events.load(std::memory_order_acquire); }
-    /// Deletes the file, and an older one of its name. Nothing is to be written any more.
+    /// Deletes the file, and an older one of its name. Nothing may be written afterwards.
     void remove();
 
-    /// Waits until the disk has all that was written before: from then on a cut of power cannot undo it either.
+    /// Waits until the disk has all that was written before. That then survives a power failure.
     [[nodiscard]] Status sync();
 
 private:
@@ -74,38 +74,38 @@ private:
     int m_file;
     std::uint64_t m_bytes = 0;
     std::atomic<std::uint64_t> m_events{0};
-    std::uint64_t m_synced = 0;  ///< of them, by the thread that syncs
+    std::uint64_t m_synced = 0;  ///< number of events synced; used by the thread that syncs
 
-    std::mutex m_nameMutex;  ///< guards what follows
+    std::mutex m_nameMutex;  ///< guards the members below
     bool m_hasItsName = false;
     bool m_isRemoved = false;
 };
 
-/// An attempt that nobody finished.
+/// An unfinished attempt.
 struct FoundAttempt
 {
     std::filesystem::path path;
     Recording recording;          ///< up to the last moment that reached the disk
     std::int64_t begunUtcMs = 0;  ///< milliseconds since 1970
-    JournalLock lock;             ///< as long as it lives, nobody else finds the attempt
+    JournalLock lock;             ///< while it exists, no other program finds the attempt
 };
 
-/// Names of the journals in a folder, newest first. Locked or not. Empty where the folder cannot be read.
+/// Returns the names of the journals in a folder, locked or not, newest first. Empty if the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> journalsIn(const std::filesystem::path& folder);
 
-/// What a journal's bytes hold, up to the first frame that is not whole and sound. An error, one sentence, if that is
-/// before the first event. @param path, lock  for FoundAttempt
+/// Reads a journal up to the first frame that is incomplete or damaged. Error, one sentence, if that is before the
+/// first event. @param path, lock  for FoundAttempt
 [[nodiscard]] Result<FoundAttempt> attemptFrom(std::string_view bytes, const std::filesystem::path& path = {},
                                                JournalLock lock = {});
 
-/// Locks a journal and reads it. Where a newer one stands beside its name, that takes its place if it holds as much.
-/// Nothing if a running program is at work on it, or it has gone; an error if there is no attempt in it.
+/// Locks a journal and reads it. A newer ".part" file beside it replaces it if it contains at least as much. Empty if a
+/// running program uses it, or if it does not exist; an error if it contains no attempt.
 [[nodiscard]] Result<std::optional<FoundAttempt>> findAttempt(const std::filesystem::path& path);
 
-/// Puts a journal into the folder "discarded" beside it, where it is kept for 7 days, or deletes it where that cannot
-/// be done. Returns where it is then; nothing if it is gone.
+/// Moves a journal to the folder "discarded" beside it, where it is kept for 7 days, or deletes it if that fails.
+/// Returns its new path; empty if it was deleted.
 std::optional<std::filesystem::path> discardJournal(const std::filesystem::path& path);
-/// Puts a discarded journal back to where it will be found; false if it has gone or cannot be moved.
+/// Moves a discarded journal back. Returns false if it does not exist or cannot be moved.
 bool bringBackJournal(const std::filesystem::path& discarded);
 /// Deletes discarded journals older than 7 days.
 void tidyJournals(const std::filesystem::path& folder);

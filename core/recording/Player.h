@@ -15,7 +15,7 @@
 
 namespace core::recording {
 
-/// A stroke of a recording, in ticks: the first that cut and the last.
+/// A stroke of a recording: its first and its last tick that cut.
 struct StrokeSpan
 {
     std::uint64_t from = 0;
@@ -23,22 +23,22 @@ struct StrokeSpan
     bool operator==(const StrokeSpan&) const = default;
 };
 
-/// What happened at a moment beside the motion of the hand: undo, another bur, an aid, a note, ...
+/// An event besides the motion of the hand: undo, another bur, an aid, a note, ...
 struct MarkedEvent
 {
-    std::uint64_t tick = 0;  ///< it came after this one
+    std::uint64_t tick = 0;  ///< the event follows this tick
     servo::ServoEvent event;
 };
 
-/// An attempt that can be looked at at any moment, forward and back, as fast as one likes.
+/// Gives access to any moment of an attempt, forwards and backwards, at any speed.
 ///
-/// One pass through the replay (advance()) keeps what is seen of it: the bur every 4 ms, the columns that were lowered
-/// every 16 ms, and every 2 s the whole tooth, of which the key frames share what they have in common. To go to a
-/// moment is to take the key frame before it and lower its columns up to there. What is shown was computed by the very
-/// ticks that made it; between two of the times above it is as it was at the earlier one.
+/// One pass through the replay (advance()) stores the bur every 4 ms, the lowered columns every 16 ms, and every 2 s
+/// the whole tooth as a key frame; key frames share their unchanged tiles. A moment is built from the key frame before
+/// it and the columns lowered since. All that is shown was computed by the same ticks that made the attempt; between
+/// two stored times it is as at the earlier one.
 ///
-/// One thread advances it; any thread may ask meanwhile for what is behind. It takes some 30 MB for ten minutes of
-/// cutting at grid 150.
+/// One thread advances it; any thread may read what is ready meanwhile. It takes about 30 MB for ten minutes of cutting
+/// at grid 150.
 class Player
 {
 public:
@@ -46,39 +46,40 @@ public:
     static constexpr std::uint64_t kTicksAPatch = 16;
     static constexpr std::uint64_t kTicksAKeyFrame = 2048;
 
-    /// Only the settings can be wrong.
+    /// Creates a player. The only possible error is invalid settings.
     [[nodiscard]] static Result<std::unique_ptr<Player>> make(Recording recording);
 
-    /// Plays so many ticks more. False when the recording is at its end. One thread, the same or with its own order.
-    /// @param afterEvent  called after every event, as by replay(); may be empty
+    /// Plays `ticks` more ticks. Returns false at the end of the recording. One thread at a time.
+    /// @param afterEvent  called after every event, as in replay(); may be empty
     bool advance(std::uint64_t ticks,
                  const std::function<void(const servo::ServoEvent&, const Replayer&)>& afterEvent = {});
 
     [[nodiscard]] const Recording& recording() const { return m_recording; }
-    /// Of the whole recording.
+    /// Returns the number of ticks of the whole recording.
     [[nodiscard]] std::uint64_t ticks() const { return m_recording.ticks(); }
-    /// Up to here it can be looked at.
+    /// Returns the number of ticks that are ready.
     [[nodiscard]] std::uint64_t readyTicks() const;
 
-    /// When a tick was over, since the beginning, and the last tick that was over then. Within what is ready.
+    /// Returns the time at which a tick ended, s from the start; tickAt() returns the last tick that ended by a time.
+    /// Within the ready ticks.
     [[nodiscard]] double secondsAt(std::uint64_t tick) const;
     [[nodiscard]] std::uint64_t tickAt(double seconds) const;
 
-    /// Bur, force, drill and removed volumes as they were; without trail, generation and missed periods. At tick 0, and
-    /// beyond what is ready, the nearest there is.
+    /// Returns bur, force, drill and removed volumes at a tick; without trail, generation and missed periods. At tick
+    /// 0, and beyond what is ready, the nearest state.
     [[nodiscard]] servo::ServoState stateAt(std::uint64_t tick) const;
-    /// The top map, row by row, mm.
+    /// Returns the top map at a tick, row by row, mm.
     [[nodiscard]] std::vector<float> heightsAt(std::uint64_t tick) const;
 
-    /// Strokes so far, in order.
+    /// Returns the strokes in the ready part, in order.
     [[nodiscard]] std::vector<StrokeSpan> strokes() const;
-    /// All events but the steps of the servo so far, in order.
+    /// Returns all events but the steps of the servo in the ready part, in order.
     [[nodiscard]] std::vector<MarkedEvent> marks() const;
-    /// Memory that looking back takes.
+    /// Returns the memory used for access to past moments.
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    /// A ServoState, as small as it may be.
+    /// A ServoState in less memory.
     struct Pose
     {
         glm::vec3 deviceMm;
@@ -88,7 +89,7 @@ private:
         std::array<float, terrain::kMaterialCount> brokenMm3;
         float burRpm;
         float depthMm;
-        double seconds;  ///< since the beginning
+        double seconds;  ///< from the start
         std::uint32_t health;
         std::uint8_t burIndex;
         std::uint8_t handpieceIndex;
@@ -99,7 +100,7 @@ private:
         bool handpieceOnCrown;
         bool hasDepth;
     };
-    /// The columns that were lowered since the patch before: m_columns and m_heights up to `end`.
+    /// The columns lowered since the patch before: m_columns and m_heights up to `end`.
     struct Patch
     {
         std::uint64_t tick = 0;
@@ -108,7 +109,7 @@ private:
     struct KeyFrame
     {
         std::uint64_t tick = 0;
-        std::size_t patches = 0;  ///< those before it, which it includes
+        std::size_t patches = 0;  ///< number of patches before it, which it includes
         history::TiledHeights top;
     };
 
@@ -120,19 +121,19 @@ private:
 
     Recording m_recording;
     std::uint64_t m_nextEvent = 0;
-    std::vector<servo::ServoEvent> m_events;  ///< at hand, from m_nextEvent on
+    std::vector<servo::ServoEvent> m_events;  ///< unpacked, from m_nextEvent on
     std::size_t m_nextAtHand = 0;
 
-    // Of the thread that advances.
+    // Used by the thread that advances.
     Replayer m_servo;
     servo::StrokeDetector m_watch;
-    std::vector<float> m_shown;  ///< the top map as of the newest patch
+    std::vector<float> m_shown;  ///< the top map at the newest patch
     cutting::CutRect m_changed;  ///< since then
     std::chrono::microseconds m_time{0};
 
-    mutable std::mutex m_mutex;  ///< guards what follows
+    mutable std::mutex m_mutex;  ///< guards the members below
     std::uint64_t m_ready = 0;
-    std::vector<Pose> m_poses;  ///< of tick 0, kTicksAPose, ...
+    std::vector<Pose> m_poses;  ///< at ticks 0, kTicksAPose, ...
     std::vector<Patch> m_patches;
     std::vector<std::uint32_t> m_columns;
     std::vector<float> m_heights;

@@ -15,7 +15,7 @@
 
 namespace core::recording {
 
-/// A tooth's state at one tick, kept so that a replay can prove itself.
+/// The state hash of a tooth at one tick, with which a replay is verified.
 struct Witness
 {
     std::uint64_t tick = 0;
@@ -23,50 +23,49 @@ struct Witness
     bool operator==(const Witness&) const = default;
 };
 
-/// The longest text of a lesson that a recording takes along.
+/// The longest lesson text that a recording stores.
 inline constexpr std::size_t kMaxLessonBytes = std::size_t{1} * 1024 * 1024;
-/// Can a recording take this text along? UTF-8, not too long; may be empty.
+/// Checks whether a recording can store this text: UTF-8, not too long; may be empty.
 [[nodiscard]] Status checkLesson(std::string_view lesson);
 
-/// One attempt: the tooth it began with and everything that happened to the servo since. Replaying it gives the
-/// bit-identical tooth, on every machine and in every build.
+/// One attempt: the tooth at its start and all events of the servo since. A replay gives the bit-identical tooth on
+/// every machine and in every build.
 ///
-/// Events are packed as they come, 4096 at a time (device positions as exclusive-or with the one before, split into
-/// byte planes, Zstandard), so an attempt holds about half a megabyte a minute. Any one thread at a time.
+/// Events are packed as they arrive, 4096 at a time (device positions as exclusive-or with the one before, split into
+/// byte planes, Zstandard), about half a megabyte per minute. One thread at a time.
 class Recording
 {
 public:
-    /// @param lesson  what the attempt is made for, as text that only lessons understands; checked (checkLesson)
+    /// @param lesson  the lesson as text in the format of the lessons library; must pass checkLesson()
     Recording(servo::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
               std::string lesson = {});
 
     void append(const servo::ServoEvent& event);
-    /// Notes what the tooth was after a tick; the last one said is stored.
+    /// Stores the state of the tooth after a tick, in place of an earlier witness.
     void setWitness(const Witness& witness) { m_witness = witness; }
 
     [[nodiscard]] const servo::ServoSettings& settings() const { return m_settings; }
     [[nodiscard]] const std::shared_ptr<const terrain::ToothAnatomy>& anatomy() const { return m_anatomy; }
-    /// Empty: the attempt was made for no lesson.
+    /// Returns the lesson; empty: none.
     [[nodiscard]] const std::string& lesson() const { return m_lesson; }
     [[nodiscard]] const std::optional<Witness>& witness() const { return m_witness; }
     [[nodiscard]] std::uint64_t ticks() const { return m_ticks; }
-    /// Sum of the steps of all ticks.
+    /// Returns the sum of the steps of all ticks.
     [[nodiscard]] std::chrono::microseconds duration() const { return m_duration; }
-    /// Its settings were changed while the attempt went on: it is no longer made with the preset they name.
+    /// Returns whether a parameter was changed during the attempt, so that its preset no longer describes it.
     [[nodiscard]] bool isRetuned() const { return m_isRetuned; }
     [[nodiscard]] std::size_t packedBytes() const;
 
     [[nodiscard]] std::uint64_t events() const;
-    /// Events from number `first` on, counted from nought: as many as are at hand together, at most 4096. Empty if
-    /// there are none yet.
+    /// Returns events from number `first` on, counted from 0: those of one chunk, at most 4096. Empty if there are none
+    /// yet.
     [[nodiscard]] std::vector<servo::ServoEvent> eventsSince(std::uint64_t first) const;
-    /// All events in order.
+    /// Calls `visit` for all events in order.
     void forEach(const std::function<void(const servo::ServoEvent&)>& visit) const;
 
-    /// The file's bytes.
+    /// Returns the bytes of the file.
     [[nodiscard]] std::string toBytes() const;
-    /// Checks everything it reads; the error says what is wrong and where. Never holds more than the file promises
-    /// within fixed limits.
+    /// Reads and checks the bytes of a file; the error says what is wrong and where. Memory is bounded by fixed limits.
     [[nodiscard]] static Result<Recording> fromBytes(std::string_view bytes);
 
 private:
@@ -84,10 +83,10 @@ private:
     std::chrono::microseconds m_duration{0};
 };
 
-/// Reads a whole file, with a sentence for each thing that can be wrong with it.
+/// Reads a file. The error is one sentence.
 [[nodiscard]] Result<Recording> readRecording(const std::filesystem::path& path);
 
-/// An older file survives any failure (writeWhole).
+/// Writes a file. An existing file is unchanged on failure (writeWhole).
 [[nodiscard]] Status writeRecording(const std::filesystem::path& path, const Recording& recording);
 
 }  // namespace core::recording
