@@ -9,18 +9,18 @@
 
 namespace core::grading {
 
-/// Finds what a small area exceeds: one column is noise, and a mean over the whole floor hides a gouge.
+/// Finds the value that a given area exceeds: a single column is noise, and a mean over the whole floor hides a gouge.
 class AreaExcess
 {
 public:
-    /// Takes the figure of a column: how deep it is, how far away. Only what is more than 0 counts.
+    /// Adds the value of a column, such as its depth or distance. Values of 0 or less are ignored.
     void add(double value, double areaMm2, std::size_t node)
     {
         if (value > 0.0)
             m_columns.push_back({value, areaMm2, node});
     }
-    /// Returns the figure that columns of this area in all have or exceed; 0 where there are not so many. The node is
-    /// that of the largest figure.
+    /// Returns the largest value that columns of this total area reach; 0 if there is less area. The node is that of
+    /// the largest value.
     [[nodiscard]] Placed over(double areaMm2)
     {
         std::sort(m_columns.begin(), m_columns.end(), [](const Column& a, const Column& b) {

@@ -6,7 +6,7 @@
 
 #include "core/terrain/Tooth.h"
 
-/// Columns of a tooth as grading sees them.
+/// Properties of a tooth's columns for grading.
 namespace core::grading {
 
 [[nodiscard]] inline bool wasSolid(const terrain::ToothAnatomy& anatomy, std::size_t k)
@@ -14,7 +14,7 @@ namespace core::grading {
     return anatomy.top[k] > anatomy.bottom[k];
 }
 
-/// Where a column ends now: its top, or the tooth's under surface where it was cut through.
+/// Returns the current top of a column, or the under surface of the tooth if it was cut through.
 [[nodiscard]] inline float endOf(const terrain::Tooth& tooth, std::size_t k)
 {
     return tooth.isSolid(k) ? tooth.top[k] : tooth.anatomy->bottom[k];
@@ -25,7 +25,7 @@ namespace core::grading {
     return wasSolid(*tooth.anatomy, k) && endOf(tooth, k) < tooth.anatomy->top[k];
 }
 
-/// The decay left in a column, floor < roof, or nothing.
+/// The decay left in a column; none if floor >= roof.
 struct Decay
 {
     float floor = 0.0F;

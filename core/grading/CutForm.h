@@ -11,10 +11,10 @@
 
 namespace core::grading {
 
-/// atan in degrees, from the four operations and the square root alone, to 1e-11 degrees.
+/// Returns the arc tangent in degrees, exact to 1e-11 degrees, from the four basic operations and the square root only.
 [[nodiscard]] double atanDeg(double tangent);
 
-/// The form of a cut, or of an ideal.
+/// The surface of a cut, or of an ideal, for measuring its form.
 struct CutSurface
 {
     const terrain::ToothAnatomy& anatomy;
@@ -22,17 +22,18 @@ struct CutSurface
     const Outline& outline;      ///< of `end`
 };
 
-/// @param ideal  says across which lines the isthmus is looked for: those that cross the ideal
+/// Measures Form::isthmusMm.
+/// @param ideal  only lines that cross the ideal are searched
 [[nodiscard]] std::optional<Placed> isthmusOf(const CutSurface& cut, const Preparation::Isthmus& isthmus,
                                               const Outline& ideal);
 
-/// Form::axialDepthMm.
+/// Measures Form::axialDepthMm.
 [[nodiscard]] std::optional<Placed> axialDepthOf(const CutSurface& cut, const Preparation::Box& box);
 
-/// Form::obliqueRidgeMm.
+/// Measures Form::obliqueRidgeMm.
 [[nodiscard]] std::optional<Placed> obliqueRidgeOf(const CutSurface& cut, std::span<const glm::dvec2> crest);
 
-/// Distance along x from the cut to the tooth's outline, towards -x (sign -1) or +x (sign 1).
+/// Returns the distance along x from the cut to the tooth's outline, towards -x (sign -1) or +x (sign 1).
 [[nodiscard]] std::optional<Placed> ridgeOf(const CutSurface& cut, int sign);
 
 /// Sets Form::wallDeg.

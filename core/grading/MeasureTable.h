@@ -14,33 +14,34 @@
 
 namespace core::grading {
 
-/// All that was measured of an attempt.
+/// All measures of an attempt.
 struct Measured
 {
     Measures measures;
-    std::optional<LesionCut> lesion;     ///< nothing without a lesion
-    std::optional<Deviation> deviation;  ///< nothing without an ideal preparation
-    std::optional<Process> process;      ///< nothing without a recording
-    std::optional<int> neighbourHits;    ///< times the turning bur touched a tooth beside; nothing without a recording
-    std::optional<int> infractions;      ///< against the lesson's rules; nothing without a recording
-    std::optional<int> aidsUsed;         ///< how many of servo::Aid; nothing without a recording
-    std::optional<Practised> practised;  ///< nothing without an exercise and a recording
+    std::optional<LesionCut> lesion;     ///< empty without a lesion
+    std::optional<Deviation> deviation;  ///< empty without an ideal preparation
+    std::optional<Process> process;      ///< empty without a recording
+    std::optional<int> neighbourHits;    ///< times that the turning bur touched a neighbouring tooth; empty without a
+                                         ///< recording
+    std::optional<int> infractions;      ///< number of broken rules of the lesson; empty without a recording
+    std::optional<int> aidsUsed;         ///< number of aids used, of servo::Aid; empty without a recording
+    std::optional<Practised> practised;  ///< empty without an exercise and a recording
 };
 
-/// So much of the ideal's volume has to be gone before walls and floor are measured against it: of some holes drilled
-/// into it they would be as upright and flat as can be.
+/// Share of the ideal's volume that must be removed before walls and floor are measured: a few holes drilled into it
+/// could have perfectly upright walls and flat floors.
 inline constexpr double kFormedShare = 0.5;
 
-/// A measure by the name that a rubric knows it by.
+/// A measure with the id that rubrics use.
 struct MeasureInfo
 {
-    std::string_view id;          ///< never changes: rubrics and results name it
-    std::string_view unit;        ///< "mm3", "mm2", "mm", "deg", "percent", "s", "N", "mm/s3", or "" for a bare number
+    std::string_view id;          ///< never changes: rubrics and results contain it
+    std::string_view unit;        ///< "mm3", "mm2", "mm", "deg", "percent", "s", "N", "mm/s3", or "" for no unit
     std::string_view definition;  ///< one English sentence
     std::string_view source;
-    /// The value, or nothing where it was not measured.
+    /// Returns the value; empty if it was not measured.
     std::optional<double> (*value)(const Measured&);
-    /// The node where it is worst, for a section through it; nothing where it has no place. May be null.
+    /// Returns the node where the measure is worst, for a section through it; empty if it has no place. May be null.
     std::optional<std::size_t> (*node)(const Measured&);
 
     [[nodiscard]] std::optional<std::size_t> nodeIn(const Measured& measured) const
@@ -49,16 +50,16 @@ struct MeasureInfo
     }
 };
 
-/// Every measure there is, outcome first.
+/// Returns all measures, those of the tooth first.
 [[nodiscard]] std::span<const MeasureInfo> measureTable();
 
-/// Nothing for an id that is none.
+/// Returns the measure with this id; empty if there is none.
 [[nodiscard]] std::optional<MeasureInfo> findMeasure(std::string_view id);
 
-/// Whether a measure is about an exercise of the first minutes, and is told of nothing else.
+/// Returns whether a measure applies to exercises only.
 [[nodiscard]] bool isOfExercise(const MeasureInfo& measure);
 
-/// Whether a measure is about the way an attempt went (time, force, air, breaches, aids) and not about the tooth.
+/// Returns whether a measure is about the process (time, force, air, broken rules, aids) and not about the tooth.
 [[nodiscard]] bool isOfProcess(const MeasureInfo& measure);
 
 }  // namespace core::grading

@@ -13,22 +13,22 @@
 
 namespace core::grading {
 
-/// Where the surface of a tooth has been lowered by kOutlineDepthMm, seen from above, finer than the grid.
+/// The outline of a cut, where the surface has been lowered by kOutlineDepthMm, seen from above, finer than the grid.
 ///
-/// The depth of a column, as far as twice kOutlineDepthMm, is averaged over its neighbours (1 2 1 along x and along y)
-/// and taken as linear between nodes. An upright wall so lies midway between the last column cut and the first that is
-/// not, and one that stands askew to the lattice is a line and no staircase.
+/// The depth of a column, up to twice kOutlineDepthMm, is averaged over its neighbours (1 2 1 along x and along y) and
+/// interpolated linearly between nodes. So an upright wall is midway between the last cut column and the first uncut
+/// one, and a wall at an angle to the lattice is a line without steps.
 class Outline
 {
 public:
-    /// @param end  heights at which the columns end, [side * side]; what was empty to begin with does not count
+    /// @param end  heights at which the columns end, [side * side]; columns that were empty from the start do not count
     Outline(const terrain::ToothAnatomy& anatomy, std::span<const float> end);
 
     struct Segment
     {
         glm::dvec2 fromMm;
         glm::dvec2 toMm;
-        glm::dvec2 outwards;  ///< unit vector, to where nothing was cut
+        glm::dvec2 outwards;  ///< unit vector, towards the uncut side
         std::size_t node;     ///< nearest
         [[nodiscard]] glm::dvec2 middleMm() const { return 0.5 * (fromMm + toMm); }
         [[nodiscard]] double lengthMm() const;
@@ -36,10 +36,10 @@ public:
     };
     [[nodiscard]] std::span<const Segment> segments() const { return m_segments; }
 
-    /// Distance to the nearest point of the outline. There must be one.
+    /// Returns the distance to the nearest point of the outline. The outline must not be empty.
     [[nodiscard]] double distanceMm(glm::dvec2 pointMm) const;
 
-    /// Calls visit(segment) for those whose middle is within a distance of a point.
+    /// Calls visit(segment) for each segment whose middle is within a distance of a point.
     template <class Visit>
     void forEachWithin(glm::dvec2 pointMm, double distanceMm, const Visit& visit) const
     {
@@ -54,17 +54,17 @@ public:
                 }
     }
 
-    /// How far inside the outline a place is, in mm of depth: 0 on it, kOutlineDepthMm at most.
+    /// Returns how far inside the outline a place is, as a depth in mm: 0 on it, kOutlineDepthMm at most.
     [[nodiscard]] double insideMm(glm::dvec2 pointMm) const;
     [[nodiscard]] double insideMm(int i, int j) const { return m_depth[m_grid.index(i, j)] - m_level; }
-    /// The node nearest to a place, the last one at the border of the grid.
+    /// Returns the node nearest to a place, clamped to the grid.
     [[nodiscard]] std::size_t nodeAt(glm::dvec2 pointMm) const;
 
 private:
     void trace(int i, int j);
-    /// The square of cells around a place, the last one beyond the border.
+    /// Returns the square of cells around a place, clamped to the grid.
     [[nodiscard]] glm::ivec2 binAt(glm::dvec2 pointMm) const;
-    /// What begins in square (a, b).
+    /// Returns the segments that begin in square (a, b).
     [[nodiscard]] std::span<const Segment> inBin(int a, int b) const
     {
         const std::size_t bin =
@@ -77,7 +77,7 @@ private:
     std::vector<double> m_depth;      ///< [side * side]
     std::vector<Segment> m_segments;  ///< square by square
     int m_binsASide = 0;
-    std::vector<std::size_t> m_binBegins;  ///< of each square the first segment; and the end of all
+    std::vector<std::size_t> m_binBegins;  ///< index of the first segment of each square; then the number of segments
 };
 
 }  // namespace core::grading

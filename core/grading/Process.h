@@ -13,30 +13,31 @@
 
 namespace core::grading {
 
-/// How an attempt went (docs/facts/teaching.md, section 3). Times in seconds, of the ticks' own steps and not of a
-/// clock.
+/// The process of an attempt (docs/facts/teaching.md, section 3). Times in seconds, as sums of the ticks' steps and not
+/// from a clock.
 struct Process
 {
     double totalS = 0.0;
-    std::optional<double> firstCutS;  ///< from the beginning until material first came away; nothing: never
+    std::optional<double> firstCutS;  ///< from the start until material was first removed; empty: never
     double cuttingS = 0.0;            ///< in strokes
 
-    /// Way of the bur's tip, mm. A way shorter than 0.1 mm does not count until it is that long: the last count of an
-    /// encoder, which comes and goes at rest, is no way.
+    /// Travel of the bur's tip, mm. Travel shorter than 0.1 mm does not count until it is that long: noise in the last
+    /// count of an encoder at rest is no travel.
     double pathMm = 0.0;
-    double cuttingPathMm = 0.0;  ///< of it, in strokes
+    double cuttingPathMm = 0.0;  ///< part of pathMm in strokes
 
-    /// A stroke begins when material comes away and ends with the last that does before a pause of 150 ms: as an undo
-    /// step does.
+    /// Number of strokes. A stroke begins when material is removed and ends with the last removal before a pause of 150
+    /// ms, like an undo step.
     int strokes = 0;
-    std::optional<double> strokeMm;  ///< mean way of the tip in a stroke
-    std::optional<double> strokeS;   ///< mean time of a stroke
-    /// Times that a bur which has cut left the tooth for 50 ms or longer (Ioannou 2010: experts lift off less).
+    std::optional<double> strokeMm;  ///< mean travel of the tip in a stroke
+    std::optional<double> strokeS;   ///< mean duration of a stroke
+    /// Number of times that a bur which has cut left the tooth for 50 ms or longer (Ioannou 2010: experts lift off
+    /// less).
     int liftOffs = 0;
     double longestPauseS = 0.0;  ///< longest time without cutting between two strokes
 
-    /// Force on the hand while the bur touches the tooth, N, over time. Nothing without contact. The percentile is from
-    /// a histogram of 0.02 N (crown preparations take 0.1 to 4.9 N: docs/facts/haptics.md, section 8.5).
+    /// Force on the hand while the bur touches the tooth, N, over time. Empty without contact. The percentile is from a
+    /// histogram of 0.02 N bins (crown preparations take 0.1 to 4.9 N: docs/facts/haptics.md, section 8.5).
     struct Force
     {
         double meanN = 0.0;
@@ -46,11 +47,11 @@ struct Process
         bool operator==(const Force&) const = default;
     };
     std::optional<Force> force;
-    double overLimitS = 0.0;  ///< time with more than the limit of force, in contact
+    double overLimitS = 0.0;  ///< time in contact above the force limit
 
     /// Root mean square jerk of the hand while the drill is on, mm/s3: third difference of its places, each the mean of
-    /// 50 ms (movement up to about 5 Hz passes, counts of an encoder do not). Jerk as the measure of smoothness: Hogan
-    /// and Sternad 2009. Nothing before 0.2 s of it.
+    /// 50 ms (passes movement up to about 5 Hz, suppresses encoder counts). Jerk as the measure of smoothness: Hogan
+    /// and Sternad 2009. Empty with less than 0.2 s of it.
     std::optional<double> jerkMmPerS3;
 
     double drillInAirS = 0.0;     ///< drill on, no contact
@@ -59,33 +60,32 @@ struct Process
     bool operator==(const Process&) const = default;
 };
 
-/// Gathers a Process tick by tick, live or from a replay: the same ticks give the same bits. No allocation; about 10
-/// kB.
+/// Computes a Process tick by tick, live or in a replay: the same ticks give the same bits. No allocation; about 10 kB.
 class ProcessMeter
 {
 public:
-    /// @param forceLimitN  what Process::overLimitS is counted against
+    /// @param forceLimitN  limit for Process::overLimitS
     explicit ProcessMeter(double forceLimitN) noexcept : m_forceLimitN(forceLimitN) {}
 
-    /// The state after a tick of `dt`. Ticks without a device count as time and as nothing else.
+    /// Processes the state after a tick of `dt`. Ticks without a device count as time only.
     void take(const servo::ServoState& state, std::chrono::microseconds dt) noexcept;
-    /// The tooth was put back to an earlier state.
+    /// Processes a return of the tooth to an earlier state.
     void undone() noexcept;
-    /// Ticks are left out: where the hand is next it has not gone in the attempt.
+    /// Must be called after skipped ticks: the movement of the hand in between does not count.
     void interrupted() noexcept;
 
-    /// As of the last tick; an unfinished stroke counts as far as it goes.
+    /// Returns the process after the last tick; an unfinished stroke counts as far as it has come.
     [[nodiscard]] Process process() const noexcept;
 
 private:
     using Micros = std::int64_t;
 
-    /// Way of a point, without the trembling of a count.
+    /// The travel of a point, without noise of an encoder count.
     class Way
     {
     public:
         void begin(const glm::dvec3& placeMm) noexcept;
-        /// What the point has gone since the last time that it went anywhere.
+        /// Returns the travel since the last call that returned more than 0.
         double goTo(const glm::dvec3& placeMm) noexcept;
 
     private:
@@ -104,18 +104,18 @@ private:
 
     double m_forceLimitN;
     Micros m_total = 0;
-    Micros m_cutting = 0;  ///< of strokes that have ended
+    Micros m_cutting = 0;  ///< of finished strokes
     Micros m_firstCut = -1;
     Micros m_lastCut = -1;      ///< end of the last tick that cut
-    Micros m_strokeBegan = -1;  ///< of the stroke that goes on; -1: none does
+    Micros m_strokeBegan = -1;  ///< of the current stroke; -1: none
     Micros m_longestPause = 0;
     int m_strokes = 0;
 
     Way m_way;
     double m_pathMm = 0.0;
     Way m_strokeWay;
-    double m_strokeMm = 0.0;    ///< of the stroke that goes on, up to its last cut
-    double m_sinceCutMm = 0.0;  ///< and after it
+    double m_strokeMm = 0.0;    ///< of the current stroke, up to its last cut
+    double m_sinceCutMm = 0.0;  ///< after its last cut
     double m_cuttingPathMm = 0.0;
 
     Micros m_offFor = 0;    ///< without contact
@@ -127,7 +127,7 @@ private:
     double m_sumN2S = 0.0;
     double m_largestN = 0.0;
     Micros m_overLimit = 0;
-    std::array<Micros, kBins> m_histogram{};  ///< the last bin holds all beyond
+    std::array<Micros, kBins> m_histogram{};  ///< the last bin includes all larger forces
 
     glm::dvec3 m_blockSum{0.0};
     Micros m_blockFor = 0;

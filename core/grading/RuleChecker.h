@@ -19,20 +19,20 @@
 
 namespace core::grading {
 
-/// What must not happen in an attempt, the gravest first.
+/// Rules that an attempt can break, the most severe first.
 enum class RuleViolation : std::uint8_t {
     PulpExposed,   ///< a column was cut down to pulp
-    Perforated,    ///< a hole goes through the tooth where none was asked for
+    Perforated,    ///< a hole goes through the tooth that was not asked for
     TooDeep,       ///< deeper below the original surface than the limit
     RidgeCut,      ///< nearer to the mesial or distal surface than the limit
-    WrongPlace,    ///< cut farther beside what was to be cut than the limit
-    TooMuchForce,  ///< more than the limit for 0.2 s
-    BurInAir,      ///< after the first cut, the drill ran without touching anything for longer than the limit
+    WrongPlace,    ///< cut farther beside the ideal than the limit
+    TooMuchForce,  ///< above the limit for longer than kForcePatience
+    BurInAir,      ///< after the first cut, the drill ran without contact for longer than the limit
     WrongBur,      ///< cut with a bur that is not allowed
-    NeighbourHit   ///< the bur, turning, touched a tooth beside
+    NeighbourHit   ///< the turning bur touched a neighbouring tooth
 };
 
-/// Which breaches are watched, and from where on. What is absent is not.
+/// The rules that are checked, with their limits. Empty members are not checked.
 struct Rules
 {
     bool pulpExposed = false;
@@ -42,47 +42,46 @@ struct Rules
     std::optional<double> besideLimitMm;
     std::optional<double> forceLimitN;
     std::optional<double> airLimitS;
-    std::shared_ptr<const terrain::HeightMaps> neighbours;  ///< teeth beside, tooth frame; null: not watched
+    std::shared_ptr<const terrain::HeightMaps> neighbours;  ///< neighbouring teeth, tooth frame; null: not checked
     std::bitset<bur::kMostBurs> allowedBurs = std::bitset<bur::kMostBurs>().set();  ///< bit k: burs()[k]
     bool operator==(const Rules&) const = default;
 };
 
-/// One breach, when and where.
+/// One broken rule, with time and place.
 struct Infraction
 {
     RuleViolation breach = RuleViolation::PulpExposed;
-    std::uint64_t tick = 0;   ///< of the attempt, in which it was found
+    std::uint64_t tick = 0;   ///< tick of the attempt in which it was found
     double seconds = 0.0;     ///< into the attempt
     glm::dvec3 placeMm{0.0};  ///< the bur's tip, tooth frame
-    double value = 0.0;       ///< mm, N or s, as the limit; 0 for those without
+    double value = 0.0;       ///< mm, N or s, as the limit; 0 if there is no limit
     double limit = 0.0;
     bool operator==(const Infraction&) const = default;
 };
 
-/// So deep the head of a bur has to reach into a tooth beside before it counts: that one is known no better, and in a
-/// contact the two touch.
+/// Depth of the head of a bur in a neighbouring tooth from which on the contact counts, mm: the surface is known no
+/// better, and at a contact point the two teeth touch.
 inline constexpr double kGrazeMm = 0.1;
 
-/// How long a force over the limit is let pass: a tremble is no fault.
+/// Time for which a force over the limit is tolerated: trembling is no error.
 inline constexpr std::chrono::milliseconds kForcePatience{200};
 
-/// Watches an attempt tick by tick. Each breach is told once and again only after it was mended: the tooth put back,
-/// the force let go, the bur stopped or brought to the tooth, another bur taken. The same ticks give the same
-/// infractions, live and in a replay.
+/// Checks the rules of an attempt tick by tick. A broken rule is reported once, and again only after it was complied
+/// with in between: the tooth restored, the force released, the bur stopped or in contact, another bur chosen. The same
+/// ticks give the same infractions, live and in a replay.
 ///
-/// A cut counts from 0.1 mm depth on: what is shallower is a scratch. Any one thread; allocates.
+/// Cuts of less than 0.1 mm depth are scratches and do not count. One thread; allocates.
 class RuleChecker
 {
 public:
-    /// @param ideal  what is to be cut; null: nothing is, so no place is wrong and
-    ///               every hole is one
+    /// @param ideal  the surface to be cut; null: none, so no place is wrong and every hole counts
     RuleChecker(const Rules& rules, std::shared_ptr<const terrain::ToothAnatomy> anatomy, const IdealTop& ideal);
 
-    /// After a step: the new infractions, few if any.
+    /// Returns the new infractions of a step; usually none.
     /// @param changed  columns that the step lowered
     [[nodiscard]] std::vector<Infraction> look(const servo::ServoState& state, const cutting::CutRect& changed,
                                                const terrain::Tooth& tooth, std::chrono::microseconds dt);
-    /// The tooth was put back to an earlier state.
+    /// Must be called after the tooth was restored to an earlier state.
     void restored(const terrain::Tooth& tooth);
 
 private:
@@ -97,11 +96,11 @@ private:
     Rules m_rules;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
     IdealTop m_ideal;
-    std::vector<float> m_besideMm;  ///< distance from what is to be cut, [side * side]; empty: not watched
-    std::vector<float> m_ridgeMm;   ///< distance to the nearer of mesial and distal outline along x; empty: not watched
+    std::vector<float> m_besideMm;  ///< distance from the ideal cavity, [side * side]; empty: not checked
+    std::vector<float> m_ridgeMm;   ///< distance along x to the nearer of mesial and distal outline; empty: not checked
     std::array<bool, kBreaches> m_standing{};
     std::vector<Infraction> m_found;
-    Infraction m_now;  ///< when and where, filled by look()
+    Infraction m_now;  ///< time and place, set by look()
     std::chrono::microseconds m_time{0};
     std::chrono::microseconds m_pressed{0};
     std::chrono::microseconds m_inAir{0};
