@@ -5,7 +5,7 @@
 
 namespace core::history {
 
-/// Identifies a moment of the tooth that the user can go back to (UndoTree). No moment has the number 0.
+/// Identifies a moment of the tooth that the user can return to (UndoTree). 0 is no moment.
 enum class MomentId : std::uint64_t {};
 
 }  // namespace core::history

@@ -9,31 +9,31 @@
 
 namespace core::history {
 
-/// What has come off a tooth.
+/// The material removed from a tooth.
 struct Removed
 {
     terrain::PerMaterial volumesMm3{};
-    double overcutMm3 = 0.0;  ///< of these, what grading::Measures counts as overcut
-    bool perforated = false;  ///< a hole goes right through
+    double overcutMm3 = 0.0;  ///< part of volumesMm3 that grading::Measures counts as overcut
+    bool perforated = false;  ///< there is a hole through the tooth
     bool operator==(const Removed&) const = default;
 };
 
-/// What has been removed from a tooth, kept tile by tile: only tiles that have changed since are reckoned again, so
-/// that a hundred questions a second cost little on any grid. Session thread.
+/// Computes the material removed from a tooth, tile by tile: only changed tiles are computed again, so that a hundred
+/// calls a second are cheap on any grid. Session thread.
 class RemovedTally
 {
 public:
     RemovedTally() = default;
     explicit RemovedTally(std::shared_ptr<const terrain::ToothAnatomy> anatomy);
 
-    /// What is gone where the top map is `top` (of the anatomy's grid). The same sums in the same order whatever was
-    /// asked before.
+    /// Returns what has been removed from a tooth with this top map (of the anatomy's grid). Sums are in the same order
+    /// whatever was requested before.
     [[nodiscard]] const Removed& of(const TiledHeights& top);
 
 private:
     struct Known
     {
-        std::shared_ptr<const Tile> tile;  ///< held, so that no other tile can take its address
+        std::shared_ptr<const Tile> tile;  ///< owned, so that no other tile can get its address
         terrain::PerMaterial removedMm3{};
         double overcutMm3 = 0.0;
         int columnsGone = 0;
@@ -42,9 +42,9 @@ private:
     [[nodiscard]] Known reckon(int tileX, int tileY, const std::shared_ptr<const Tile>& tile) const;
 
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
-    std::vector<Known> m_known;  ///< one a tile
+    std::vector<Known> m_known;  ///< one per tile
     Removed m_removed;
-    int m_columnsGone = 0;  ///< when m_removed.perforated was found out
+    int m_columnsGone = 0;  ///< when m_removed.perforated was computed
 };
 
 }  // namespace core::history

@@ -13,24 +13,24 @@ namespace core::history {
 
 using Tile = std::array<float, static_cast<std::size_t>(servo::kTileSide) * servo::kTileSide>;
 
-/// A height map as immutable shared tiles: copying it copies pointers, changing it replaces touched tiles only.
-/// So the states of an undo history share all that they have in common.
+/// A height map in immutable shared tiles: copying it copies pointers, changing it replaces only the changed tiles. So
+/// the moments of an undo history share all that they have in common.
 class TiledHeights
 {
 public:
     TiledHeights() = default;
     TiledHeights(const terrain::Grid& grid, std::span<const float> heights);
 
-    /// Replaces one tile; cells beyond the grid are ignored when reading back.
+    /// Replaces one tile. flat() ignores its cells beyond the grid.
     void setTile(int tileX, int tileY, const Tile& heights);
-    /// Replaces those tiles in which `heights` differs from what is held.
+    /// Replaces the tiles in which `heights` differs.
     void update(std::span<const float> heights);
-    /// The whole map, row by row.
+    /// Returns the whole map, row by row.
     [[nodiscard]] std::vector<float> flat() const;
 
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
     [[nodiscard]] const std::shared_ptr<const Tile>& tile(int tileX, int tileY) const;
-    /// All tiles, row by row.
+    /// Returns all tiles, row by row.
     [[nodiscard]] std::span<const std::shared_ptr<const Tile>> tiles() const { return m_tiles; }
 
 private:
@@ -41,8 +41,8 @@ private:
     std::vector<std::shared_ptr<const Tile>> m_tiles;
 };
 
-/// The group of patches that turns one map into the other: tiles that are not shared, the last one closing the group.
-/// Empty if there are none.
+/// Returns the group of patches that changes one map into the other: the tiles that are not shared. Empty if there are
+/// none.
 [[nodiscard]] std::vector<servo::TilePatch> patchesBetween(const TiledHeights& from, const TiledHeights& to,
                                                            std::uint64_t tick, std::uint64_t generation);
 

@@ -14,40 +14,40 @@
 
 namespace core::history {
 
-/// One moment of a tooth that can be gone back to.
+/// A moment of a tooth that the user can return to.
 struct ToothMoment
 {
     TiledHeights top;
-    std::uint64_t tick = 0;  ///< of the attempt, after which the tooth stood like this; 0 is the uncut tooth
-    double seconds = 0.0;    ///< into the attempt, when the moment came about
-    Removed removed{};       ///< off the tooth at this moment
+    std::uint64_t tick = 0;  ///< tick of the attempt after which the tooth was in this state; 0: the uncut tooth
+    double seconds = 0.0;    ///< time of the moment in the attempt
+    Removed removed{};       ///< material removed up to this moment
 };
 
-/// What a list of moments shows of one. The place for whatever is said about a moment.
+/// The entry of a moment in a list.
 struct MomentInfo
 {
     MomentId id{};
-    MomentId parent{};  ///< MomentId{}: the first that is still known
+    MomentId parent{};  ///< MomentId{}: the first moment that is still stored
     std::uint64_t tick = 0;
     double seconds = 0.0;
-    bool isCurrent = false;  ///< the newest that the tooth has been at: it may have been cut further since
+    bool isCurrent = false;  ///< the last moment that the tooth was at; it may have been cut further since
     Removed removed{};
     bool operator==(const MomentInfo&) const = default;
 };
 
-/// Of a tree's moments (UndoTree::list), the last on the way to the present one at which fewer ticks were over; nothing
-/// where there is none. A moment of another branch is never meant, be it ever so recent.
+/// Returns the last moment before a tick on the path to the current moment (of UndoTree::list()); empty if there is
+/// none. Moments of other branches are ignored, however recent.
 [[nodiscard]] std::optional<MomentId> lastBefore(std::span<const MomentInfo> moments, std::uint64_t tick);
 
-/// The moments between strokes and a place among them. Every moment but the first follows from another; a stroke after
-/// an undo begins a branch, and what was undone stays beside it.
+/// The undo history of a tooth: its moments between strokes, and the current one. Every moment but the first has a
+/// parent. A stroke after an undo begins a branch, and the undone moments stay.
 ///
-/// When the moments hold more memory than the limit, they are forgotten one by one in this order: the oldest moment
-/// that nothing follows from and that lies neither before the present one nor among what redo leads to; when there is
-/// none such, the first moment; then the last that redo leads to. One step back and one forward are always kept.
+/// When the moments use more memory than the limit, they are removed one by one in this order: the oldest moment
+/// without children that is neither before the current one nor reachable by redo; if there is none, the first moment;
+/// then the last one that redo reaches. One undo step and one redo step always stay.
 ///
 /// Memory is counted as that of the tiles, each once however many moments share it, and of the moments' lists of tiles.
-/// Any one thread at a time.
+/// One thread at a time.
 class UndoTree
 {
 public:
@@ -60,28 +60,28 @@ public:
     UndoTree& operator=(const UndoTree&) = delete;
     ~UndoTree() = default;
 
-    /// Forgets everything and begins with this moment.
+    /// Clears the history and begins with this moment.
     void restart(ToothMoment first);
-    /// What the tooth has become from the present moment: a new one, and the present one from now on.
+    /// Adds a child of the current moment and makes it the current one.
     void push(ToothMoment moment);
 
-    /// Moments before the present one.
+    /// Returns the number of moments before the current one.
     [[nodiscard]] int undoSteps() const { return m_undoSteps; }
-    /// Moments that redo leads to.
+    /// Returns the number of moments that redo can reach.
     [[nodiscard]] int redoSteps() const { return m_redoSteps; }
-    /// Where we are. There is always one after restart().
+    /// Returns the current moment. Call restart() first.
     [[nodiscard]] const ToothMoment& current() const { return m_at->moment; }
     [[nodiscard]] MomentId currentId() const { return m_at->id; }
-    /// To the moment before this one; false if there is none.
+    /// Goes to the parent of the current moment. Returns false if there is none.
     bool undo();
-    /// To that moment after this one which was visited last; false if there is none.
+    /// Goes to the child of the current moment that was visited last. Returns false if there is none.
     bool redo();
-    /// To any moment; false if it is not known, or the present one.
+    /// Goes to any moment. Returns false if it is unknown or the current one.
     bool goTo(MomentId id);
 
-    /// Null if it is not known. Valid until the tree changes.
+    /// Returns a moment; null if it is unknown. Valid until the tree changes.
     [[nodiscard]] const ToothMoment* find(MomentId id) const;
-    /// All moments, oldest first.
+    /// Returns all moments, oldest first.
     [[nodiscard]] std::vector<MomentInfo> list() const;
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
 
@@ -93,7 +93,8 @@ private:
         Node* parent = nullptr;
         std::vector<Node*> children;  ///< oldest first
         Node* visited = nullptr;      ///< the child visited last
-        bool isOnTheWay = false;      ///< from the first moment to the present one and on to the last of redo
+        bool isOnTheWay = false;      ///< on the path from the first moment to the current one and on to the last of
+                                      ///< redo
     };
 
     Node& add(ToothMoment moment, Node* parent);
@@ -109,7 +110,7 @@ private:
     Node* m_at = nullptr;
     int m_undoSteps = 0;
     int m_redoSteps = 0;
-    std::unordered_map<const Tile*, int> m_uses;  ///< how many moments hold a tile
+    std::unordered_map<const Tile*, int> m_uses;  ///< number of moments that use a tile
     std::size_t m_bytes = 0;
 };
 
