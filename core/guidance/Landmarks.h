@@ -17,7 +17,7 @@ enum class Landmark : std::uint8_t {
     DistalPit,
     MesialRidge,
     DistalRidge,
-    RidgesToKeep,  ///< the marginal ridges that the ideal leaves standing
+    RidgesToKeep,  ///< the marginal ridges that the ideal keeps
     RidgesToCut    ///< the marginal ridges that the ideal cuts through
 };
 
