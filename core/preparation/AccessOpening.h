@@ -9,14 +9,14 @@
 
 namespace core::preparation {
 
-/// Whether a tooth lies as an incisor or canine does whose chamber is opened from its lingual side: that side up,
-/// tilted by more than 60 degrees.
+/// Returns whether a tooth is placed like an incisor or canine whose chamber is opened from its lingual side: that side
+/// up, tilted by more than 60 degrees.
 [[nodiscard]] bool opensFromLingual(const terrain::Lying& lying, int fdi);
 
-/// The opening of the pulp chamber of 36 or 21 as an endodontist leaves it: the roof gone wholly, the chamber empty,
-/// its floor untouched, walls that lean out to the surface without a ledge; no deeper than a bur reaches
-/// (bur::lowestTipMm). Of an incisor that opensFromLingual(), the chamber ends at the neck, and its floor is its
-/// labial wall. See makePreparation(), which checks its inputs.
+/// Returns the opening of the pulp chamber of 36 or 21 as an endodontist leaves it: the roof removed, the chamber
+/// empty, its floor untouched, walls that lean out to the surface without a ledge; no deeper than a bur reaches
+/// (bur::lowestTipMm). For an incisor that opensFromLingual(), the chamber ends at the neck, and its floor is its
+/// labial wall. Called by makePreparation(), which checks the inputs.
 [[nodiscard]] Result<grading::Preparation> accessOpening(const ToothDesign& design,
                                                          const terrain::ToothAnatomy& anatomy);
 

@@ -9,24 +9,24 @@
 #include "core/teeth/Block.h"
 #include "core/terrain/Tooth.h"
 
-/// Makers of ideal preparations: of practice blocks, of teeth by rule, and from attempts. Any thread that may wait.
+/// Construction of ideal preparations: of practice blocks, of teeth by rule, and from attempts. Any thread but the ui
+/// thread.
 namespace core::preparation {
 
-/// A practice block and what is to be cut into it.
+/// A practice block with its ideal preparation.
 struct Block
 {
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
     grading::Preparation ideal;
 };
 
-/// The shape over the grid of a block made to this design (teeth::buildTooth). A column belongs to it when its node
-/// does; a wall is upright, and where a rounded edge joins it to the floor the part is Wall. The floor
-/// of a junction block is the junction of its enamel and dentin. A block of layers is to be kept whole. The leeway
-/// around the shape is set by the lesson.
+/// Returns the shape over the grid of a block of this design (teeth::buildTooth). A column belongs to the shape if its
+/// node does; walls are upright, and a rounded edge between wall and floor is Wall. The floor of a junction block is
+/// the junction of its enamel and dentin. A block of layers is kept whole. The lesson sets the leeway around the shape.
 [[nodiscard]] Result<grading::Preparation> blockPreparation(const teeth::BlockDesign& design,
                                                             const terrain::ToothAnatomy& anatomy);
 
-/// Both at once.
+/// Builds the block and its ideal.
 [[nodiscard]] Result<Block> makeBlock(const teeth::BlockDesign& design, int gridSide = terrain::kDefaultGridSide,
                                       std::uint64_t seed = 0);
 

@@ -9,16 +9,16 @@
 
 namespace core::preparation {
 
-/// The ideal that an instructor shows: the mean of his attempts at one tooth, or the one he made.
+/// Returns the mean of an instructor's attempts at one tooth, or the only one, as an ideal.
 ///
-/// A column belongs to it where more than half of the attempts cut it (by 0.02 mm or more: a brush is no cut), and
-/// where just half of them did, if the mean of their outlines encloses it: it lies farther inside theirs than outside
-/// the others'. Its height is the mean of theirs, and of those that went through it, empty. It is Floor where the mean
-/// surface is flatter than 45 degrees and Wall where it is steeper, seen over 0.3 mm, and where it borders on what is
-/// kept.
+/// A column belongs to the ideal if more than half of the attempts cut it (by 0.02 mm or more: a brush is no cut). If
+/// exactly half did, it belongs if the mean of the outlines encloses it: if it is farther inside those that cut it than
+/// outside the others. Its height is the mean of those that cut it; a column that they cut through is empty. It is
+/// Floor if the mean surface is flatter than 45 degrees, and Wall if it is steeper, measured over 0.3 mm, or borders on
+/// a kept column.
 ///
-/// Any thread. An error says in one sentence that there is no attempt, that two are of different teeth, or that they
-/// have no cut in common.
+/// Any thread. Errors, one sentence each: there is no attempt, two are of different teeth, or they have no cut in
+/// common.
 [[nodiscard]] Result<grading::Preparation> averagePreparation(std::span<const terrain::Tooth* const> attempts);
 
 }  // namespace core::preparation

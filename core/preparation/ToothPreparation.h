@@ -8,16 +8,17 @@
 
 namespace core::preparation {
 
-/// usualDesign(), changed as far as a small tooth needs it for any outline at all: first with upright end walls, then
+/// Returns usualDesign(), changed as far as a small tooth needs it for any outline: first with upright end walls, then
 /// with half of the ridge across, and last with less marginal ridge, in tenths of a millimetre and not under 0.8 (under
 /// 1.0 to 1.2 a ridge fails, docs/teeth.md). The same on every grid.
 [[nodiscard]] Result<ToothDesign> fittedDesign(Kind kind, const terrain::ToothAnatomy& anatomy);
 
-/// The ideal preparation of a generated tooth by rule. Its outline follows the tooth's own grooves and is the same in
-/// millimetres on every grid.
+/// Returns the ideal preparation of a generated tooth by rule. Its outline follows the tooth's own grooves and is the
+/// same in millimetres on every grid.
 ///
-/// Some tens of milliseconds; any thread that may wait. An error is one sentence: a scan, whose fissures nobody knows;
-/// a tooth that the kind is not made for; a figure out of range, or one that leaves no room or would open the pulp.
+/// Some tens of milliseconds; any thread but the ui thread. Errors, one sentence each: a scan, whose fissures are
+/// unknown; a tooth that the kind is not available for; a number out of range, or one that leaves no room or would open
+/// the pulp.
 [[nodiscard]] Result<grading::Preparation> makePreparation(Kind kind, const ToothDesign& design,
                                                            const terrain::ToothAnatomy& anatomy);
 
