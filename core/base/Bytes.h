@@ -13,8 +13,8 @@ namespace core {
 
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian and read in place");
 
-/// 64-bit FNV-1a over bytes: a checksum against damage, not against forgery.
-/// @param hash  of what goes before these bytes
+/// Returns the 64-bit FNV-1a hash of bytes: a checksum against damage, not against forgery.
+/// @param hash  the hash of the bytes before these
 [[nodiscard]] inline std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xCBF29CE484222325ULL)
 {
     for (const char byte : bytes) {
@@ -24,7 +24,8 @@ static_assert(std::endian::native == std::endian::little, "recordings are little
     return hash;
 }
 
-/// Well-formed UTF-8: no code point cut short, written longer than need be, a surrogate, or beyond U+10FFFF.
+/// Returns whether text is well-formed UTF-8: without truncated or overlong sequences, surrogates and code points above
+/// U+10FFFF.
 [[nodiscard]] inline bool isUtf8(std::string_view text)
 {
     for (std::size_t at = 0; at < text.size();) {
@@ -73,7 +74,7 @@ private:
     std::string m_bytes;
 };
 
-/// Takes plain values from bytes. Past the end it gives zeros and remembers: ask ok() once, at the end.
+/// Reads plain values from bytes. Past the end it returns zeros; check ok() once, after the last value.
 class ByteReader
 {
 public:
@@ -98,7 +99,7 @@ public:
         if (!from.empty())
             std::memcpy(static_cast<void*>(values.data()), from.data(), from.size());
     }
-    /// Empty, and not ok from then on, if fewer are left.
+    /// Returns the next bytes. If fewer are left, returns an empty view and sets ok() to false.
     [[nodiscard]] std::string_view takeBytes(std::size_t count)
     {
         if (count > m_bytes.size()) {

@@ -6,13 +6,12 @@
 
 namespace core {
 
-/// Keeps other programs, and other parts of this one, from what the name stands for while it lives (flock): whatever
-/// ends the program, and whatever the computer is called by then, nothing is held any more. The file of that name is
-/// made, and goes with the lock.
+/// Locks a name against other programs, and other parts of this one, while the object exists (flock). The lock ends
+/// with the program, however that ends. Creates the file of that name, and removes it with the lock.
 class FileLock
 {
 public:
-    /// Waits for nobody: see isHeld().
+    /// Tries to lock and does not wait: see isHeld().
     explicit FileLock(std::filesystem::path name);
     ~FileLock();
     FileLock(FileLock&& other) noexcept : m_name(std::move(other.m_name)), m_file(std::exchange(other.m_file, -1)) {}

@@ -7,21 +7,22 @@
 
 namespace core {
 
-/// A sentence, and apart from it what it speaks of, so that a window can say it in its own language.
+/// A sentence and, separately, its values, so that a window can translate it.
 struct LocalizableText
 {
-    std::string english;                    ///< with "%1" for the first of the values
-    std::vector<LocalizableText> values{};  ///< words again, or what was noted
+    std::string english;                    ///< with "%1" for the first value
+    std::vector<LocalizableText> values{};  ///< texts to translate, or noted values
     bool isNoted = false;                   ///< a name, a number, a key of a file: the same in every language
 };
 
-/// A name or a number.
+/// Returns a name or a number that is not translated.
 [[nodiscard]] LocalizableText noted(std::string text);
 
-/// Puts each value where "%1" to "%9" call for it; what a value itself contains is not looked at.
+/// Replaces "%1" to "%9" by the values. The values themselves are not searched.
 [[nodiscard]] std::string filled(const std::string& words, const std::vector<std::string>& values);
 
-/// @param sentence  what an English sentence or part of one is in the language
+/// Returns a text in another language.
+/// @param sentence  translates an English sentence or a part of one
 [[nodiscard]] std::string said(const LocalizableText& words,
                                const std::function<std::string(const std::string&)>& sentence);
 [[nodiscard]] std::string inEnglish(const LocalizableText& words);

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// Returns the median of the values; of an even number the upper one of the two in the middle. 0 if there are none.
+/// Returns the median of the values; for an even number the upper one of the two in the middle. 0 if there are none.
 [[nodiscard]] inline double median(std::vector<double> values)
 {
     if (values.empty())

@@ -14,21 +14,22 @@
 
 namespace core {
 
-/// One number of a struct that people may set: what file, editor and test show and check. The default is what the
-/// struct's own initialiser says.
+/// A number of a struct that users may set, with its name and range: the same for files, editors and tests. The default
+/// is that of the struct's initialiser.
 template <class Design>
 struct NumberField
 {
     const char* id;    ///< in files
     const char* name;  ///< in sentences, after "the"
-    const char* unit;  ///< empty: a plain number
+    const char* unit;  ///< empty: no unit
     double Design::*value;
     double minimum;
     double maximum;
     bool whole = false;
 };
 
-/// A number as a person writes it: up to three decimals, no zeros behind them; from 1e12 on as a double is written.
+/// Returns a number as people write it: up to three decimals without trailing zeros; from 1e12 on, the shortest form of
+/// the double.
 [[nodiscard]] inline std::string plainNumber(double value)
 {
     if (!(std::abs(value) < 1.0e12)) {  // its thousandths fit no integer
@@ -46,7 +47,7 @@ struct NumberField
     return text;
 }
 
-/// Whether every number lies in its range, and is whole where it must be; the sentence names the first that does not.
+/// Checks that every number is in its range, and whole if it must be. The error names the first that is not.
 template <class Design>
 [[nodiscard]] Status validateNumbers(std::span<const NumberField<Design>> fields, const Design& design)
 {
@@ -70,7 +71,7 @@ template <class Design>
     return {};
 }
 
-/// Sets the number of that id; UnknownName lists those there are.
+/// Sets the number with this id. UnknownName lists the known ids.
 template <class Design>
 [[nodiscard]] Status setNumber(std::span<const NumberField<Design>> fields, Design& design, std::string_view id,
                                double value)

@@ -10,47 +10,46 @@
 
 namespace core {
 
-/// What went wrong, for code that must tell cases apart and for the ui, which owns the translated sentences.
+/// The kind of an error, for code that handles cases differently and for the ui, which has the translated sentences.
 enum class ErrorCode {
-    FileMissing,     ///< nothing there
-    FileUnreadable,  ///< there, but a directory, or not ours to read
-    FileUnwritable,  ///< could not be created or filled
+    FileMissing,     ///< there is no such file
+    FileUnreadable,  ///< it exists, but is a directory or may not be read
+    FileUnwritable,  ///< it could not be created or written
     FileEmpty,       ///< zero bytes
-    FileTruncated,   ///< ends before what its own header promises
-    FileTooLarge,    ///< more than the program is willing to hold
-    WrongKind,       ///< readable, but not the format it is named for
+    FileTruncated,   ///< it ends before what its header declares
+    FileTooLarge,    ///< larger than the program accepts
+    WrongKind,       ///< readable, but of another format than expected
     NewerVersion,    ///< written by a later program
-    OlderVersion,    ///< written by an earlier program, and not to be changed without being asked
-    BadNumber,       ///< not a number, or not a finite one
-    BadStructure,    ///< right format, impossible content
-    NoTriangles,     ///< a mesh without one usable face
+    OlderVersion,    ///< written by an earlier program, and not to be changed without the user's consent
+    BadNumber,       ///< not a number, or not finite
+    BadStructure,    ///< the right format with impossible contents
+    NoTriangles,     ///< a mesh without a usable face
     UnknownName,     ///< a bur, method, tooth or preset that does not exist
-    OutOfRange,      ///< a value outside what is allowed
-    OtherTooth,      ///< sound, but made on another tooth than the one at hand
-    Busy,            ///< another program holds it; the same may work in a moment
-    OpenElsewhere,   ///< what one program at a time can use, until the other ends
-    ConnectionLost,  ///< a server that does not answer, or not any more
-    OutcomeUnknown,  ///< a server that went away while it was confirming: it may be done or not
-    ServerRefuses,   ///< a server that answers, and says no: whoever looks after it decides
-    OtherSchool,     ///< another school is where the one was that was worked in
-    NotAllowed,      ///< by the role of who asked
-    Disabled,        ///< the account of who asked, since he logged in
-    WrongLogin,      ///< name or password, and nobody is told which
-    TooSoon,         ///< after failed logins; the detail says how long to wait
-    NewPassword,     ///< a one-time code was given: a password has to be chosen
-    NobodyLeft,      ///< he is the last who can do what somebody must be able to do
-    ChangedSince,    ///< somebody else has changed what was to be changed, after it was looked at
+    OutOfRange,      ///< a value outside its range
+    OtherTooth,      ///< valid, but made on another tooth than the current one
+    Busy,            ///< another program holds it; a retry may succeed
+    OpenElsewhere,   ///< only one program at a time can use it
+    ConnectionLost,  ///< the server does not respond
+    OutcomeUnknown,  ///< the connection was lost during a commit: it may have been made or not
+    ServerRefuses,   ///< the server responds with a refusal that its administrator must resolve
+    OtherSchool,     ///< the database is not that of the school used before
+    NotAllowed,      ///< the role of the user does not allow it
+    Disabled,        ///< the account was disabled after the login
+    WrongLogin,      ///< wrong name or password; the error does not say which
+    TooSoon,         ///< after failed logins; the detail gives the waiting time
+    NewPassword,     ///< a one-time code was entered: a new password is needed
+    NobodyLeft,      ///< the last person with a necessary role would lose it
+    ChangedSince,    ///< another user has changed the data since they were read
 };
 
 struct Error
 {
     ErrorCode code = ErrorCode::WrongKind;
     std::string detail;       ///< one English sentence: what, where, what to do; for the log and the command line
-    LocalizableText words{};  ///< the same for a window, where it can say it in its language; else empty
+    LocalizableText words{};  ///< the same for translation; empty: not translatable
 };
 
-/// Expected failure as a value, as opposed to a mistake of ours, which is an assertion. C++23's std::expected has the
-/// same member names.
+/// An expected failure as a value; our own mistakes are assertions. C++23's std::expected has the same member names.
 template <class T>
 using Result = tl::expected<T, Error>;
 using Status = Result<void>;
@@ -66,7 +65,7 @@ using Status = Result<void>;
     return tl::unexpected<Error>(Error{code, std::move(detail), std::move(words)});
 }
 
-/// What is said of an error. A window puts a word of its own round what it can say in English only: "%1".
+/// Returns an error for translation. A text that exists in English only becomes the value "%1".
 [[nodiscard]] inline LocalizableText wordsOf(const Error& error)
 {
     return error.words.english.empty() ? LocalizableText{"%1", {noted(error.detail)}} : error.words;

@@ -5,9 +5,9 @@
 
 namespace core {
 
-/// Seeded generator, written out so that a seed gives the same tooth with every compiler and library.
+/// A seeded random generator, implemented here so that a seed gives the same tooth with every compiler and library.
 ///
-/// SplitMix64 (Steele, Lea, Flood 2014): 64 bits of state, passes BigCrush, one multiply-xor chain a number.
+/// SplitMix64 (Steele, Lea, Flood 2014): 64 bits of state, passes BigCrush, one multiply-xor chain per number.
 class Rng
 {
 public:
@@ -22,13 +22,14 @@ public:
         return z ^ (z >> 31U);
     }
 
-    /// Uniform in [0, 1), 53 bits.
+    /// Returns a uniform number in [0, 1), 53 bits.
     constexpr double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
 
-    /// Uniform in [low, high).
+    /// Returns a uniform number in [low, high).
     constexpr double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-    /// Mean 0, standard deviation 1, from twelve uniforms (Irwin-Hall): no transcendental, tails end at 6.
+    /// Returns a number of mean 0 and standard deviation 1 from twelve uniform ones (Irwin-Hall): no transcendental
+    /// function, no value beyond 6.
     constexpr double normal()
     {
         double sum = -6.0;
@@ -37,7 +38,7 @@ public:
         return sum;
     }
 
-    /// Uniform in 0 .. count-1; count must be positive.
+    /// Returns a uniform integer from 0 to count - 1; count must be positive.
     constexpr int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
 
 private:

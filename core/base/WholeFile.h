@@ -8,16 +8,16 @@
 
 namespace core {
 
-/// Writes a file that appears whole or not at all: into a new file beside its place (never one that is there), then
-/// renamed. Whatever fails, an older file stays as it was. A folder, device or pipe is not replaced; behind a link, its
-/// target is written. FileUnwritable with one sentence otherwise.
-/// @param what  what the sentence calls it: "The mesh"
+/// Writes a file completely or not at all: writes a new file beside it and renames that. On failure an existing file is
+/// unchanged. A folder, device or pipe is not replaced; of a link, the target is written. Error FileUnwritable with one
+/// sentence.
+/// @param what  subject of the sentence: "The mesh"
 [[nodiscard]] Status writeWhole(const std::filesystem::path& path, std::string_view bytes, std::string_view what);
 
-/// Brings a file, or the names in a folder, to the disk. False: that could not be done.
+/// Flushes a file, or the entries of a folder, to the disk. Returns false on failure.
 bool bringToDisk(const std::filesystem::path& path);
 
-/// Do two names stand for the same file, be it there already or not?
+/// Returns whether two names refer to the same file, which need not exist.
 [[nodiscard]] bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace core
