@@ -6,8 +6,8 @@
 
 namespace core::rt {
 
-/// Work done in beats. A thread is a shell around it (app/threads/LoopThread); tests and headless commands call tick()
-/// themselves.
+/// Work that is done in periodic ticks. A thread only drives it (app/threads/LoopThread); tests and headless commands
+/// call tick() themselves.
 class Loop
 {
 public:
@@ -20,8 +20,8 @@ public:
     /// @param dt  time since the last tick: measured if waitForBeat() returned true, otherwise a whole number of
     ///            periods, more than one if beats were missed
     virtual void tick(std::chrono::microseconds dt) = 0;
-    /// Waits between two ticks until the next one is due. A loop whose input has a beat of its own waits for that.
-    /// @returns whether it was the input; it may come somewhat later than `due`
+    /// Waits between two ticks until the next one is due. A loop whose input sets the pace waits for that.
+    /// @returns whether the input arrived; that may be somewhat later than `due`
     virtual bool waitForBeat(std::chrono::steady_clock::time_point due)
     {
         std::this_thread::sleep_until(due);

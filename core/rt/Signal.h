@@ -7,19 +7,19 @@
 
 namespace core::rt {
 
-/// Wakes one thread when another has something new for it. Signals that are raised before they are waited for count as
-/// one. The value itself goes through a TripleBuffer or a queue and is published first.
+/// Wakes one thread when another has new data for it. Signals raised before a wait count as one. Publish the data
+/// first, through a TripleBuffer or a queue.
 class Signal
 {
 public:
-    /// Never waits. Any thread.
+    /// Raises the signal. Never waits. Any thread.
     void raise() noexcept
     {
         if (!m_isRaised.exchange(true, std::memory_order_acq_rel))
             m_semaphore.release();
     }
 
-    /// Waits until the signal is raised or the time has come. Returns whether it was raised. One thread.
+    /// Waits until the signal is raised or until `due`. Returns whether it was raised. One thread.
     [[nodiscard]] bool waitUntil(std::chrono::steady_clock::time_point due)
     {
         if (!m_semaphore.try_acquire_until(due))

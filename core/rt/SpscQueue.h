@@ -9,10 +9,11 @@
 
 namespace core::rt {
 
-/// Whether elements of a queue may own heap memory. An element that a real-time thread pushes or pops must not.
+/// Whether elements of a queue may own heap memory. Elements that a real-time thread pushes or pops must not.
 enum class Elements { Plain, MayOwn };
 
-/// Queue of fixed capacity from one producer thread to one consumer thread: all arrive, in order, nobody waits.
+/// A queue of fixed capacity from one producer thread to one consumer thread. Elements arrive in order, and neither
+/// thread waits.
 /// Storage is allocated once, in the constructor. Capacity must be a power of two.
 template <class T, std::size_t Capacity, Elements Kind = Elements::Plain>
 class SpscQueue
@@ -25,7 +26,7 @@ class SpscQueue
 public:
     SpscQueue() : m_slots(std::make_unique<T[]>(Capacity)) {}
 
-    /// Producer: false when full; then nothing is stored, and `value` is untouched.
+    /// Producer: adds an element. Returns false if the queue is full; `value` is then unchanged.
     [[nodiscard]] bool tryPush(T&& value) noexcept
     {
         const std::size_t tail = m_tail.load(std::memory_order_relaxed);
@@ -41,7 +42,7 @@ public:
         return tryPush(T(value));
     }
 
-    /// Consumer: false when empty, and `value` is untouched.
+    /// Consumer: removes the first element. Returns false if the queue is empty; `value` is then unchanged.
     [[nodiscard]] bool tryPop(T& value) noexcept
     {
         const std::size_t head = m_head.load(std::memory_order_relaxed);
@@ -52,7 +53,7 @@ public:
         return true;
     }
 
-    /// Producer: how many tryPush() will surely succeed now.
+    /// Producer: returns the number of tryPush() calls that will succeed now.
     [[nodiscard]] std::size_t space() const noexcept
     {
         return Capacity - (m_tail.load(std::memory_order_relaxed) - m_head.load(std::memory_order_acquire));

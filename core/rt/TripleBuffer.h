@@ -7,10 +7,10 @@
 
 namespace core::rt {
 
-/// Newest value from one writer thread to one reader thread; neither ever waits, older values are dropped.
+/// The newest value from one writer thread to one reader thread. Neither ever waits; older values are dropped.
 ///
-/// Three slots: one the writer fills, one the reader reads, one between. The middle slot's number and a "fresh" bit
-/// live in one atomic byte, so that publishing and taking are one exchange each.
+/// Three slots: one for the writer, one for the reader, one between. The index of the middle slot and a "fresh" bit are
+/// in one atomic byte, so that publishing and reading are one exchange each.
 template <class T>
 class TripleBuffer
 {
@@ -18,10 +18,10 @@ public:
     TripleBuffer() = default;
     explicit TripleBuffer(const T& value) : m_slots{value, value, value} {}
 
-    /// Writer: the slot to fill. It holds some older value, not the one published last.
+    /// Writer: returns the slot to fill. It contains some older value, not the one published last.
     [[nodiscard]] T& back() noexcept { return m_slots[m_back]; }
 
-    /// Writer, after filling back().
+    /// Writer: publishes back() after it was filled.
     void publish() noexcept
     {
         const auto fresh = static_cast<std::uint8_t>(m_back | kFresh);
@@ -35,7 +35,7 @@ public:
         publish();
     }
 
-    /// Reader: the newest published value; the reference stays valid until the next call.
+    /// Reader: returns the newest published value; the reference is valid until the next call.
     [[nodiscard]] const T& latest() noexcept
     {
         if ((m_middle.load(std::memory_order_relaxed) & kFresh) != 0)
