@@ -9,29 +9,29 @@
 
 namespace haptics {
 
-/// Passes the calls of the servo on to one of several devices. The ui thread selects which.
+/// Forwards the calls of the servo to one of several devices, which the ui thread selects.
 ///
-/// After a change there is no reading for kPause, and the device before gets a force of zero. So the servo takes the
-/// place of the next device as a new beginning, and the force does not jump.
+/// After a change there is no reading for kPause, and the device before gets a force of zero. So the servo treats the
+/// position of the next device as a new start, and the force does not jump.
 ///
-/// A foot pedal takes the place of the device's own pedal, and sets the speed of the bur.
+/// A foot pedal replaces the device's own pedal, and sets the speed of the bur.
 class DeviceSwitch final : public HapticDevice
 {
 public:
     /// Longer than the servo bridges missing readings (ServoTick::step()).
     static constexpr std::chrono::milliseconds kPause{20};
 
-    /// @param first   the device that is selected at first
+    /// @param first   the device that is selected at the start
     /// @param period  shortest time between two calls of exchange()
     DeviceSwitch(HapticDevice& first, std::chrono::microseconds period) noexcept;
 
-    /// Any thread. The device must outlive this, or no call may come after another device was selected.
+    /// Selects a device. It must outlive this, or no call may come after another device was selected. Any thread.
     void select(HapticDevice& device) noexcept { m_selected.store(&device, std::memory_order_release); }
-    /// The device that select() was called with last.
+    /// Returns the device of the last select().
     [[nodiscard]] HapticDevice& selected() const noexcept { return *m_selected.load(std::memory_order_acquire); }
 
-    /// Lets this pedal run the bur from now on, whatever the device. Any thread.
-    /// @param pedal  must outlive this; null: the device's own pedal runs the bur, if it has one
+    /// Lets a pedal control the bur, whatever the device. Any thread.
+    /// @param pedal  must outlive this; null: the device's own pedal controls the bur, if it has one
     void setPedal(const FootPedal* pedal) noexcept { m_pedal.store(pedal, std::memory_order_release); }
     [[nodiscard]] bool hasPedal() const noexcept { return m_pedal.load(std::memory_order_acquire) != nullptr; }
 
@@ -50,7 +50,7 @@ private:
     HapticDevice* m_current;  ///< servo thread: the device that moves the bur
     int m_ticksOfPause;
     int m_ticksLeft = 0;                ///< of the pause
-    std::uint8_t m_speedPercent = 100;  ///< that the pedal asked for last
+    std::uint8_t m_speedPercent = 100;  ///< that the pedal requested last
 };
 
 }  // namespace haptics

@@ -6,24 +6,24 @@
 
 namespace haptics {
 
-/// A real device that gives a force: found, started and watched on a thread of its own. Each kind of device is one
-/// class and one row in app/devices/DeviceController.
+/// A real force device: found, started and monitored on a thread of its own. Each kind of device is one class and one
+/// row in app/devices/DeviceController.
 ///
-/// The functions here are for the ui thread. They return at once.
+/// The functions here are for the ui thread and return at once.
 class ForceDevice : public HapticDevice
 {
 public:
-    /// Begins to look for the device, and goes on until stop().
+    /// Starts searching for the device, until stop().
     virtual void start() = 0;
     /// Sets the force to zero, closes the device and waits until it is closed.
     virtual void stop() = 0;
     [[nodiscard]] virtual core::session::DeviceReport report() const = 0;
-    /// Whether exchange() gives positions. Any thread.
+    /// Returns whether exchange() gives positions. Any thread.
     [[nodiscard]] virtual bool isReady() const noexcept = 0;
     virtual void setUp(const core::session::DeviceSetup& setup) = 0;
-    /// File with the firmware that the device needs; empty: none is set. A device without firmware ignores it.
+    /// Sets the path of the firmware that the device needs; empty: none. A device without firmware ignores it.
     virtual void setFirmware(const std::string& /*path*/) {}
-    /// Adds a force of at most 1 N for a test, tooth frame. It ends by itself 0.5 s after the last call.
+    /// Adds a force of at most 1 N for a test, tooth frame. The force ends by itself 0.5 s after the last call.
     virtual void setTestForce(const glm::dvec3& forceN) = 0;
 };
 

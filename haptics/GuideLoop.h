@@ -11,36 +11,36 @@
 
 namespace haptics {
 
-/// Where a hand is to be led: the place that follows the one before within kBeat.
+/// The target of a guided hand. The next target follows within kBeat.
 struct GuideAim
 {
     static constexpr std::chrono::milliseconds kBeat{10};
-    std::uint64_t number = 0;  ///< another one with each; 0: none yet
+    std::uint64_t number = 0;  ///< a new one for each target; 0: no target yet
     glm::dvec3 tipMm{0.0};     ///< tooth frame
 };
 
-/// What has become of it.
+/// The state of the guidance.
 struct GuideState
 {
-    std::uint64_t ticks = 0;  ///< so far; 0: nobody knows yet
-    bool present = false;     ///< the device was read
+    std::uint64_t ticks = 0;  ///< so far; 0: the loop has not run yet
+    bool present = false;     ///< the device gave a reading
     bool leading = false;
-    bool wasPushed = false;  ///< it is the hand that ended the last lead
-    glm::dvec3 tipMm{0.0};   ///< where the hand is
+    bool wasPushed = false;  ///< the hand ended the last guidance by pushing
+    glm::dvec3 tipMm{0.0};   ///< place of the hand, tooth frame
     glm::dvec3 forceN{0.0};  ///< on the hand
 };
 
-/// The channels between who plays a recording and who leads the hand along it.
+/// The channels between the player of a recording and the loop that guides the hand.
 struct GuideLinks
 {
     core::rt::TripleBuffer<GuideAim> aim;      ///< player -> servo, every GuideAim::kBeat
     core::rt::TripleBuffer<GuideState> state;  ///< servo -> player
-    std::atomic<bool> wanted{false};           ///< ui -> servo: rising, the hand is taken up; falling, let go
+    std::atomic<bool> wanted{false};           ///< ui -> servo: true starts the guidance, false ends it
 };
 
-/// A servo for a device whose hand is led along a recording (core::contact::PathGuide): neither contact nor cutting,
-/// for the student's own tooth rests meanwhile. It stands in for the ServoLoop, which must rest.
-/// tick() never allocates, locks, throws, logs or waits.
+/// A servo loop that guides the hand along a recording (core::contact::PathGuide), without contact or cutting. Replaces
+/// the ServoLoop, which must be stopped, so the student's tooth is unchanged. tick() never allocates, locks, throws,
+/// logs or waits.
 class GuideLoop final : public core::rt::Loop
 {
 public:
@@ -48,8 +48,8 @@ public:
     GuideLoop(HapticDevice& device, GuideLinks& links) : m_device(device), m_links(links) {}
 
     void tick(std::chrono::microseconds dt) noexcept override;
-    /// The device is left without a force.
     bool waitForBeat(std::chrono::steady_clock::time_point due) override { return m_device.waitForReading(due); }
+    /// Leaves the device without a force.
     void end() override;
 
 private:
@@ -59,10 +59,10 @@ private:
     GuideLinks& m_links;
     core::contact::PathGuide m_guide;
     GuideAim m_aim;
-    glm::dvec3 m_from{0.0};  ///< where the aim was when this one came
-    double m_share = 1.0;    ///< of the way from there to it
+    glm::dvec3 m_from{0.0};  ///< the aim when this one arrived
+    double m_share = 1.0;    ///< share of the way from m_from to m_aim
     glm::dvec3 m_lastMm{0.0};
-    double m_unreadS = 1.0;  ///< until there is a first reading, none can be trusted
+    double m_unreadS = 1.0;  ///< before the first reading, none can be trusted
     glm::dvec3 m_forceN{0.0};
     bool m_wasWanted = false;
     std::uint64_t m_ticks = 0;

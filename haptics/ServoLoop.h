@@ -17,22 +17,22 @@
 
 namespace haptics {
 
-/// The 1 kHz loop: reads the device, lets ServoTick compute, gives the force back, tells the others.
-/// It alone owns the live tooth. tick() never allocates, locks, throws, logs or waits.
+/// The 1 kHz loop: reads the device, computes with ServoTick, applies the force, and publishes the state. Only this
+/// loop accesses the live tooth. tick() never allocates, locks, throws, logs or waits.
 class ServoLoop final : public core::rt::Loop
 {
 public:
-    /// Longest step that is computed, or the period if that is longer: after a freeze the bur does not cut for all the
-    /// time that was missed.
+    /// Longest step that is computed, or the period if that is longer: after a pause of the thread the bur does not cut
+    /// for the missed time.
     static constexpr std::chrono::microseconds kLongestStep{4000};
 
     /// @param device, links, state  must outlive the loop
-    /// @param period  beat of the loop, at most 50 ms; a tick of more counts as missed periods
+    /// @param period  of the loop, at most 50 ms; longer ticks count as missed periods
     ServoLoop(HapticDevice& device, std::unique_ptr<core::servo::ServoTick> tick, core::servo::ServoChannels& links,
               core::rt::TripleBuffer<core::servo::ServoState>& state, std::chrono::microseconds period);
     ~ServoLoop() override;
 
-    /// Publishes every tick what is heard of the bur. Before the first tick.
+    /// Publishes the sound of the bur in every tick. Call before the first tick.
     /// @param sound  must outlive the loop
     void publishSound(core::rt::TripleBuffer<core::audio::SoundState>& sound) noexcept { m_soundOut = &sound; }
 
@@ -46,7 +46,7 @@ public:
     void tick(std::chrono::microseconds dt) noexcept override;
     bool waitForBeat(std::chrono::steady_clock::time_point due) override { return m_device.waitForReading(due); }
 
-    /// As of the last tick; for single-threaded use.
+    /// Return the state and the tooth after the last tick; for single-threaded use.
     [[nodiscard]] const core::servo::ServoState& state() const noexcept { return m_tick->state(); }
     [[nodiscard]] const core::contact::LiveTooth* tooth() const noexcept { return m_tick->tooth(); }
 
@@ -76,7 +76,7 @@ private:
     core::servo::ServoChannels& m_links;
     core::rt::TripleBuffer<core::servo::ServoState>& m_stateOut;
     std::chrono::microseconds m_period;
-    core::rt::TripleBuffer<core::audio::SoundState>* m_soundOut = nullptr;  ///< null: nobody listens
+    core::rt::TripleBuffer<core::audio::SoundState>* m_soundOut = nullptr;  ///< null: not published
     core::audio::ServoSound m_sound;
 
     std::uint64_t m_generation = 0;
@@ -85,15 +85,15 @@ private:
     std::array<core::servo::Pose, 16> m_trail{};
     std::size_t m_nextPose = 0;
     std::uint32_t m_health = 0;
-    std::array<float, 4> m_lateS{};  ///< what the device told last
+    std::array<float, 4> m_lateS{};  ///< the last delays that the device reported
     std::size_t m_nextLate = 0;
-    float m_delayS = 0.0F;  ///< longest of late
+    float m_delayS = 0.0F;  ///< longest recent delay
     std::uint64_t m_springPercent = 100;
     std::uint64_t m_speedPercent = 100;
     bool m_drillIsOn = false;  ///< switched on by SetDrill
     bool m_pedalIsUp = false;
-    std::unique_ptr<const core::guidance::Fixture> m_fixture;  ///< null: the hand goes where it likes
-    double m_fixtureShare = 0.0;                               ///< of its force: it comes softly
+    std::unique_ptr<const core::guidance::Fixture> m_fixture;  ///< null: the hand is free
+    double m_fixtureShare = 0.0;                               ///< share of its force, which rises gradually
     glm::dvec3 m_guideN{0.0};                                  ///< of the last tick
 
     std::atomic<bool> m_restWanted{false};

@@ -22,12 +22,12 @@ struct Geometry
     bool operator==(const Geometry&) const = default;
 };
 
-/// One count of an encoder as an angle of the arm: 320 slots, four edges each, a cable drive of 110 : 14.25.
+/// Angle of the arm per encoder count: 320 slots, four edges each, a cable drive of 110 : 14.25.
 inline constexpr double kCountRad = 2.0 * std::numbers::pi / (320.0 * 4.0 * 110.0 / 14.25);
 /// Angle of an arm at the index mark of its encoder, where the count is 0.
 inline constexpr double kHomeRad = 35.0 * std::numbers::pi / 180.0;
 
-/// What differs from one Falcon to another, or is not known well enough. `cusp falcon calibrate` measures the angle at
+/// The values that differ between Falcons, or are not known well enough. `cusp falcon calibrate` measures the angle at
 /// the index marks, the scale of the commands and the weight.
 struct Calibration
 {
@@ -37,11 +37,11 @@ struct Calibration
     /// Motor command for a torque of 1 Nm at an arm. libnifalcon sends 10,000; Martin and Hillier (ACRA 2009) measured
     /// 6,616, as quoted by RReichert/Falcon.
     double commandPerNm = 10000.0;
-    double gripWeightN = 0.0;  ///< that the motors carry, so that the hand need not
+    double gripWeightN = 0.0;  ///< carried by the motors instead of the hand
     bool operator==(const Calibration&) const = default;
 };
 
-/// Errors: OutOfRange for a value that no Falcon can have.
+/// Checks the values. Error OutOfRange for a value that is impossible for a Falcon.
 [[nodiscard]] core::Status check(const Calibration& calibration);
 
 }  // namespace haptics::falcon

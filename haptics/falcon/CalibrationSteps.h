@@ -3,21 +3,22 @@
 
 #include "haptics/falcon/Calibration.h"
 
-/// What a ruler and a weight say about a Falcon. Any thread.
+/// Calibration of a Falcon with a ruler and a weight. Any thread.
 namespace haptics::falcon {
 
-/// Finds the angle at the index marks, the same for the three arms, from two places of the grip whose distance was
-/// measured along the axis: pushed in as far as it goes, and 60 mm farther out. There half a millimetre on the ruler is
-/// a degree. (From 95 to 155 mm the distance hardly depends on the angle.)
-/// @param nearMm, farMm  where the grip was, device frame, as computed with this calibration
+/// Computes the angle at the index marks, the same for the three arms, from two positions of the grip and their
+/// measured distance along the axis: pushed in fully, and 60 mm farther out. There half a millimetre on the ruler is a
+/// degree. (From 95 to 155 mm the distance hardly depends on the angle.)
+/// @param nearMm, farMm  positions of the grip, device frame, computed with this calibration
 /// @returns the calibration with other angles at the index marks. Errors: OutOfRange if no angle from 15 to 55 degrees
 /// explains the distance.
 [[nodiscard]] core::Result<Calibration> withDistance(const Calibration& calibration, const glm::dvec3& nearMm,
                                                      const glm::dvec3& farMm, double distanceMm);
 
-/// Finds the scale of the motor commands from the force that held the grip, without and with a weight on it.
+/// Computes the scale of the motor commands from the forces that held the grip without and with a weight on it.
 /// @param emptyN, loadedN  upward force as sent with this calibration
-/// @returns the calibration with another scale and the weight of the grip. Errors: OutOfRange if no Falcon can have it.
+/// @returns the calibration with another scale and the weight of the grip. Errors: OutOfRange if that is impossible for
+/// a Falcon.
 [[nodiscard]] core::Result<Calibration> withWeight(const Calibration& calibration, double emptyN, double loadedN,
                                                    double weightN);
 

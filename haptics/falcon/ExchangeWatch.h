@@ -9,8 +9,8 @@
 
 namespace haptics::falcon {
 
-/// Counts and times the exchanges with a device. Figures of the last second are those of the last whole second. Never
-/// allocates.
+/// Counts and times the exchanges with a device. The figures for the last second are those of the last complete second.
+/// Never allocates.
 class ExchangeWatch
 {
 public:
@@ -21,7 +21,7 @@ public:
     void addLost() noexcept { ++m_figures.lost; }
     void addRejected() noexcept { ++m_figures.rejected; }
 
-    /// To be called often: closes a second that has passed.
+    /// Completes a second that has passed. Call often.
     void update(Time now) noexcept;
     [[nodiscard]] const core::session::ExchangeFigures& figures() const noexcept { return m_figures; }
 

@@ -24,21 +24,21 @@
 
 namespace haptics::falcon {
 
-/// Sets the force of every Falcon to zero and waits up to 0.1 s until that is sent. They stay without force until one
-/// is started. For the handler of a signal that ends the program: it only touches atomics and sleeps. On a device's own
-/// thread it returns at once and changes nothing.
+/// Sets the force of every Falcon to zero and waits up to 0.1 s until that is sent. The force stays zero until a device
+/// is started. For the handler of a signal that ends the program: it only accesses atomics and sleeps. On a device's
+/// own thread it returns at once without effect.
 void letGoOfAll() noexcept;
 
-/// A Novint Falcon in the hand. A thread of its own finds and opens it, loads its firmware, waits until the grip is
-/// homed, and then exchanges frames with it as fast as it answers, about 1,000 a second: the answer wakes the servo,
-/// and the force that the servo gives goes out with the next request.
+/// A Novint Falcon. A thread of its own finds and opens it, loads its firmware, waits until the grip is homed, and then
+/// exchanges frames as fast as the device answers, about 1,000 a second: the answer wakes the servo, and the servo's
+/// force is sent with the next request.
 ///
-/// The force is zero unless the grip is homed and the servo has answered within the last 20 ms. It grows over half a
+/// The force is zero unless the grip is homed and the servo has answered within the last 20 ms. It rises over half a
 /// second when the device becomes ready.
 class FalconDevice final : public ForceDevice
 {
 public:
-    /// How a test or a command uses it differently.
+    /// Options for tests and commands.
     struct Options
     {
         std::string serial;  ///< empty: the first that can be opened
@@ -66,22 +66,22 @@ private:
     using Clock = std::chrono::steady_clock;
     using Stage = core::session::DeviceStage;
 
-    /// Device thread to servo.
+    /// From the device thread to the servo.
     struct Reading
     {
         std::uint64_t serial = 0;  ///< 0: none yet
         glm::vec3 tipMm{0.0F};
         Clock::time_point taken;  ///< when the request was sent
-        float delayS = 0.0F;      ///< of the force sent last, from the reading that it answers
+        float delayS = 0.0F;      ///< of the last force, from the reading that it answers
         bool drill = false;       ///< the button is held
     };
-    /// Ui to device thread.
+    /// From the ui to the device thread.
     struct TestForce
     {
         glm::dvec3 forceN{0.0};
         Clock::time_point until{};
     };
-    /// Device thread to ui: what changes with every exchange.
+    /// From the device thread to the ui: values of each exchange.
     struct Live
     {
         glm::vec3 tipMm{0.0F};
@@ -120,11 +120,11 @@ private:
     const std::string m_serial;
     const Calibration m_calibration;
 
-    // Between the threads.
+    // Shared between the threads.
     std::atomic<bool> m_isStopping{false};
     std::atomic<bool> m_isReady{false};
     std::atomic<bool> m_hasWishes{false};
-    mutable std::mutex m_mutex;  ///< of the next three
+    mutable std::mutex m_mutex;  ///< guards the next three
     std::condition_variable m_woken;
     core::session::DeviceReport m_told;  ///< stage, serial, error, progress
     Wishes m_wishes;
@@ -150,7 +150,7 @@ private:
     Clock::time_point m_rampedAt{};
     float m_delayS = 0.0F;
     int m_unhomed = 0;  ///< answers in a row with an arm that is not homed
-    int m_refused = 0;  ///< answers in a row that were not believed
+    int m_refused = 0;  ///< answers in a row that were not accepted
     int m_silent = 0;   ///< requests in a row without an answer
     Clock::time_point m_answeredAt{};
     Clock::time_point m_silentSince{};
@@ -158,7 +158,7 @@ private:
     int m_buttonsAgree = 0;
     int m_sincePublished = 0;
 
-    std::thread m_thread;  ///< last: it uses all of the above
+    std::thread m_thread;  ///< last: it uses all members above
 };
 
 }  // namespace haptics::falcon

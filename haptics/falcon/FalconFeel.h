@@ -6,12 +6,12 @@
 
 namespace haptics::falcon {
 
-/// Soft walls begin 5 mm before the arms may come to their stops.
+/// Radius of the work area: soft walls begin 5 mm before the arms may reach their stops.
 inline constexpr double kWorkAreaMm = kReachMm - 5.0;
 
-/// Gives a force law what only a device in a hand has: the Falcon's work area, and a bur that is felt running
-/// (0.03 to 0.08 N). A mouse has neither.
-/// @param scale  how far the hand moves for one millimetre of the bur (DeviceSetup)
+/// Sets the properties that only a device in a hand has in a force law: the Falcon's work area, and the vibration of
+/// the bur (0.03 to 0.08 N). A mouse has neither.
+/// @param scale  movement of the hand per movement of the bur (DeviceSetup)
 inline void addFalconFeel(core::contact::ForceSettings& force, double scale = 1.0)
 {
     force.workAreaMm = kWorkAreaMm / scale;

@@ -12,8 +12,8 @@
 
 namespace haptics::falcon {
 
-/// Firmware for the Falcon's controller, checked. Only an image that passed the check exists, so that nothing else can
-/// be sent to a device.
+/// Checked firmware for the Falcon's controller. Only an image that passed the check can exist, so that no other data
+/// can be sent to a device.
 ///
 /// The file is a boot stream for the SCI boot loader of TI's C28x processors, 8-bit data, as TI's boot ROM guides
 /// describe it (SPRUI07, "Bootloader Data Stream Structure"): 16-bit words, low byte first; the key 0x08AA; eight
@@ -32,13 +32,13 @@ public:
     /// within the header or a block), BadStructure (bytes after the end). The words are in the ui's translations.
     [[nodiscard]] static core::Result<FirmwareImage> check(std::vector<std::uint8_t> bytes);
 
-    /// The bytes to send, all of them: the stream ends with the file.
+    /// Returns all bytes of the file, which are to be sent.
     [[nodiscard]] std::span<const std::uint8_t> bytes() const { return m_bytes; }
     [[nodiscard]] std::uint32_t entryPoint() const { return m_entryPoint; }
     [[nodiscard]] int blockCount() const { return m_blockCount; }
-    /// Of all bytes: 64 hexadecimal digits, lower case.
+    /// Returns the SHA-256 of all bytes: 64 hexadecimal digits, lower case.
     [[nodiscard]] const std::string& sha256() const { return m_sha256; }
-    /// Origin and file name of a known firmware; empty for any other.
+    /// Returns origin and file name of a known firmware; empty for any other.
     [[nodiscard]] std::string_view name() const;
 
 private:
@@ -50,7 +50,7 @@ private:
     std::string m_sha256;
 };
 
-/// Name of the firmware that has this checksum; empty if it is not one of the four that libnifalcon lists.
+/// Returns the name of the firmware with this checksum; empty if it is not one of the four that libnifalcon lists.
 /// @param sha256  64 hexadecimal digits, lower case
 [[nodiscard]] std::string_view knownFirmware(std::string_view sha256);
 

@@ -12,15 +12,15 @@
 /// the baud rate by an 'A' and sends every byte back.
 namespace haptics::falcon {
 
-/// Sets the line to what the firmware uses, and drops what was received before.
+/// Sets the line for running firmware, and drops received data.
 [[nodiscard]] core::Status setForRunning(FtdiPort& port);
 
-/// Whether firmware answers. Sets the line for it and sends requests without force for up to 0.3 s.
+/// Returns whether firmware answers. Sets the line for it and sends requests without force for up to 0.3 s.
 [[nodiscard]] core::Result<bool> firmwareRuns(FtdiPort& port);
 
-/// Loads the firmware and sets the line for it. Takes 1 to 3 s. May fail on a good device: try again on a port that was
-/// opened anew.
-/// @param goOn  called with the share that is loaded; returns false to give up
+/// Loads the firmware and sets the line for it. Takes 1 to 3 s. May fail on a good device: retry on a newly opened
+/// port.
+/// @param goOn  called with the share that is loaded; returns false to cancel
 /// Errors: ConnectionLost, each with its own sentence; Busy if goOn returned false.
 [[nodiscard]] core::Status loadFirmware(FtdiPort& port, const FirmwareImage& image,
                                         const std::function<bool(double)>& goOn);

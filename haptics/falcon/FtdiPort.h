@@ -37,7 +37,7 @@ public:
     /// Errors: FileMissing (none is there), NotAllowed (no permission), Busy (another program uses it), ConnectionLost
     /// (any other error of the USB).
     [[nodiscard]] static core::Result<std::unique_ptr<FtdiPort>> open(const Usb& usb, const std::string& serial);
-    /// Cancels what is under way, waits for it and releases the device.
+    /// Cancels pending transfers, waits for them and releases the device.
     ~FtdiPort();
     FtdiPort(const FtdiPort&) = delete;
     FtdiPort& operator=(const FtdiPort&) = delete;
@@ -46,25 +46,25 @@ public:
     [[nodiscard]] core::Status setBaud(Baud baud);
     [[nodiscard]] core::Status setLatency(std::chrono::milliseconds latency);
     [[nodiscard]] core::Status setLine(Line line);
-    /// 8 data bits, no parity, 1 stop bit, no flow control.
+    /// Sets 8 data bits, no parity, 1 stop bit, no flow control.
     [[nodiscard]] core::Status setFormat();
     /// Empties the buffers of the chip, and drops what has been received.
     [[nodiscard]] core::Status purge();
 
-    /// Begins to send. False if the last send() is not finished or the device is gone.
+    /// Starts to send. Returns false if the last send() is not finished or the device is gone.
     /// @param bytes  at most kMostBytes; copied
     [[nodiscard]] bool send(std::span<const std::uint8_t> bytes) noexcept;
     static constexpr std::size_t kMostBytes = 64;
 
-    /// Waits until a transfer has come in or the time is over, and returns it with the status bytes of its packets.
-    /// Empty if none came. The bytes are valid until the next call.
+    /// Waits until a transfer arrives or the time is over, and returns it with the status bytes of its packets. Empty
+    /// if none came. The bytes are valid until the next call.
     [[nodiscard]] std::span<const std::uint8_t> receive(std::chrono::microseconds patience) noexcept;
 
     [[nodiscard]] bool isSending() const noexcept { return m_isSending; }
-    /// The device was unplugged, or the USB fails again and again.
+    /// Returns whether the device was unplugged or the USB fails repeatedly.
     [[nodiscard]] bool isGone() const noexcept { return m_isGone; }
     [[nodiscard]] const std::string& serial() const noexcept { return m_serial; }
-    /// Falcons that were plugged in beside this one when it was opened.
+    /// Returns the number of other Falcons that were plugged in when this one was opened.
     [[nodiscard]] int others() const noexcept { return m_others; }
 
 private:
@@ -94,7 +94,7 @@ private:
     std::array<std::size_t, kReads> m_done{};  ///< ring of finished reads, in the order in which they came
     std::size_t m_firstDone = 0;
     std::size_t m_doneCount = 0;
-    Read* m_lent = nullptr;  ///< whose bytes receive() returned
+    Read* m_lent = nullptr;  ///< the read whose bytes receive() returned
     libusb_transfer* m_write = nullptr;
     std::array<std::uint8_t, kMostBytes> m_writeBytes{};
     bool m_isSending = false;

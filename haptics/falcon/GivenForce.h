@@ -10,7 +10,7 @@
 
 namespace haptics::falcon {
 
-/// The force that the servo gives to the device thread, and the reading that it answers.
+/// Passes the servo's force to the device thread, with the reading that it answers.
 class GivenForce
 {
 public:
@@ -23,18 +23,18 @@ public:
         Clock::time_point answers{};  ///< when the reading was requested
     };
 
-    /// Servo thread. Never waits.
+    /// Servo thread: sets the force. Never waits.
     void give(const Value& value) noexcept
     {
         m_value.publish(value);
         m_hasNew.raise();
     }
 
-    /// Device thread. Waits for a force that answers a reading that was requested at `request` or later. False if the
-    /// time has come first.
+    /// Device thread: waits for a force that answers a reading requested at `request` or later. Returns false if
+    /// `until` is reached first.
     ///
-    /// A signal may still be there from an older force. It does not count: the force sent would always be one exchange
-    /// late.
+    /// A signal may remain from an older force. It does not count: otherwise the force sent would always be one
+    /// exchange late.
     [[nodiscard]] bool waitFor(Clock::time_point request, Clock::time_point until)
     {
         while (latest().answers < request)
@@ -43,7 +43,7 @@ public:
         return true;
     }
 
-    /// Device thread. Valid until its next call.
+    /// Device thread: returns the newest force. Valid until the next call.
     [[nodiscard]] const Value& latest() noexcept { return m_value.latest(); }
 
 private:

@@ -84,7 +84,7 @@ struct UsbPacket
 /// @param transfer  a whole transfer or what is left of one: the packets have 64 bytes, the last one may have fewer
 [[nodiscard]] std::optional<UsbPacket> takePacket(std::span<const std::uint8_t>& transfer) noexcept;
 
-/// Finds answers in the bytes received, however they are cut into reads, and among bytes that belong to none.
+/// Finds answers in the received bytes, however they are split into reads, and among bytes that belong to none.
 ///
 /// An answer is accepted if '<' is followed by 14 bytes in range and '>'. No byte in range equals '<', so that lost or
 /// extra bytes cost the answer they are in and no other. The protocol has no checksum: a byte that was changed into
@@ -107,10 +107,10 @@ public:
     /// an incomplete answer continues with the next call.
     [[nodiscard]] std::optional<Answer> next(std::span<const std::uint8_t>& bytes) noexcept;
 
-    /// Drops the incomplete answer. To be called after a timeout, so that a cut answer is not completed by another one.
+    /// Drops the incomplete answer. Call after a timeout, so that a cut answer is not completed by another one.
     void dropIncomplete() noexcept;
 
-    /// Bytes received so far that are part of no answer, without those of the incomplete one.
+    /// Returns the number of bytes so far that are part of no answer, without those of the incomplete one.
     [[nodiscard]] std::uint64_t droppedBytes() const { return m_dropped; }
     [[nodiscard]] std::size_t incompleteBytes() const { return m_size; }
 

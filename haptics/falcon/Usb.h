@@ -10,13 +10,13 @@
 struct libusb_context;
 struct libusb_device;
 
-/// Falcons on the USB, by libusb. A program that was built without libusb finds none and says so.
+/// Falcons on the USB, by libusb. A program without libusb finds none and returns an error.
 namespace haptics::falcon {
 
-/// Whether this program was built with libusb.
+/// Returns whether this program was built with libusb.
 [[nodiscard]] bool hasUsb() noexcept;
 
-/// Lets a user who sits at the computer open a Falcon: the text of a udev rule, and the file that it belongs into.
+/// The text of a udev rule that lets the user at the computer open a Falcon, and the file for it.
 inline constexpr const char* kUdevRule =
     R"(SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48", MODE="0660", GROUP="plugdev", TAG+="uaccess")";
 inline constexpr const char* kUdevFile = "/etc/udev/rules.d/70-cusp-falcon.rules";
@@ -31,13 +31,13 @@ struct FoundFalcon
 class Usb
 {
 public:
-    /// Errors: FileUnreadable if there is no USB, or the program was built without libusb.
+    /// Opens the USB. Error FileUnreadable if there is none, or the program was built without libusb.
     [[nodiscard]] static core::Result<std::unique_ptr<Usb>> open();
     ~Usb();
     Usb(const Usb&) = delete;
     Usb& operator=(const Usb&) = delete;
 
-    /// Those that are plugged in now. Opens each for a moment to read its serial number.
+    /// Returns the Falcons that are plugged in. Opens each for a moment to read its serial number.
     [[nodiscard]] std::vector<FoundFalcon> falcons() const;
 
     [[nodiscard]] libusb_context* context() const { return m_context; }

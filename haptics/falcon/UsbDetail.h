@@ -12,10 +12,10 @@ struct libusb_context;
 struct libusb_device;
 struct libusb_device_handle;
 
-/// What Usb and FtdiPort share of libusb.
+/// Functions around libusb for Usb and FtdiPort.
 namespace haptics::falcon {
 
-/// The devices on the USB at this moment.
+/// The devices on the USB at the time of construction.
 class DeviceList
 {
 public:
@@ -24,7 +24,7 @@ public:
     DeviceList(const DeviceList&) = delete;
     DeviceList& operator=(const DeviceList&) = delete;
 
-    /// Those with the ids of a Falcon. Valid as long as the list.
+    /// Returns the devices with the ids of a Falcon. Valid as long as the list.
     [[nodiscard]] std::vector<libusb_device*> falcons() const;
 
 private:
@@ -35,9 +35,9 @@ private:
 using OpenedDevice = std::unique_ptr<libusb_device_handle, void (*)(libusb_device_handle*)>;
 
 [[nodiscard]] core::Result<OpenedDevice> openDevice(libusb_device* device);
-/// Empty if it has none or cannot be read.
+/// Returns the serial number; empty if there is none or it cannot be read.
 [[nodiscard]] std::string serialOf(libusb_device_handle* handle);
-/// The sentence for an error code of libusb.
+/// Returns the error for an error code of libusb.
 [[nodiscard]] core::Error usbError(int code);
 
 }  // namespace haptics::falcon

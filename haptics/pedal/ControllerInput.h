@@ -17,9 +17,8 @@ namespace haptics {
 
 /// Reads foot pedals and gamepads in a thread of its own, 250 times a second while one is plugged in.
 ///
-/// The thread writes the speed that the chosen pedal asks for to a FootPedal, which the servo reads. A pedal that is
-/// unplugged asks for none, at once. The functions here are for the ui thread and return at once; only stop() waits for
-/// the thread.
+/// The thread writes the speed that the chosen pedal requests to a FootPedal, which the servo reads. An unplugged pedal
+/// requests 0 at once. The functions here are for the ui thread and return at once; only stop() waits for the thread.
 class ControllerInput
 {
 public:
@@ -28,16 +27,16 @@ public:
     /// @param pedal  must outlive this
     /// @param open   opens the port, in the thread
     explicit ControllerInput(FootPedal& pedal, Open open = openControllerPort);
-    /// Stops.
+    /// Calls stop().
     ~ControllerInput();
     ControllerInput(const ControllerInput&) = delete;
     ControllerInput& operator=(const ControllerInput&) = delete;
 
     void start();
-    /// The pedal asks for no speed any more.
+    /// Stops the thread and sets the speed of the pedal to 0.
     void stop();
 
-    /// Chooses what runs the bur. The pedal then counts as released until it has been seen at rest.
+    /// Chooses the pedal that controls the bur. It counts as released until it has been read at rest.
     void setPedal(const core::session::PedalSource& source);
     [[nodiscard]] core::session::ControllerReport report() const;
 
@@ -58,14 +57,14 @@ private:
     core::session::ControllerReport m_report;
     std::atomic<bool> m_isStopping{false};
 
-    // Of the thread.
+    // Used by the thread.
     core::session::ControllerReport m_now;
     core::session::PedalSource m_source;
     PedalShape m_shape{{}};
     PedalShape m_buttonShape{{}};
-    int m_instance = -1;  ///< of the pedal; -1: it is not plugged in
+    int m_instance = -1;  ///< of the pedal; -1: not plugged in
 
-    std::thread m_thread;  ///< last: it uses the rest
+    std::thread m_thread;  ///< last: it uses the members above
 };
 
 }  // namespace haptics

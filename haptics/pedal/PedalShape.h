@@ -5,11 +5,11 @@
 
 namespace haptics {
 
-/// Turns the readings of a pedal into the speed of the bur. Pure; one for each time that a pedal is plugged in.
+/// Converts the readings of a pedal into the speed of the bur. Pure; create one each time a pedal is plugged in.
 ///
-/// A pedal counts as released until it has been seen at rest: the bur does not start by itself if the pedal is pressed,
-/// or its axis sticks, when the program starts. Noise does not start the bur: it starts after the pedal has been beyond
-/// the dead zone, with a margin, for kStartsAfterS. It stops at once.
+/// A pedal counts as released until it has been read at rest: the bur does not start if the pedal is pressed, or its
+/// axis sticks, when the program starts. Noise does not start the bur: it starts after the pedal has been beyond the
+/// dead zone, with a margin, for kStartsAfterS. It stops at once.
 class PedalShape
 {
 public:
@@ -19,11 +19,11 @@ public:
 
     explicit PedalShape(const core::settings::PedalSettings& settings) noexcept : m_settings(settings) {}
 
-    /// Takes the next reading and returns the speed of the bur in per cent; 0 if it stands.
+    /// Processes the next reading and returns the speed of the bur in per cent; 0: stopped.
     /// @param reading  of the axis, -1 to 1; one that is not finite counts as a released pedal
     /// @param seconds  since the last call
     int update(double reading, double seconds) noexcept;
-    /// Returns whether the pedal has been seen at rest.
+    /// Returns whether the pedal has been read at rest.
     [[nodiscard]] bool hasRested() const noexcept { return m_hasRested; }
 
 private:

@@ -7,31 +7,31 @@
 
 namespace haptics {
 
-/// A mouse, pen or keyboard as a haptic device: a simulated hand that goes where the pointer points and, while the
-/// button is held, works on the tooth.
+/// A mouse, pen or keyboard as a haptic device: a simulated hand that follows the pointer and, while the button is
+/// held, presses on the tooth.
 ///
 /// With a feed, the hand behaves like a supported finger. It has a level that goes down at the feed, stops at the depth
-/// stop, and waits while the bur cannot follow. The hand leans on the bur in proportion to the height of the bur above
-/// the level, up to the wanted force. So the speed is the same in every tissue, and a bur that moves sideways keeps its
-/// depth.
+/// stop, and waits while the bur cannot follow. The hand presses on the bur in proportion to the height of the bur
+/// above the level, up to the requested force. So the speed is the same in every tissue, and a bur that moves sideways
+/// keeps its depth.
 ///
-/// Without a feed, the hand leans until the tooth pushes back with the wanted force. It is an admittance: its speed is
+/// Without a feed, the hand presses until the tooth resists with the requested force. It is an admittance: its speed is
 /// proportional to the missing force, so the force builds up over about kPushLagS. While the bur sinks into a cut, the
-/// hand learns the speed of the bur and adds it.
+/// hand estimates the speed of the bur and adds it.
 ///
 /// Sideways, the hand follows the target through two first-order lags, so that the steps of a 60 Hz mouse are not felt.
-/// A hand with a feed that touches nothing follows at once.
+/// With a feed and without contact it follows at once.
 class PointerDevice final : public HapticDevice
 {
 public:
-    /// @param input    written by the ui; a wish that is not finite is passed over
-    /// @param stiffnessNPerMm  of the spring that answers the hand: the unit of its leaning
+    /// @param input    written by the ui; values that are not finite are ignored
+    /// @param stiffnessNPerMm  of the spring between hand and bur
     PointerDevice(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm,
                   double periodS) noexcept;
 
     void seeBur(const glm::dvec3& tipMm) noexcept override { m_burMm = tipMm; }
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
-    /// Hovers over the target. A button that is held counts again after it has been released.
+    /// Hovers over the target. A held button counts again after it has been released.
     void takeOver() noexcept override { m_begins = true; }
 
 private:
@@ -44,9 +44,9 @@ private:
     core::rt::TripleBuffer<core::servo::PointerInput>& m_input;
     double m_stiffness;
     double m_period;
-    core::servo::PointerInput m_want;  ///< the newest that was finite
+    core::servo::PointerInput m_want;  ///< the newest finite input
     glm::dvec3 m_burMm{0.0, 0.0, 4.0};
-    double m_followMmPerS = 0.0;  ///< pace of the bur into the cut
+    double m_followMmPerS = 0.0;  ///< speed of the bur into the cut
     double m_levelMm = 4.0;       ///< level of a hand with a feed, tooth frame z
     bool m_isInAir = true;        ///< in the last tick of a hand with a feed
     double m_idleS = 0.0;         ///< time without contact while the button is down

@@ -8,15 +8,15 @@
 
 namespace haptics {
 
-/// A column that a bur's head stands over.
+/// A column below a bur's head.
 struct FootprintPart
 {
-    int i = 0;  ///< columns from the one that the tip is over
+    int i = 0;  ///< offset from the column below the tip
     int j = 0;
-    float heightMm = 0.0F;  ///< of the head's underside there, above the tip
+    float heightMm = 0.0F;  ///< of the head's underside above the tip
 };
 
-/// All that a bur's head stands over, seen from above; the part below the tip is one of them.
+/// Returns all columns below a bur's head, including that below the tip.
 [[nodiscard]] std::vector<FootprintPart> footprint(const core::bur::Bur& bur, const core::terrain::Grid& grid);
 
 }  // namespace haptics

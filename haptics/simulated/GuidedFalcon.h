@@ -8,18 +8,19 @@
 
 namespace haptics {
 
-/// A simulated Falcon in a simulated hand that does what is asked of a pointer device: to watch the simulator drill by
-/// itself. The PointerDevice is the will, hand and Falcon carry it out, and the eye corrects what friction holds back.
+/// A simulated Falcon in a simulated hand that follows the input of a pointer device, to watch the simulator drill by
+/// itself. A PointerDevice gives the intended movement, hand and Falcon carry it out, and simulated vision corrects the
+/// effect of friction.
 class GuidedFalcon final : public HapticDevice
 {
 public:
-    /// @param input, stiffnessNPerMm, periodS  as of PointerDevice
+    /// @param input, stiffnessNPerMm, periodS  as for PointerDevice
     GuidedFalcon(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm, double periodS);
 
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
 
 private:
-    double m_glance;  ///< share of an error seen that is made up for in a tick
+    double m_glance;  ///< share of a visible error corrected per tick
     PointerDevice m_will;
     SimulatedFalcon m_falcon;
     glm::dvec3 m_readMm;

@@ -14,22 +14,22 @@
 
 namespace haptics {
 
-/// A patient expert: cuts an ideal and nothing beside it, with one bur, in layers that are thinner than its head is
-/// long. It plunges where most is to go, then mills on to the nearest column that is not yet cut, at depth where the
-/// way there is free. It steers a PointerDevice as a mouse would.
+/// A simulated expert: cuts an ideal and nothing beside it, with one bur, in layers thinner than the length of its
+/// head. Plunges where most is left, then mills to the nearest uncut column, at depth if the way there is free. Steers
+/// a PointerDevice as a mouse would.
 class IdealHand
 {
 public:
     /// @param idealTop  as core::grading::IdealTop, of the anatomy that is cut
-    /// @param beside    the neighbours, which the bur keeps off; may be null, is not kept
+    /// @param beside    the neighbouring teeth, which the bur avoids; may be null; used in the constructor only
     IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop, const core::bur::Bur& bur,
               const core::terrain::HeightMaps* beside = nullptr);
 
-    /// What the hand wants now, given the bur and the tooth. Call once every few ticks.
+    /// Returns the input of the pointer for this state of bur and tooth. Call once every few ticks.
     [[nodiscard]] core::servo::PointerInput decide(const core::servo::ServoState& state,
                                                    const core::terrain::Tooth& tooth);
 
-    /// True when all is cut that this bur can reach, or what is left does not yield.
+    /// Returns true when all is cut that this bur can reach, or the rest cannot be cut.
     [[nodiscard]] bool isDone() const { return m_isDone; }
 
 private:
@@ -44,16 +44,17 @@ private:
     [[nodiscard]] double lowestOnTheWay(glm::dvec2 fromMm, glm::dvec2 toMm) const;
 
     core::terrain::Grid m_grid;
-    std::vector<float> m_lowestMm;        ///< of the tip at each node, so that no column is cut below its ideal
-    std::vector<float> m_reachMm;         ///< to which this bur can cut each column
-    std::vector<std::size_t> m_fromAt;    ///< the node from which it does
-    std::vector<bool> m_isKeptOff;        ///< nodes from which the bur would touch a neighbour
-    std::vector<bool> m_isGivenUp;        ///< nodes where nothing yields any more
-    std::size_t m_wanted = 0;             ///< columns that are to be cut
-    float m_layerMm = 0.0F;               ///< the tip goes no lower now
-    float m_thickMm = 0.0F;               ///< of a layer
-    std::optional<std::size_t> m_column;  ///< the one that is cut now
-    int m_patience = 0;                   ///< decisions spent on it
+    std::vector<float> m_lowestMm;        ///< lowest height of the tip at each node at which no column is cut below its
+                                          ///< ideal
+    std::vector<float> m_reachMm;         ///< height to which this bur can cut each column
+    std::vector<std::size_t> m_fromAt;    ///< the node from which it does so
+    std::vector<bool> m_isKeptOff;        ///< nodes at which the bur would touch a neighbour
+    std::vector<bool> m_isGivenUp;        ///< nodes where cutting makes no progress
+    std::size_t m_wanted = 0;             ///< number of columns to be cut
+    float m_layerMm = 0.0F;               ///< lowest height of the tip at present
+    float m_thickMm = 0.0F;               ///< thickness of a layer
+    std::optional<std::size_t> m_column;  ///< the column being cut
+    int m_patience = 0;                   ///< number of decisions spent on it
     bool m_isDone = false;
 };
 

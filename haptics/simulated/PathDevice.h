@@ -6,7 +6,7 @@
 
 namespace haptics {
 
-/// A hand that follows a path whatever the force: for headless runs, demonstrations and tests.
+/// A hand that follows a path regardless of the force: for headless runs, demonstrations and tests.
 class PathDevice final : public HapticDevice
 {
 public:

@@ -10,7 +10,7 @@
 
 namespace haptics {
 
-/// A Novint Falcon as the servo meets it (docs/facts/haptics.md, section 5). Certainty: R read in a source, K known
+/// Parameters of a simulated Novint Falcon (docs/facts/haptics.md, section 5). Certainty: R read in a source, K known
 /// from literature, A assumed until there is a device to measure. Geometry and encoders [R] are in falcon/Kinematics.h.
 struct FalconFigures
 {
@@ -19,64 +19,64 @@ struct FalconFigures
     double coulombN = 0.25;       ///< dry friction against any motion; 0.1 to 0.5 [A]
     double motorLagS = 0.001;     ///< first order [A]
     double forceLimitN = 8.9;     ///< largest force, its direction kept; the vendor's 2 lbf [K]
-    double delayS = 0.001;        ///< from a sample to its force at the motor, computing apart [A]
-    double delayJitterS = 0.001;  ///< on top of it, uniform, drawn anew for every force; none overtakes another [A]
-    double countShare = 1.0;      ///< step of the encoders, in those of the real device; 0 reads exactly
+    double delayS = 0.001;        ///< from a sample to its force at the motor, without the computation [A]
+    double delayJitterS = 0.001;  ///< additional, uniform, drawn for every force; forces stay in order [A]
+    double countShare = 1.0;      ///< step of the encoders relative to the real device; 0: exact
 };
 
-/// A hand at the grip: a mass that moves with it, spring and damper to where the hand wants to be
-/// (docs/facts/haptics.md, section 6). All figures are assumed within the range of the literature [A], but the bands of
-/// the tremor [R].
+/// Parameters of a hand at the grip: a mass that moves with it, with spring and damper to the intended position
+/// (docs/facts/haptics.md, section 6). All values are assumed within the range of the literature [A], except the bands
+/// of the tremor [R].
 struct HandFigures
 {
     std::string_view name;
     double massKg;
     double dampingNSPerM;
     double stiffnessNPerM;
-    double tremorMm = 0.04;  ///< rms along x and along y each, 7.5 to 10.5 Hz
+    double tremorMm = 0.04;  ///< rms along x and y each, 7.5 to 10.5 Hz
     double driftMm = 0.075;  ///< rms along each axis, under 2 Hz
 };
-/// The light hand damps least and is the hardest to keep stable; medium is the one to use by default.
+/// The light hand has the least damping and is the hardest to keep stable; medium is the default.
 inline constexpr std::array<HandFigures, 3> kHands{{
     {"light", 0.02, 0.5, 60.0},
     {"medium", 0.1, 3.0, 250.0},
     {"firm", 0.15, 8.0, 700.0},
 }};
 
-/// Device and hand as one closed loop, so that contact and force can be tried, and watched, without a device.
+/// Device and hand as one closed loop, to test and watch contact and force without a device.
 ///
 ///     (m + m_hand) x'' = F(t - delay) + k (x_ref - x) + b (x_ref' - x') - viscous x' - Coulomb
 ///
-/// Steps of at most 20 us, at least ten a tick. Coulomb friction takes from a step what speed it can and no more, so a
-/// grip at rest sticks until it is pushed harder: Karnopp's model, whose band is here the speed that friction takes in
-/// one step. The position is read as the device reads it, from encoder counts of its arms. Weight is left out: the hand
-/// bears it. At the end of the work area the arms come to their stops.
+/// Steps of at most 20 us, at least ten per tick. Coulomb friction removes at most the speed of a step, so a grip at
+/// rest sticks until it is pushed harder: Karnopp's model, whose band is here the speed that friction removes in one
+/// step. The position is read like that of the device, from encoder counts of its arms. Weight is neglected: the hand
+/// carries it. At the end of the work area the arms reach their stops.
 ///
 /// The same seed gives the same motion. exchange() and follow() never allocate, lock or wait.
 class SimulatedFalcon final : public HapticDevice
 {
 public:
     /// @param periodS  between two calls of exchange(); 250 us to 4 ms
-    /// @param tipMm    where grip and hand begin, at rest; tooth frame. How device and tooth lie to each other:
+    /// @param tipMm    initial position of grip and hand, at rest; tooth frame. For the relation of device and tooth:
     ///                 falcon/Kinematics.h
     SimulatedFalcon(const FalconFigures& falcon, const HandFigures& hand, double periodS, std::uint64_t seed,
                     const glm::dvec3& tipMm);
 
-    /// Where the hand wants to be at the end of the coming tick, but for its tremor; it goes there evenly. The first
-    /// wish of all is where it has wanted to be all along.
+    /// Sets the intended position of the hand at the end of the next tick, without its tremor; the hand moves there
+    /// evenly. The first one is also the position before.
     void follow(const glm::dvec3& wantedMm) noexcept;
 
-    /// Lets the force act for one period and reads the position at its end. So a delay of 0 is a servo that computes in
-    /// no time; one that hands a force over with its next exchange, as a real device's does, has a period of delay.
+    /// Applies the force for one period and reads the position at its end. So a delay of 0 is a servo that computes
+    /// instantly; one that passes a force with its next exchange, as for a real device, has a period of delay.
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
 
-    /// Where the grip really is, between the counts.
+    /// Returns the exact position of the grip, without rounding to counts.
     [[nodiscard]] glm::dvec3 tipMm() const noexcept { return m_at / kMPerMm; }
-    /// Throws the grip: gives it this speed.
+    /// Gives the grip this speed.
     void push(const glm::dvec3& mmPerS) noexcept { m_speed = mmPerS * kMPerMm; }
 
 private:
-    static constexpr double kMPerMm = 0.001;  ///< inside, all is kg, m, s, N
+    static constexpr double kMPerMm = 0.001;  ///< internal units are kg, m, s, N
     struct Command
     {
         std::int64_t due = 0;  ///< step from which on it acts
@@ -97,12 +97,12 @@ private:
 
     FalconFigures m_falcon;
     HandFigures m_hand;
-    int m_steps;  ///< a tick
+    int m_steps;  ///< per tick
     double m_stepS;
-    double m_motorShare;  ///< of what is missing to the commanded force, made up in one step
+    double m_motorShare;  ///< share of the difference to the commanded force made up in one step
     core::Rng m_rng;
     std::vector<Wave> m_waves;
-    std::vector<Command> m_line;  ///< ring of the forces under way
+    std::vector<Command> m_line;  ///< ring of the forces on their way
     std::size_t m_first = 0;
     std::size_t m_underWay = 0;
     std::int64_t m_now = 0;  ///< in steps

@@ -14,7 +14,7 @@
 
 namespace haptics {
 
-/// Processor time of the calling thread, microseconds: what a tick costs, whatever else the machine does.
+/// Returns the processor time of the calling thread, microseconds: the cost of a tick regardless of other load.
 [[nodiscard]] double threadCpuUs();
 
 struct SimulationOptions
@@ -22,8 +22,8 @@ struct SimulationOptions
     core::servo::ServoSettings settings;
     std::size_t burIndex = 1;  ///< 330
     double rateHz = 1000.0;
-    std::string lesson;   ///< what the attempt is made for, for the recording; may be empty
-    bool record = false;  ///< keeps a recording, which grows with every tick
+    std::string lesson;   ///< the lesson of the attempt, for the recording; may be empty
+    bool record = false;  ///< stores a recording, which grows with every tick
     std::function<void(const core::servo::TilePatch&)> onPatch;  ///< called with each cut tile; may be empty
 };
 
@@ -31,15 +31,15 @@ struct SimulationOutcome
 {
     core::terrain::Tooth tooth;
     core::servo::ServoState last;
-    std::optional<core::recording::Recording> recording;  ///< where one was asked for
+    std::optional<core::recording::Recording> recording;  ///< if one was requested
     std::unique_ptr<TickTimes> tickTimes;                 ///< thread CPU time of each tick
 };
 
-/// Runs the servo and session loops in this thread, as fast as they go, against a device. Without a recording its
-/// memory does not grow with the number of ticks.
-/// @param ticks   how many at most
-/// @param before  called before each tick with its number; may steer the device; answers whether the drill is to be on,
-///                or nothing to stop here
+/// Runs the servo and session loops with a device in this thread, as fast as possible. Without a recording its memory
+/// does not grow with the number of ticks.
+/// @param ticks   largest number of ticks
+/// @param before  called before each tick with its number; may steer the device; returns whether the drill is on, or
+///                empty to stop
 /// @param after   called after each tick with its number and the servo's state; may be empty
 [[nodiscard]] core::Result<SimulationOutcome>
 simulate(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, HapticDevice& device, std::uint64_t ticks,

@@ -6,16 +6,17 @@
 
 namespace haptics {
 
-/// Times of any number of ticks in constant memory: a histogram of bins that widen by 0.3 %. Any one thread.
+/// A histogram of any number of tick times in constant memory, with bins that widen by 0.3 %. One thread.
 class TickTimes
 {
 public:
     void add(double microseconds) noexcept;
     void add(const TickTimes& others) noexcept;
 
-    /// The time that a share of the ticks (0 to 1) stays under, microseconds, good to 0.3 % and 0.01; 0 without ticks.
+    /// Returns the time below which a share of the ticks (0 to 1) is, microseconds, exact to 0.3 % and 0.01; 0 without
+    /// ticks.
     [[nodiscard]] double percentileUs(double share) const noexcept;
-    /// The longest, exactly.
+    /// Returns the longest time, exact.
     [[nodiscard]] double longestUs() const noexcept { return m_longest; }
 
 private:
