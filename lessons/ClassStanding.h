@@ -6,19 +6,20 @@
 
 namespace lessons {
 
-/// Of fewer people nobody is told how the others did: one could make out who did what (docs/facts/teaching.md, section
-/// 6).
+/// Least number of people for which results of others are shown: with fewer one could infer who did what
+/// (docs/facts/teaching.md, section 6).
 inline constexpr int kFewestPeople = 5;
 
-/// Where a result stands among those of a class.
+/// The rank of a result within a class.
 struct ClassStanding
 {
     int people = 0;
-    /// Of 100 people so many have less; those who have as much do not count. Nothing for fewer than kFewestPeople.
+    /// Share of people with a lower result, per cent; equal results do not count. Empty for fewer than kFewestPeople.
     std::optional<double> percentBelow;
     bool operator==(const ClassStanding&) const = default;
 };
 
+/// Computes the rank.
 /// @param bestOfEach  each person's best result by the same rubric, tenths of a point
 [[nodiscard]] ClassStanding classStanding(int tenths, std::span<const int> bestOfEach);
 

@@ -13,19 +13,19 @@
 
 namespace lessons {
 
-/// The ideal that recordings show: each is replayed to its end, and what most of them cut is averaged. Replaying takes
-/// a fraction of the time that the attempts took; any thread that may wait. An error names the file; one attempt twice,
-/// by whatever names, is an error, since it would outweigh the others.
-/// @param mayGoOn  asked between recordings; false ends it with an error. May be empty
+/// Computes an ideal from recordings: each is replayed to its end, and their cuts are averaged. Replaying takes a
+/// fraction of the time of the attempts; any thread but the ui thread. The error names the file; the same attempt
+/// twice, under whatever names, is an error, because it would have double weight.
+/// @param mayGoOn  called between recordings; false cancels with an error. May be empty
 [[nodiscard]] core::Result<core::preparation::CapturedIdeal>
 captureFrom(std::span<const std::filesystem::path> recordings, const core::preparation::Tolerances& tolerances,
             const std::function<bool()>& mayGoOn = {});
 
-/// A rubric as an object, with a captured ideal's tolerances in the criteria that they are about: the outline
-/// ("outline_p95_mm"), depth ("depth_error_p95_mm"), walls ("wall_angle_error_deg") and floor ("floor_flatness_mm").
+/// Returns a rubric as an object with a captured ideal's tolerances in the criteria for the outline ("outline_p95_mm"),
+/// depth ("depth_error_p95_mm"), walls ("wall_angle_error_deg") and floor ("floor_flatness_mm").
 [[nodiscard]] QJsonObject withTolerances(QJsonObject rubric, const core::preparation::Tolerances& tolerances);
 
-/// What a rubric tolerates of these four; what it has no criterion for is as it was in `otherwise`.
+/// Returns the tolerances of these four criteria in a rubric; for missing ones the value of `otherwise`.
 [[nodiscard]] core::preparation::Tolerances tolerancesOf(const Rubric& rubric,
                                                          core::preparation::Tolerances otherwise = {});
 

@@ -15,57 +15,58 @@
 namespace lessons {
 
 inline constexpr qint64 kLargestLessonBytes = qint64{1} << 20;
-/// Of the files of lessons and rubrics; the key "format".
+/// The key "format" of lessons and rubrics.
 inline constexpr int kLessonFormat = 1;
-/// The folder of what we ship.
+/// The folder of the shipped files.
 inline constexpr const char* kShippedFolder = ":/lessons/";
 
-/// A name as a file may give it: of a file beside it or in a folder below. What leads elsewhere is none.
+/// Returns whether a name refers to a file beside the naming file or in a folder below. Other names are not allowed.
 [[nodiscard]] bool isNameBeside(const QString& name);
 
-/// "1.5 MB", "200 bytes".
+/// Returns a size such as "1.5 MB" or "200 bytes".
 [[nodiscard]] core::LocalizableText sizeWords(qint64 bytes);
 
-/// What is wrong with a format from the future.
+/// Returns the error for a format from a newer program.
 [[nodiscard]] core::LocalizableText newerFormat(double format);
 
-/// The object that a JSON text holds; nothing, and faults, if it holds none, or says a key twice.
-/// @param file  what the faults call it
+/// Parses a JSON object. Empty, with faults, if there is none or a key occurs twice.
+/// @param file  its name in the faults
 [[nodiscard]] std::optional<QJsonObject> parseObject(QByteArray json, const QString& file,
                                                      std::vector<ValidationIssue>& faults);
 
-/// An object with all that it is based on.
+/// An object merged with all that it is based on.
 struct Gathered
 {
     QJsonObject whole;
-    std::vector<std::pair<QString, QJsonObject>> parts;  ///< the files it came from, the one that was asked for first
+    std::vector<std::pair<QString, QJsonObject>> parts;  ///< the files it came from, the requested one first
 
-    /// The file in which a key of the whole stands ("rules.air_limit_s"); the first if none has it.
+    /// Returns the file that contains a key of the merged object ("rules.air_limit_s"); the first if none does.
     [[nodiscard]] QString fileThatSays(const QString& key) const;
 };
 
-/// Gathers objects from files that are based on one another, and notes faults and names on the way. At most 8 files
-/// follow one another.
+/// Merges objects from files that are based on one another, and collects faults and file names. A chain has at most 8
+/// files.
 class JsonFiles
 {
 public:
     /// @param faults  must outlive this
     explicit JsonFiles(std::vector<ValidationIssue>& faults) : m_faults(faults) {}
 
-    /// Nothing, and a fault, if any of it cannot be read.
+    /// Reads and merges a file. Empty, with a fault, if any of the files cannot be read.
     [[nodiscard]] std::optional<Gathered> gather(const QString& file) { return gather(file, {}, {}); }
-    /// The same of an object that would stand there.
+    /// Merges an object as if it were in that file.
     [[nodiscard]] std::optional<Gathered> underlaid(const QJsonObject& object, const QString& file)
     {
         return underlaid(object, file, QStringList{file});
     }
-    /// Where a name in `file` leads: beside it, or to what we ship. Empty, and a fault, if it may not be named.
+    /// Returns the path of a name in `file`: beside it, or a shipped file. Empty, with a fault, if the name is not
+    /// allowed.
     [[nodiscard]] QString find(const QString& file, const QString& key, const QString& name);
 
-    /// All that was read or found so far, but what we ship.
+    /// Returns all files read or found so far, without shipped ones.
     [[nodiscard]] const QStringList& uses() const { return m_uses; }
     void note(const QString& file);
-    /// A grave fault.
+    /// Adds a grave fault.
     void say(const QString& file, const QString& key, core::LocalizableText what)
     {
         m_faults.push_back({file, key, std::move(what), true});

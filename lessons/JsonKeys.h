@@ -18,40 +18,41 @@
 
 namespace lessons {
 
-/// The keys of one JSON object, read one by one: each value is checked as it is taken, everything wrong is collected,
-/// and keys that nobody asked for are named at the end. So a teacher sees all faults of a file at once.
+/// Reads the keys of a JSON object one by one: checks each value, collects all faults, and at the end warns of unknown
+/// keys. So a teacher sees all faults of a file at once.
 class JsonKeys
 {
 public:
-    /// @param path    where the object stands in its file: "rubric.criteria[2]"; empty at the top
+    /// @param path    place of the object in its file: "rubric.criteria[2]"; empty at the top
     /// @param faults  must outlive this
     JsonKeys(QJsonObject object, QString file, QString path, std::vector<ValidationIssue>& faults);
 
     [[nodiscard]] bool has(const char* key);
-    /// A number within [low, high], or a fault and nothing. `unit` is for the sentence.
+    /// Returns a number within [low, high]. Empty, with a fault for a wrong value. `unit` is for the sentence.
     [[nodiscard]] std::optional<double> number(const char* key, double low, double high, const char* unit);
     [[nodiscard]] double number(const char* key, double low, double high, const char* unit, double otherwise);
     [[nodiscard]] qint64 whole(const char* key, qint64 low, qint64 high, qint64 otherwise);
     [[nodiscard]] bool flag(const char* key, bool otherwise);
-    /// UTF-8, at most `longest` characters; empty if missing.
+    /// Returns a text in UTF-8 of at most `longest` characters; empty if missing.
     [[nodiscard]] std::string text(const char* key, qsizetype longest = 200);
-    /// As text(); a character that cannot be seen, or turns the direction of what follows, is a fault.
+    /// Like text(); a character that is invisible or changes the text direction is a fault.
     [[nodiscard]] std::string visibleText(const char* key, qsizetype longest);
-    /// As text(); a missing or empty one is a fault.
+    /// Like text(); a missing or empty text is a fault.
     [[nodiscard]] std::string neededText(const char* key, qsizetype longest = 200);
-    /// {"en": "...", "de": "..."}, or a plain text for all languages.
+    /// Returns a text by language, {"en": "...", "de": "..."}, or one text for all languages.
     [[nodiscard]] LocalText local(const char* key, bool isNeeded);
     [[nodiscard]] QStringList names(const char* key);
-    /// The object at `key`, if there is one; something else there is a fault.
+    /// Returns the object at `key`, if there is one; another value is a fault.
     [[nodiscard]] std::optional<JsonKeys> object(const char* key);
-    /// Calls `each` for the objects of the list at `key`, at most `most` of them.
+    /// Calls `each` for the objects of the list at `key`, for at most `most` of them.
     void objects(const char* key, int most, const std::function<void(JsonKeys&)>& each);
-    /// The place of `value` in `known`, or a fault that lists them, and -1. -1 without a fault if the key is missing.
+    /// Returns the index of a value in `known`. -1 if the key is missing, or, with a fault that lists them, if the
+    /// value is unknown.
     [[nodiscard]] int choice(const char* key, const QStringList& known);
-    /// A list of 1 to `most` places [x, y], mm, each coordinate within [-far, far]; a fault names the place.
+    /// Returns a list of 1 to `most` places [x, y], mm, with coordinates within [-far, far]; a fault names the place.
     [[nodiscard]] std::vector<glm::dvec2> places(const char* key, int most, double far);
 
-    /// Warns of every key that was not asked for, with the nearest that was.
+    /// Warns of every key that was not read, with the most similar known key.
     void nameTheRest();
     void fault(const char* key, core::LocalizableText what, bool grave = true);
     [[nodiscard]] QString pathOf(const QString& key) const;

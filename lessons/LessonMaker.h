@@ -11,13 +11,13 @@
 
 namespace lessons {
 
-/// A captured ideal may have so much, or no recording could take the lesson along.
+/// Largest captured ideal: with a larger one no recording could store the lesson.
 inline constexpr qint64 kLargestIdealBytes = qint64{700} * 1024;
 
-/// The lesson that a whole object says, its rubric in it. It can be given unless there are grave faults.
-/// @param file        where it stands: what it names is looked for beside it
-/// @param rubricFile  where its rubric stands, for the faults: the same file, or another
-/// @param files       finds what it names; null for a text that stands on its own
+/// Builds the lesson of a merged object with its rubric. It is usable unless there are grave faults.
+/// @param file        its file: names are relative to it
+/// @param rubricFile  the file of its rubric, for the faults: the same or another
+/// @param files       resolves names; null for a text without other files
 [[nodiscard]] Lesson lessonFrom(const QJsonObject& whole, const QString& file, const QString& rubricFile,
                                 JsonFiles* files, std::vector<ValidationIssue>& faults);
 

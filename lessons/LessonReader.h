@@ -13,25 +13,26 @@
 
 namespace lessons {
 
-/// A lesson, or what is wrong with its file. Both where there are warnings.
+/// A lesson, or the faults of its file. Both if there are only warnings.
 struct ReadLesson
 {
     QString file;
     std::optional<Lesson> lesson;
     std::vector<ValidationIssue> faults;
-    QStringList uses;  ///< the files it was read from and those it names, the lesson's first; none that we ship
+    QStringList uses;  ///< the files it was read from and those it names, the lesson's first; without shipped ones
 };
 
-/// Reads a lesson's file (schema/lesson.schema.json) with all that it is based on and the rubric it names, from beside
-/// it or from those we ship. Never throws, holds little more than the file's size, follows at most 8 files. Any thread.
+/// Reads the file of a lesson (schema/lesson.schema.json) with all that it is based on and its rubric, from beside it
+/// or from the shipped files. Never throws, uses little more memory than the file's size, follows at most 8 files. Any
+/// thread.
 [[nodiscard]] ReadLesson readLesson(const QString& file);
 
-/// The same from an object that is not in a file yet.
-/// @param file  where it would stand: what it names is looked for beside it
+/// Reads a lesson from an object that is not saved yet.
+/// @param file  its future path: names are relative to it
 [[nodiscard]] ReadLesson readDraft(const QJsonObject& draft, const QString& file);
 
-/// The same from the text a recording holds: whole, so it names no other file (a scan's is kept but not looked for, a
-/// captured ideal stands in it). @param name  what to call it in faults
+/// Reads a lesson from the text in a recording, which is complete: it names no other file (the name of a scan is kept
+/// but not resolved, a captured ideal is included). @param name  its name in faults
 [[nodiscard]] ReadLesson readLessonText(const QByteArray& json, const QString& name);
 
 }  // namespace lessons

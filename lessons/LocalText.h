@@ -10,8 +10,8 @@ namespace lessons {
 /// One text in several languages: language code ("en", "de", "es", "ja") to UTF-8.
 using LocalText = std::map<std::string, std::string>;
 
-/// The text in this language; else in English, else in the first there is; empty for an empty text. A code with a
-/// country ("de_AT") finds its language.
+/// Returns the text in this language; otherwise in English, otherwise the first; empty for an empty text. A code with a
+/// country ("de_AT") matches its language.
 [[nodiscard]] const std::string& inLanguage(const LocalText& text, std::string_view language);
 
 }  // namespace lessons

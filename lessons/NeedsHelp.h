@@ -6,7 +6,7 @@
 
 namespace lessons {
 
-/// One attempt at a lesson: what it came to.
+/// The result of one attempt at a lesson.
 struct AttemptOutcome
 {
     int tenths = 0;  ///< of a point, the score that counts
@@ -14,15 +14,15 @@ struct AttemptOutcome
     bool operator==(const AttemptOutcome&) const = default;
 };
 
-/// So many attempts tell that somebody is stuck; of fewer nothing is said.
+/// Number of attempts that are considered; with fewer the result is false.
 inline constexpr std::size_t kNeedsHelpAfter = 3;
-/// To have got better means by so much; less is within what one hand does from day to day.
+/// Least improvement that counts; less is within day-to-day variation.
 inline constexpr int kBetterTenths = 50;
 
-/// Whether a student is stuck at a lesson: none of the last three attempts was passed, and neither of the later two is
-/// better by five points than what went before it among the three.
+/// Returns whether a student needs help with a lesson: none of the last three attempts was passed, and neither of the
+/// later two is better by five points than the ones before it among the three.
 ///
-/// Those before the last three do not count: who was good once and fails now needs help all the same.
+/// Earlier attempts do not count: a student who was good once and fails now needs help, too.
 /// @param newestFirst  attempts at one lesson
 [[nodiscard]] bool needsHelp(std::span<const AttemptOutcome> newestFirst);
 

@@ -12,7 +12,7 @@
 
 namespace lessons {
 
-/// What a lesson begins with. What is not said is filled in, or comes from the lesson it is based on.
+/// The initial values of a new lesson. Missing ones get defaults, or come from the lesson it is based on.
 struct NewLesson
 {
     QString id;
@@ -20,24 +20,23 @@ struct NewLesson
     std::optional<int> fdi;
     std::optional<qint64> seed;
     QString block;     ///< "cross"; empty: a tooth
-    QString scan;      ///< a mesh file, beside; empty: a tooth of ours or a block
-    QString unit;      ///< of the scan, as its lesson says it; empty: guessed
-    QString up;        ///< the same
-    QString from;      ///< a shipped lesson's id, or a file beside; empty: from nothing
-    QString title;     ///< empty: made up
-    QString captured;  ///< a captured ideal, beside; empty: by rule
+    QString scan;      ///< a mesh file beside it; empty: a generated tooth or a block
+    QString unit;      ///< of the scan, as in its lesson; empty: guessed
+    QString up;        ///< likewise
+    QString from;      ///< id of a shipped lesson, or a file beside it; empty: based on none
+    QString title;     ///< empty: generated
+    QString captured;  ///< a captured ideal beside it; empty: by rule
 };
 
-/// A lesson to begin with, as its file says it. With `from` it holds only what differs. An error says which wishes do
-/// not go together, or that no ideal is made for the tooth. That it can be given is for readDraft() and assign() to
-/// say.
-/// @param folder  where it will stand
+/// Returns a new lesson as the object of its file. With `from` it contains only the differences. Error if values are
+/// inconsistent, or if there is no ideal for the tooth. Whether it is usable is checked by readDraft() and assign().
+/// @param folder  where it will be saved
 [[nodiscard]] core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& folder);
 
-/// The same for a teacher's own version of a lesson there is: based on it if it is shipped, else a copy of its file.
+/// Returns a teacher's own version of a lesson: based on it if it is shipped, otherwise a copy of its file.
 [[nodiscard]] QJsonObject ownVersion(const ReadLesson& lesson);
 
-/// The whole rubric of a lesson as an object to change: under an id of its own if the program ships one of that id.
+/// Returns the whole rubric of a lesson as an object, with its own id if the program ships a rubric with that id.
 [[nodiscard]] QJsonObject ownRubric(const Lesson& lesson);
 
 }  // namespace lessons

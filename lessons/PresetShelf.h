@@ -12,50 +12,51 @@
 
 namespace lessons {
 
-/// What is kept, and what is shipped: every version of every preset, by name, the newest version of each first; then
-/// what cannot be read, and why. The same version with two contents: the later one cannot be read. A version that Cusp
-/// ships later than the first gives way to one that the school made before, and takes the next free number.
+/// Returns all stored and shipped presets: every version of every preset, by name, the newest version of each first;
+/// then unreadable files with their faults. If a version exists with two contents, the later one counts as unreadable.
+/// A version that Cusp ships after the school has made one with its number gets the next free number.
 [[nodiscard]] std::vector<ReadPreset> shelved(std::vector<ReadPreset> kept);
 
-/// Returns the preset that is in use where nobody has chosen one: the newest that is shipped.
-/// @param all  as shelved() puts them
+/// Returns the default preset if none has been chosen: the newest shipped one.
+/// @param all  from shelved()
 [[nodiscard]] core::settings::FeelPreset usualPreset(const std::vector<ReadPreset>& all);
 
-/// As what a preset is to be kept.
+/// A preset with the version it is saved as.
 struct Placed
 {
     core::settings::FeelPreset preset;  ///< with its version and hash
-    bool isThere = false;               ///< nothing is left to do
+    bool isThere = false;               ///< it exists already
 };
-/// Where its version is taken by another content, or is 0, it becomes the next version of its name; what is as that
-/// version, or as the newest, is there already. Errors: checkPreset(), and OutOfRange where no version is left.
-/// @param all  as shelved() puts them
+/// Returns the version under which a preset is saved. If its version exists with other content, or is 0, it becomes the
+/// next version of its name; a preset equal to that version, or to the newest, exists already. Errors: those of
+/// checkPreset(), and OutOfRange if no version is left.
+/// @param all  from shelved()
 [[nodiscard]] core::Result<Placed> place(core::settings::FeelPreset preset, const std::vector<ReadPreset>& all);
 
-/// Each name once, in their order; not those that are retired.
+/// Returns each name once, in order, without retired presets.
 [[nodiscard]] QStringList namesOf(const std::vector<ReadPreset>& all);
 
-/// The newest version of that name, or the version that "name v2" asks for. UnknownName lists the names there are.
+/// Returns the newest version of that name, or the version given as "name v2". UnknownName lists the known names.
 [[nodiscard]] core::Result<core::settings::FeelPreset> findPreset(const std::vector<ReadPreset>& all,
                                                                   const QString& name);
 
-/// A folder with a file for each version. A version that is there is never changed.
+/// A folder with a file for each version. An existing version is never changed.
 class PresetFolder
 {
 public:
-    /// @param folder  made when the first preset is saved
+    /// @param folder  created when the first preset is saved
     explicit PresetFolder(QString folder) : m_folder(std::move(folder)) {}
 
-    /// As shelved().
+    /// Returns all presets, as shelved().
     [[nodiscard]] std::vector<ReadPreset> list() const;
-    /// Keeps it as place() says. Errors also: what cannot be written.
+    /// Saves a preset as decided by place(). Errors: those of place(), and write errors.
     [[nodiscard]] core::Result<core::settings::FeelPreset> save(const core::settings::FeelPreset& preset) const;
 
 private:
     QString m_folder;
 };
 
-/// "presets" in the user's data folder of Cusp.
+/// Returns the default folder: "presets" in the user's data folder of Cusp.
 [[nodiscard]] QString presetsFolder();
 
 }  // namespace lessons

@@ -16,20 +16,21 @@
 
 namespace lessons {
 
-/// The id of a lesson, a rubric or a criterion; a fault if it is missing or none.
+/// Reads the id of a lesson, a rubric or a criterion; a missing or invalid one is a fault.
 [[nodiscard]] std::string takeId(JsonKeys& keys);
 
-/// The rubric that a lesson names or holds, with nothing left to look up. Nothing, and a fault, if there is none.
-/// @param value  of the lesson's key "rubric"
-/// @param file   the lesson's
+/// Returns the rubric that a lesson names or contains, merged with all that it is based on. Empty, with a fault, if
+/// there is none.
+/// @param value  the lesson's key "rubric"
+/// @param file   the lesson's file
 [[nodiscard]] std::optional<Gathered> gatherRubric(const QJsonValue& value, const QString& file, JsonFiles& files);
 
-/// The rubric that an object says; it can mark nothing where there are grave faults.
-/// @param file, path  where the object stands, for the faults
+/// Builds the rubric of an object. It is not usable if there are grave faults.
+/// @param file, path  place of the object, for the faults
 [[nodiscard]] Rubric rubricFrom(const QJsonObject& object, const QString& file, const QString& path,
                                 std::vector<ValidationIssue>& faults);
 
-/// One of those that we ship, by its id.
+/// Returns a shipped rubric by its id.
 [[nodiscard]] core::Result<Rubric> shippedRubric(const QString& id);
 
 }  // namespace lessons

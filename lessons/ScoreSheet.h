@@ -10,16 +10,16 @@
 
 namespace lessons {
 
-/// On which side of its target a measure can be wrong.
+/// The side of its target on which a measure can be wrong.
 enum class Side { Over, Under, Both };
 
-/// How the points of a rubric add up. Schools know two ways (docs/facts/teaching.md, section 4).
+/// How the points of a rubric add up. Schools use two ways (docs/facts/teaching.md, section 4).
 enum class Verdict {
-    SumOfErrors,  ///< every criterion takes its share of its weight
-    WorstError    ///< the worst criterion alone decides, with its share of 100 points
+    SumOfErrors,  ///< every criterion costs its share of its weight
+    WorstError    ///< only the worst criterion counts, with its share of 100 points
 };
 
-/// What has to be done before a criterion can earn anything: who has left the tooth alone has spared all of it.
+/// A condition for a criterion to earn points: an untouched tooth has spared all tissue.
 struct Once
 {
     std::string measure;
@@ -28,8 +28,8 @@ struct Once
     bool operator==(const Once&) const = default;
 };
 
-/// One line of a score: what was measured, how it was worked into points, and what was lost. Numbers are kept as they
-/// were judged, so that the sentence can be worked again: "4.2 %, free 1.0 %, 60 points over 30 % -> -6.4".
+/// One line of a score: the measured value, its conversion into points, and the loss. All numbers are stored, so that
+/// the formula can be shown: "4.2 %, free 1.0 %, 60 points over 30 % -> -6.4".
 struct Criterion
 {
     std::string id;
@@ -39,22 +39,21 @@ struct Criterion
     std::optional<double> measured;
     Side side = Side::Over;
     double target = 0.0;
-    double tolerance = 0.0;  ///< with what the allowance added
+    double tolerance = 0.0;  ///< including the allowance
     double span = 0.0;
     int weightTenths = 0;
     bool critical = false;
-    int capTenths = 0;  ///< what a critical error leaves at most
+    int capTenths = 0;  ///< most points after a critical error
     std::optional<Once> once;
-    std::optional<double> onceMeasured;  ///< of the measure that `once` names
-    bool isTooEarly = false;             ///< what `once` asks for has not been done
-    double error = 0.0;                  ///< beyond the tolerance, in `unit`; 0 where nothing was measured
-    double share =
-        0.0;  ///< of the weight that is lost, 0 .. 1; 1 where nothing was measured or it is too early (critical: 0)
+    std::optional<double> onceMeasured;  ///< value of the measure in `once`
+    bool isTooEarly = false;             ///< the condition `once` is not fulfilled
+    double error = 0.0;                  ///< beyond the tolerance, in `unit`; 0 if it was not measured
+    double share = 0.0;  ///< of the weight lost, 0 to 1; 1 if it was not measured or is too early (critical: 0)
     int lostTenths = 0;  ///< tenths of a point, exactly
     bool operator==(const Criterion&) const = default;
 };
 
-/// A grade that explains itself: total = 100 points - the sum of what each criterion lost, exactly; all in tenths of a
+/// A grade with its reasons: total = 100 points - the sum of what each criterion lost, exactly; all in tenths of a
 /// point, as integers.
 struct ScoreSheet
 {
@@ -68,7 +67,7 @@ struct ScoreSheet
     int totalTenths = 0;  ///< 0 .. 1000
     bool operator==(const ScoreSheet&) const = default;
 
-    /// The points that the most serious error leaves at most; nothing without such an error.
+    /// Returns the most points that the most serious error allows; empty without such an error.
     [[nodiscard]] std::optional<int> limitTenths() const
     {
         std::optional<int> limit;

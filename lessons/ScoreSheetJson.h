@@ -12,16 +12,15 @@
 
 namespace lessons {
 
-/// One line of UTF-8 JSON, {"format": 2, "rubric": ..., "criteria": [...], "total_tenths": ..., "pass_mark_tenths":
-/// ...}. Numbers come back bit for bit. What was measured must be finite (a NaN has no JSON): write a sheet made from
-/// real measures.
+/// Returns a score sheet as one line of UTF-8 JSON, {"format": 2, "rubric": ..., "criteria": [...], "total_tenths":
+/// ..., "pass_mark_tenths": ...}. Numbers are read back bit for bit. Measured values must be finite (JSON has no NaN).
 [[nodiscard]] QByteArray toJson(const ScoreSheet& sheet, const std::optional<PresetUsed>& preset = {});
 
-/// The sheet that was written so; nothing of what is none, or has not all that a sheet says.
+/// Reads such a score sheet; empty if the text is not a complete one.
 [[nodiscard]] std::optional<ScoreSheet> sheetIn(std::string_view json);
 
-/// What a score sheet that was written so says was measured, by the ids of measures; nothing of what is no score sheet.
-/// Enough to mark the attempt again by a rubric with the same measures.
+/// Reads the measured values of such a score sheet, by the ids of measures; empty if the text is none. Enough to grade
+/// the attempt again by a rubric with the same measures.
 [[nodiscard]] Values measuredIn(std::string_view json);
 
 }  // namespace lessons

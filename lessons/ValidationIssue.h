@@ -10,21 +10,21 @@
 
 namespace lessons {
 
-/// Something wrong with a lesson's file, or with a hardness preset's.
+/// A fault in the file of a lesson or a hardness preset.
 struct ValidationIssue
 {
     QString file;
     QString key;                 ///< "rubric.criteria[2].weight"; empty: the whole file
-    core::LocalizableText what;  ///< what is wrong and what to do; marked for translation in the context "Fault"
-    bool grave = true;           ///< the lesson cannot be given; else it only deserves a look
+    core::LocalizableText what;  ///< the fault and what to do; marked for translation in the context "Fault"
+    bool grave = true;           ///< the lesson is not usable; otherwise a warning
 
-    [[nodiscard]] QString english() const;   ///< what is wrong
-    [[nodiscard]] QString sentence() const;  ///< and where, in English as well
+    [[nodiscard]] QString english() const;   ///< the fault
+    [[nodiscard]] QString sentence() const;  ///< the fault with its place, in English
 };
 
 [[nodiscard]] bool anyGrave(const std::vector<ValidationIssue>& faults);
 
-/// A name or a number, as it stands in a file.
+/// Returns a name or a number from a file, which is not translated.
 [[nodiscard]] inline core::LocalizableText noted(const QString& text)
 {
     return core::noted(text.toStdString());
