@@ -7,25 +7,25 @@
 
 namespace database {
 
-/// Where a school's data is kept: an SQLite file, or a database on a PostgreSQL server.
+/// The location of a school's database: an SQLite file, or a database on a PostgreSQL server.
 struct Address
 {
-    QString file;      ///< of SQLite; empty: a server
-    QString host;      ///< a name, a number, or the folder of a socket; empty: this machine's default socket
-    int port = 0;      ///< 0: the server's usual one
-    QString user;      ///< empty: as the user is called here
-    QString password;  ///< better in ~/.pgpass, where a command line does not show it
+    QString file;      ///< path of the SQLite file; empty: a server
+    QString host;      ///< a name, an address, or the folder of a socket; empty: the default socket of this computer
+    int port = 0;      ///< 0: the default port
+    QString user;      ///< empty: the user's name on this computer
+    QString password;  ///< better stored in ~/.pgpass, where no command line shows it
     QString name;      ///< of the database
-    QString sslMode;   ///< as libpq has it: "require", "verify-full" ...; empty: its default
+    QString sslMode;   ///< as in libpq: "require", "verify-full" ...; empty: its default
 
     bool operator==(const Address&) const = default;
 
     [[nodiscard]] bool isServer() const { return file.isEmpty(); }
-    /// For people: the file, or the URL without its password.
+    /// Returns the file, or the URL without the password, for display.
     [[nodiscard]] QString shown() const;
 
-    /// "school.sqlite" or "postgresql://user@host:port/name?sslmode=require", each part percent-coded where it holds
-    /// what would end it: a socket's folder is "%2Frun%2Fpostgresql".
+    /// Parses "school.sqlite" or "postgresql://user@host:port/name?sslmode=require". Each part is percent-encoded where
+    /// it contains a delimiter: a socket's folder is "%2Frun%2Fpostgresql".
     [[nodiscard]] static core::Result<Address> parse(const QString& text);
 };
 

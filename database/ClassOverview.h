@@ -10,22 +10,23 @@
 
 #include "database/Login.h"
 
-/// What a teacher sees of a class, and everybody of an attempt. Plain values, filled by database/sql/Overview.
+/// Data of a class for its teacher, and of an attempt for all who may see it. Plain values, filled by
+/// database/sql/Overview.
 namespace database {
 
-/// How a class does at one lesson, attempt by attempt: the band behind a student's own curve, and the learning curve.
-/// Empty for fewer than lessons::kFewestPeople people.
+/// The scores of a class at one lesson by attempt: the band behind a student's own curve, and the learning curve. Empty
+/// for fewer than lessons::kFewestPeople people.
 struct BandPoint
 {
     int attempt = 0;  ///< first, second ...
-    int people = 0;   ///< who made so many; never fewer than lessons::kFewestPeople
+    int people = 0;   ///< number of people with that many attempts; never fewer than lessons::kFewestPeople
     int lowerQuartileTenths = 0;
     int medianTenths = 0;
     int upperQuartileTenths = 0;
     bool operator==(const BandPoint&) const = default;
 };
 
-/// Half of a class's attempts at a lesson are better than this, and half quicker. Nothing for too few people.
+/// Medians of score and time over a class's attempts at a lesson. Empty for too few people.
 struct LessonMedians
 {
     int people = 0;
@@ -34,20 +35,20 @@ struct LessonMedians
     bool operator==(const LessonMedians&) const = default;
 };
 
-/// Of one student at one lesson. Scores are those that count.
+/// The results of one student at one lesson. Scores are those that count.
 struct MatrixCell
 {
-    int attempts = 0;  ///< 0: never tried
+    int attempts = 0;  ///< 0: not tried
     int bestTenths = 0;
     bool passed = false;
     std::string lastUtc;
-    int withoutScore = 0;                    ///< exams that were begun, which count as attempts as well
-    std::optional<int> limitElsewhere = {};  ///< that his other classes were given; the most generous, 0: none at all
-    std::string begunUtc = {};               ///< the newest of the exams without a score, which may go on still
+    int withoutScore = 0;                    ///< exams that were begun, which also count as attempts
+    std::optional<int> limitElsewhere = {};  ///< limit of the student's other classes, the highest of them; 0: no limit
+    std::string begunUtc = {};               ///< the newest of the exams without a score, which may still be going on
     bool operator==(const MatrixCell&) const = default;
 
-    /// He has not passed, and may not try again: sql::attemptsLeft() tells him so.
-    /// @param limit  that this class was given; 0: none
+    /// Returns whether the student has not passed and has no attempt left, as sql::attemptsLeft() reports.
+    /// @param limit  of this class; 0: no limit
     [[nodiscard]] bool isUsedUp(int limit) const
     {
         const bool isLimited = limit > 0 && limitElsewhere.value_or(limit) > 0;
@@ -62,33 +63,33 @@ struct MatrixStudent
     std::string fullName;
     std::string lastLoginUtc;        ///< empty: never
     std::string lastAttemptUtc;      ///< empty: none
-    std::vector<int> recentTenths;   ///< of his last attempts at the lesson he tried last, newest first, at most five
-    std::vector<bool> recentPassed;  ///< the same
-    std::string recentLesson;        ///< its id
-    bool isDisabled = false;         ///< he comes no more, needs nobody, and counts nowhere
+    std::vector<int> recentTenths;   ///< of the last attempts at the lesson tried last, newest first, at most five
+    std::vector<bool> recentPassed;  ///< of the same attempts
+    std::string recentLesson;        ///< id of that lesson
+    bool isDisabled = false;         ///< the account is disabled: the student needs no help and does not count
     bool operator==(const MatrixStudent&) const = default;
 };
 
-/// Students by lessons.
+/// The results of the students of a class by lesson.
 struct ClassOverview
 {
     ClassId id;
     std::string name;
     std::vector<MatrixStudent> students;         ///< by family name
-    std::vector<std::string> lessons;            ///< ids: those that were assigned, then those tried, by id
+    std::vector<std::string> lessons;            ///< ids: assigned lessons first, then other lessons tried, by id
     std::vector<std::vector<MatrixCell>> cells;  ///< [student][lesson]
     bool operator==(const ClassOverview&) const = default;
 };
 
-/// How hard a lesson is for a class.
+/// The difficulty of a lesson for a class.
 struct LessonDifficulty
 {
     std::string lessonId;
-    int people = 0;               ///< who tried it
-    int passed = 0;               ///< of them
-    double meanTenths = 0.0;      ///< of everybody's first attempt
-    double attemptsToPass = 0.0;  ///< mean of those who passed
-    /// What each criterion takes of its weight on average, 0 .. 1, hardest first.
+    int people = 0;               ///< number who tried it
+    int passed = 0;               ///< number who passed
+    double meanTenths = 0.0;      ///< of the first attempts
+    double attemptsToPass = 0.0;  ///< mean over those who passed
+    /// The average share of its weight that each criterion cost, 0 to 1, hardest first.
     struct Item
     {
         std::string criterion;
@@ -99,7 +100,7 @@ struct LessonDifficulty
     bool operator==(const LessonDifficulty&) const = default;
 };
 
-/// Everything a class has done at one lesson, for its charts. No names.
+/// The results of a class at one lesson, for its charts. Without names.
 struct LessonResults
 {
     std::string lessonId;
@@ -109,7 +110,7 @@ struct LessonResults
     bool operator==(const LessonResults&) const = default;
 };
 
-/// Characters of a comment, and of the reason for another score (0004_attempts_of_people.sql).
+/// Largest number of characters of a comment, and of the reason for another score (0004_attempts_of_people.sql).
 inline constexpr int kLongestComment = 4000;
 
 struct AttemptComment
@@ -118,9 +119,9 @@ struct AttemptComment
     std::string author;  ///< full name
     std::string writtenUtc;
     std::string words;
-    std::optional<std::array<double, 3>> placeMm;  ///< in the tooth's frame
-    std::optional<std::int64_t> momentMs;          ///< since the attempt began
-    bool isMine = false;                           ///< written by who reads it, and so his to take back
+    std::optional<std::array<double, 3>> placeMm;  ///< tooth frame
+    std::optional<std::int64_t> momentMs;          ///< from the start of the attempt
+    bool isMine = false;                           ///< written by the user, who may withdraw it
     bool operator==(const AttemptComment&) const = default;
 };
 
@@ -128,12 +129,12 @@ struct AttemptOverride
 {
     std::string author;
     std::string givenUtc;
-    std::optional<int> givenTenths;  ///< nothing: the machine's score counts again
+    std::optional<int> givenTenths;  ///< empty: the computed score counts again
     std::string reason;
     bool operator==(const AttemptOverride&) const = default;
 };
 
-/// What people have said of an attempt, oldest first.
+/// The comments on an attempt and the scores given, oldest first.
 struct AttemptTalk
 {
     std::vector<AttemptComment> comments;

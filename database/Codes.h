@@ -10,8 +10,8 @@
 
 namespace database {
 
-/// Writes the one-time codes of those who are new as CSV (username, name, code), in a file that only its owner may
-/// read. FileUnwritable.
+/// Writes the one-time codes of new people as CSV (username, name, code) to a file that only its owner may read. Error
+/// FileUnwritable.
 [[nodiscard]] core::Status writeCodes(const QString& path, const std::vector<RosterPerson>& people);
 
 }  // namespace database

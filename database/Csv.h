@@ -9,34 +9,34 @@
 
 namespace database {
 
-/// A field of a CSV line as RFC 4180 has it, quoted where it must be. What a spreadsheet would run as a formula gets an
-/// apostrophe before it.
+/// Returns a field of a CSV line as in RFC 4180, quoted if necessary. Text that a spreadsheet would run as a formula
+/// gets an apostrophe in front.
 [[nodiscard]] std::string csvField(std::string_view text);
 
-/// Fields of one line, with where it stands in the file.
+/// The fields of one line, with its number.
 struct CsvRow
 {
     int line = 0;  ///< from 1
     std::vector<std::string> fields;
 };
 
-/// Why a file cannot be read as CSV, and where: from 1, the sign within its line.
+/// Why a file cannot be read as CSV, and the place: line and character from 1.
 struct CsvFault
 {
     enum class Kind {
-        TooLarge,   ///< over 16 MiB, wherever
-        NoUtf8,     ///< from here on
-        OpenQuote,  ///< begins here and is not closed
-        AfterQuote  ///< words stand behind a closing quote
+        TooLarge,   ///< over 16 MiB; without a place
+        NoUtf8,     ///< not UTF-8 from here on
+        OpenQuote,  ///< a quote that begins here is not closed
+        AfterQuote  ///< text follows a closing quote
     };
     Kind kind = Kind::NoUtf8;
     int line = 1;
     std::size_t sign = 1;
 };
 
-/// Reads CSV in UTF-8, with or without a byte order mark; the separator is whichever of comma, semicolon and tab the
-/// first line has most of, or the one that a line "sep=;" before it names. Empty lines, and those of separators only,
-/// are left out.
+/// Reads CSV in UTF-8, with or without a byte order mark. The separator is the most frequent of comma, semicolon and
+/// tab in the first line, or the one given by a line "sep=;" before it. Empty lines, and those of separators only, are
+/// skipped.
 [[nodiscard]] tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes);
 
 }  // namespace database

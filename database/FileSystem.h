@@ -8,20 +8,20 @@
 
 namespace database {
 
-/// What kind of drive a file lies on. SQLite's write-ahead log needs memory that all who have the file open share,
-/// which a network drive does not give (sqlite.org/wal.html).
+/// The kind of drive of a file. SQLite's write-ahead log needs memory shared by all programs that have the file open,
+/// which a network drive does not provide (sqlite.org/wal.html).
 enum class FileSystem { Local, Network };
 
-/// Of the file's folder. A file system in user space (FUSE) counts as a network's: sshfs and its like are. Unknown:
-/// Local.
+/// Returns the kind of drive of the file's folder. A file system in user space (FUSE) counts as a network drive,
+/// because sshfs is one. Unknown: Local.
 [[nodiscard]] FileSystem fileSystemOf(const QString& path);
 
-/// Makes a folder for its owner only, since names and marks will lie in it, and those above it as usual; one that is
-/// there stays as somebody has set it.
+/// Creates a folder for its owner only, because it will contain names and scores; missing parent folders get the usual
+/// permissions. An existing folder is not changed.
 void makeOwnFolder(const QString& path);
 
-/// What stands in a file. Nothing: there is none, it cannot be read, or has more than `most` bytes. A pipe or a device
-/// in its place is not opened: the one may let wait for ever, the other have no end.
+/// Reads a file. Empty if it does not exist, cannot be read, or has more than `most` bytes. Does not open a pipe or a
+/// device: reading might never end.
 [[nodiscard]] std::optional<QByteArray> contentOf(const QString& path, qint64 most);
 
 }  // namespace database

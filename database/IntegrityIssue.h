@@ -8,13 +8,13 @@
 
 namespace database {
 
-/// What a check of a database found: a sentence, and apart from it what it is about, so that a window can say both in
-/// its own language.
+/// An issue that a check of a database found: a sentence and, separately, its values, so that a window can translate
+/// it.
 struct IntegrityIssue
 {
-    /// English, with "%1" for the first of the values; marked for translation in the context "Finding".
+    /// English, with "%1" for the first value; marked for translation in the context "Finding".
     const char* words = "";
-    /// As they are noted: "attempt:1f...", "class:5", "attempt.add", "2026-11-20T10:15:00Z".
+    /// As stored: "attempt:1f...", "class:5", "attempt.add", "2026-11-20T10:15:00Z".
     std::vector<std::string> values;
 
     [[nodiscard]] QString english() const;

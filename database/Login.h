@@ -9,7 +9,7 @@
 
 namespace database {
 
-/// Numbers of the database, each of its own kind, so that two cannot be swapped.
+/// Ids of the database, each of its own type, so that they cannot be confused.
 struct PersonId
 {
     std::int64_t value = 0;
@@ -30,22 +30,22 @@ namespace sql {
 class Logins;
 }
 
-/// Who asks: a guest, or the person that sql::Logins has let in. It is a claim about who, not about what he may: every
-/// operation looks up the person's present role, so that who is disabled is stopped at once.
+/// The user who makes a request: a guest, or the person that sql::Logins has authenticated. It identifies the person
+/// only: every operation looks up the person's current role, so that a disabled person is stopped at once.
 class Login
 {
 public:
-    /// A guest.
+    /// Creates the login of a guest.
     Login() = default;
 
     [[nodiscard]] bool isGuest() const { return m_person.value == 0; }
     [[nodiscard]] PersonId person() const { return m_person; }
-    /// What audit and files call the person; empty for a guest.
+    /// Returns the id of the person in audit and files; empty for a guest.
     [[nodiscard]] const std::string& uid() const { return m_uid; }
     [[nodiscard]] const std::string& username() const { return m_username; }
-    /// "Ada Lovelace"; the login name of who has no other.
+    /// Returns the full name, "Ada Lovelace"; the username of a person without a name.
     [[nodiscard]] const std::string& fullName() const { return m_fullName; }
-    /// When the session began; for the window, which shows that role's pages.
+    /// Returns the role at the time of the login; for the window, which shows the pages of that role.
     [[nodiscard]] Role role() const { return m_role; }
     bool operator==(const Login&) const = default;
 

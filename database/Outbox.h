@@ -16,21 +16,21 @@
 
 namespace database {
 
-/// Graded attempts, and exams that were begun, on their way to the database: each a file that is on the disk before the
-/// student is told that his score is kept, and goes when the database has it. A server that is away, a database that is
-/// locked or a disk that is full there holds nobody up; a program that is killed in between delivers at its next start,
-/// and the attempt's uid sees to it that it arrives once. Any one thread at a time.
+/// Stores graded attempts, and started exams, on their way to the database, each in a file. The file is on the disk
+/// before the student sees that the score is saved, and is removed once the database has it. So an unavailable server,
+/// a locked database or a full disk there delays nobody. A program that is killed delivers at its next start, and the
+/// attempt's uid ensures that it is stored once. One thread at a time.
 class Outbox
 {
 public:
-    /// An attempt that waits.
+    /// An attempt to be delivered.
     struct PendingAttempt
     {
         AttemptRecord attempt;
         QByteArray recording;
-        QString school;  ///< for which it was put there, see schoolAt(); empty: an earlier program did not say
+        QString school;  ///< its school, see schoolAt(); empty: unknown, from an older program
     };
-    /// An exam's beginning that waits.
+    /// The start of an exam, to be delivered.
     struct ExamLetter
     {
         std::string personUid;
@@ -38,43 +38,43 @@ public:
         QString school;
     };
 
-    /// @param folder  is made when the first attempt is put there
-    /// @param school  for which attempts are put there, see schoolAt(); empty: for whichever knows the person
+    /// @param folder  created when the first attempt is put there
+    /// @param school  of new attempts, see schoolAt(); empty: any school that knows the person
     Outbox(QString folder, StationKey key, QString school = {})
         : m_folder(std::move(folder)), m_key(std::move(key)), m_school(std::move(school))
     {}
 
-    /// What a letter calls a school, so that a copy of it gets none of its letters: of a file its name beside the
-    /// outbox, which holds after the folder was moved with all in it; of a server host, port and database, whoever
-    /// logs in there.
-    /// @param folder  of the station's own files, in which the outbox is
+    /// Returns the identification of a school in the files, so that a copy of the school gets none of them. For a file
+    /// its path relative to the outbox, which stays valid when the folder is moved with all its contents; for a server
+    /// host, port and database, whoever logs in.
+    /// @param folder  of the station's own files, which contains the outbox
     [[nodiscard]] static QString schoolAt(const Address& address, const QString& folder);
 
-    /// Puts an attempt of the session's person there, on the disk when this returns. NotAllowed: a guest's.
+    /// Stores an attempt of the logged-in person; it is on the disk when this returns. NotAllowed for a guest.
     [[nodiscard]] core::Status put(const Login& session, const AttemptRecord& attempt, const QByteArray& recording);
 
-    /// As put(), for an exam that the session's person has begun: ending the program does not make it undone.
+    /// Stores the start of an exam of the logged-in person, likewise: ending the program does not undo it.
     [[nodiscard]] core::Status put(const Login& session, const ExamStart& start);
 
-    /// Those that wait, oldest first; an exam's beginning stands before what came of it.
+    /// Returns the waiting files, oldest first; the start of an exam comes before its result.
     [[nodiscard]] QStringList waiting() const;
     [[nodiscard]] static bool isExam(const QString& file);
-    /// BadStructure: damaged; such a file is for setAside(). FileMissing: another program has delivered it. NotAllowed:
-    /// signed with another key than this station has now; it waits until that one is back.
+    /// Reads a file. BadStructure: damaged; call setAside(). FileMissing: another program has delivered it. NotAllowed:
+    /// signed with another key than this station's; it waits until that key is back.
     [[nodiscard]] core::Result<PendingAttempt> read(const QString& file) const;
     [[nodiscard]] core::Result<ExamLetter> readExam(const QString& file) const;
-    /// False: another program has done so before, or it cannot be done.
+    /// Removes a file. Returns false if another program has removed it, or on failure.
     bool remove(const QString& file) const;
-    /// Moves it into the folder "arrived" beside it: the database has it, but no backup of the database has it yet.
-    /// False as in remove().
+    /// Moves a file into the folder "arrived" beside it: the database has it, but no backup has yet. Returns false as
+    /// in remove().
     bool keepArrived(const QString& file) const;
-    /// Those in that folder, without those of another school whose file is there. The next verified backup of the
-    /// school removes them.
+    /// Returns the files in that folder, without those of another school whose database exists. The next verified
+    /// backup of the school removes them.
     [[nodiscard]] QStringList arrived() const;
-    /// Moves those in that folder back, so that they are sent again after an older database was restored. The database
-    /// takes each attempt once.
+    /// Moves the files in that folder back, so that they are sent again after an older database was restored. The
+    /// database stores each attempt once.
     void sendAgain() const;
-    /// Into the folder "damaged" beside it: nothing is thrown away.
+    /// Moves a file into the folder "damaged" beside it: no file is lost.
     void setAside(const QString& file) const;
 
 private:

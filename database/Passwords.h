@@ -7,11 +7,11 @@
 
 #include "core/base/Result.h"
 
-/// Argon2id by libsodium. A hash takes a fraction of a second and tens of megabytes on purpose: keep it off the ui
-/// thread. Any thread.
+/// Password hashes by libsodium's Argon2id. A hash deliberately takes a fraction of a second and tens of megabytes: do
+/// not compute it on the ui thread. Any other thread.
 namespace database {
 
-/// What a hash costs. The default is libsodium's INTERACTIVE, above OWASP's minimum of 19 MiB and 2 passes.
+/// The cost of a hash. The default is libsodium's INTERACTIVE, above OWASP's minimum of 19 MiB and 2 passes.
 struct PasswordCost
 {
     unsigned long long passes = 2;
@@ -19,41 +19,42 @@ struct PasswordCost
     bool operator==(const PasswordCost&) const = default;
 };
 
-/// No school asks for more, and no hash is worked out that does: who may write the database must not keep everybody at
-/// the door.
+/// Limits of the cost. Hashes that ask for more are not computed: a person with write access to the database must not
+/// be able to block all logins.
 inline constexpr unsigned long long kMostPasses = 16;
 inline constexpr std::size_t kMostMemoryBytes = std::size_t{1} << 30U;
 
-/// The dearest cost that this computer pays within `goalMs` of thread time: 64 MiB, and passes from 2 to 16.
+/// Returns the highest cost that this computer can compute within `goalMs` of thread time: 64 MiB, and 2 to 16 passes.
 [[nodiscard]] PasswordCost timedCost(double goalMs = 350.0);
 
 inline constexpr int kShortestPassword = 8;
-inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a novel would keep the station busy
+inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: a longer password would keep the station busy
 
-/// OutOfRange with a sentence: too short, too long, the user's own name with or without more, or what is tried first: a
-/// common word with digits around it, keys in a row, three characters again and again.
+/// Checks a new password. OutOfRange with one sentence: too short, too long, contains the username, or is easily
+/// guessed: a common word with digits around it, adjacent keys, three repeated characters.
 [[nodiscard]] core::Status checkPassword(const std::string& password, const std::string& username);
 
-/// "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge when there is no memory for it.
+/// Returns "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge if there is not enough memory.
 [[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
-/// FileTooLarge when there is no memory for it: then nobody knows whether it fits. None fits what isPasswordHash() is
-/// not of.
+/// Returns whether a password matches a hash. FileTooLarge if there is not enough memory to decide. False if
+/// isPasswordHash() is.
 [[nodiscard]] core::Result<bool> fits(const std::string& password, const std::string& hash);
-/// Whether it is one that hashPassword() has made, or could have: no password fits another.
+/// Returns whether hashPassword() can have made this hash; no password matches others.
 [[nodiscard]] bool isPasswordHash(const std::string& hash);
-/// Made at a lower cost, in passes or memory, and at a higher one in neither.
+/// Returns whether a hash was made at a lower cost, in passes or memory, and at a higher one in neither.
 [[nodiscard]] bool wantsRehash(const std::string& hash, const PasswordCost& cost);
 
-/// Twelve letters and digits that are not mistaken for each other, in groups of four: "K7QM-2XHP-9RTB".
+/// Returns twelve unambiguous letters and digits in groups of four: "K7QM-2XHP-9RTB".
 [[nodiscard]] std::string newCode();
-/// What is kept of a person's code. A code is 59 bits of chance and lives for days, so that a quick hash is enough.
+/// Returns the hash of a person's code for storage. A code is 59 random bits and valid for days, so that a fast hash is
+/// enough.
 [[nodiscard]] std::string hashOfCode(const std::string& uid, const std::string& code);
 inline constexpr std::size_t kUidLength = 32;
-/// So many hex digits that nobody else has.
+/// Returns a random uid of kUidLength hex digits.
 [[nodiscard]] std::string newUid();
-/// Of what may be told twice, by what is its own: always the same.
+/// Returns a uid derived from an identity: the same for the same identity.
 [[nodiscard]] std::string uidOf(std::string_view identity);
-/// BLAKE2b-256, 64 hex digits.
+/// Returns the BLAKE2b-256 of bytes, 64 hex digits.
 [[nodiscard]] std::string digestOf(std::string_view bytes);
 
 }  // namespace database

@@ -9,16 +9,15 @@
 
 namespace database {
 
-/// What a person is here. A guest has no account; nothing of his is kept.
+/// The role of a person. A guest has no account and no stored data.
 enum class Role : std::uint8_t { Guest, Student, Instructor, Admin };
 inline constexpr std::size_t kRoles = 4;
 
-/// "guest", "student", "instructor", "admin": as in files and in the database.
+/// Returns "guest", "student", "instructor" or "admin", as in files and in the database.
 [[nodiscard]] std::string_view roleName(Role role);
 [[nodiscard]] std::optional<Role> roleOf(std::string_view name);
 
-/// Everything that can be asked of the school's data. Each is one function of database/sql, which takes the session
-/// and looks here first.
+/// All operations on the school's data. Each is one function of database/sql, which checks its permission here first.
 enum class Operation : std::uint8_t {
     ChangeOwnPassword,
     ListPeople,
@@ -26,11 +25,11 @@ enum class Operation : std::uint8_t {
     ChangePerson,  ///< names, role, whether disabled
     ResetPassword,
     ListClasses,
-    ChangeClasses,  ///< add and rename them, and who belongs to them
+    ChangeClasses,  ///< add and rename them, and change their members
     ListAssignments,
     Assign,
-    AddAttempt,   ///< into the outbox, and so into the database; also that an exam has begun
-    ReadHistory,  ///< lists of somebody's attempts
+    AddAttempt,   ///< through the outbox; also the start of an exam
+    ReadHistory,  ///< lists of a person's attempts
     OpenAttempt,  ///< its score sheet and recording
     CompareWithClass,
     Comment,
@@ -41,23 +40,23 @@ enum class Operation : std::uint8_t {
     ListPresets,
     AddPreset,
     ReadSettings,
-    ChangeSettings,     ///< the school's
-    ChangeOwnSettings,  ///< one's own
+    ChangeSettings,     ///< of the school
+    ChangeOwnSettings,  ///< of the user
     ReadAudit,
-    KeepBackups,  ///< make and try them, and check everything
-    CopySchool,   ///< into another database
+    KeepBackups,  ///< create and verify them, and check the database
+    CopySchool,   ///< to another database
 };
 inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::CopySchool) + 1;
 
-/// To whose data an operation reaches.
+/// The data that an operation may access.
 enum class Reach : std::uint8_t {
     Nothing,
     Own,
-    Classes,  ///< those of the classes one is enrolled in
+    Classes,  ///< of the classes that the person is enrolled in
     All
 };
 
-/// The table of what is allowed.
+/// Returns the access of a role for an operation: the table of permissions.
 [[nodiscard]] Reach reachOf(Operation operation, Role role);
 
 }  // namespace database

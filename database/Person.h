@@ -9,10 +9,10 @@
 
 namespace database {
 
-/// What is said of a person when he is entered.
+/// The data of a new person.
 struct NewPerson
 {
-    std::string username;  ///< letters a to z, digits, dot, hyphen, underline, at; capitals do not count
+    std::string username;  ///< letters a to z, digits, dot, hyphen, underscore, at; case is ignored
     std::string givenName;
     std::string familyName;
     Role role = Role::Student;
@@ -29,7 +29,7 @@ struct Person
     Role role = Role::Student;
     bool disabled = false;
     bool hasPassword = false;
-    std::string codeUntilUtc;  ///< until then a one-time code lets him in, once; empty: he has none
+    std::string codeUntilUtc;  ///< until then a one-time code allows one login; empty: there is none
     std::string lastLoginUtc;  ///< empty: never
     std::vector<ClassId> classes;
     bool operator==(const Person&) const = default;
@@ -44,39 +44,39 @@ struct SchoolClass
 {
     ClassId id;
     std::string name;
-    int students = 0;  ///< and teachers: who is disabled does not count
+    int students = 0;  ///< students and teachers without disabled people
     int teachers = 0;
     bool operator==(const SchoolClass&) const = default;
 };
 
-/// A lesson that a class is to do.
+/// A lesson that is assigned to a class.
 struct ClassAssignment
 {
-    std::int64_t id = 0;  ///< given by the database
+    std::int64_t id = 0;  ///< assigned by the database
     ClassId classId;
     std::string lessonId;
-    std::string dueUtc;    ///< "2026-11-27T23:00:00Z"; empty: none
-    int attemptLimit = 0;  ///< 0: as many as one likes
+    std::string dueUtc;    ///< "2026-11-27T23:00:00Z"; empty: no due date
+    int attemptLimit = 0;  ///< 0: no limit
     bool operator==(const ClassAssignment&) const = default;
 };
 
-/// What an import of a class list found, or did.
+/// A fault in a class list.
 struct RosterFault
 {
     enum class Kind {
-        Fields,         ///< more than the head names
-        Username,       ///< empty, too long, or with signs that it may not have
-        Twice,          ///< stood in another line already, which is the value
-        Name,           ///< of a person: too long, or with signs that cannot be seen
-        Role,           ///< none that there is
-        OtherRole,      ///< is something else here, which is the value
-        Class,          ///< a name that no class can have
-        NoUtf8,         ///< the file, from this sign of the line on, which is the value
-        OpenQuote,      ///< begins at this sign of the line, which is the value, and is not closed
-        AfterQuote,     ///< words stand behind a closing quote, at this sign
-        NoSuchColumn,   ///< that a class list has; the value is the one that was perhaps meant, if any
-        ColumnTwice,    ///< is named by the head again
-        ColumnMissing,  ///< in the head
+        Fields,         ///< more than the header names
+        Username,       ///< empty, too long, or with characters that are not allowed
+        Twice,          ///< occurs in another line already, which is the value
+        Name,           ///< of a person: too long, or with invisible characters
+        Role,           ///< an unknown role
+        OtherRole,      ///< differs from the person's role in the database, which is the value
+        Class,          ///< an invalid name of a class
+        NoUtf8,         ///< not UTF-8 from this character of the line on, which is the value
+        OpenQuote,      ///< a quote that begins at this character of the line, which is the value, is not closed
+        AfterQuote,     ///< text follows a closing quote, at this character
+        NoSuchColumn,   ///< not a column of a class list; the value is the column that may be meant, if any
+        ColumnTwice,    ///< named twice in the header
+        ColumnMissing,  ///< missing in the header
         Refused         ///< by the database
     };
     int line = 0;        ///< of the file, from 1
@@ -90,18 +90,18 @@ struct RosterPerson
     std::string username;
     std::string fullName;
     Role role = Role::Student;
-    std::vector<std::string> classes;  ///< that the list names
+    std::vector<std::string> classes;  ///< in the list
     bool isNew = false;
-    std::string code;        ///< of a new one: it lets him in once, and is kept nowhere else
-    std::string nameBefore;  ///< of who is known under another name so far; empty: it stays
-    bool isShort = false;    ///< his line ends before all fields that the head names
+    std::string code;        ///< of a new person: allows one login, and is stored nowhere in clear
+    std::string nameBefore;  ///< name so far of a known person; empty: unchanged
+    bool isShort = false;    ///< the line ends before all fields of the header
     bool operator==(const RosterPerson&) const = default;
 };
 struct RosterOutcome
 {
-    std::vector<RosterFault> faults;  ///< any: nothing was entered
+    std::vector<RosterFault> faults;  ///< if there are any, no person was entered
     std::vector<RosterPerson> people;
-    std::vector<std::string> newClasses;  ///< that nobody had before
+    std::vector<std::string> newClasses;  ///< created by the list
 };
 
 }  // namespace database

@@ -6,10 +6,10 @@
 
 namespace database {
 
-/// To be called before anything of libsodium's is used; it may be called again. Any thread.
+/// Initialises libsodium. Call before any of its functions; repeated calls are allowed. Any thread.
 bool beginSodium();
 
-/// Two lower-case digits for each byte.
+/// Returns two lower-case digits for each byte.
 [[nodiscard]] std::string hexOf(const unsigned char* bytes, std::size_t count);
 
 }  // namespace database

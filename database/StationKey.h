@@ -11,23 +11,23 @@
 
 namespace database {
 
-/// The Ed25519 key with which a station signs the head of the audit. It lies in a file that only its owner may read:
-/// who can read it can sign, so on a computer that students share it protects against changes of the database alone,
-/// not against somebody who takes over the account.
+/// The Ed25519 key with which a station signs the head of the audit. It is in a file that only its owner may read.
+/// Everybody who can read it can sign: on a computer that students share it protects against changes of the database
+/// alone, not against a person who uses the account.
 class StationKey
 {
 public:
-    /// Reads the key, or makes one where there is no file. Refused: a file of another length, a link, what is no file.
-    /// One that others may read is closed to them.
+    /// Reads the key, or creates one if there is no file. Error: a file of another length, a link, or no regular file.
+    /// If others may read the file, removes that permission.
     [[nodiscard]] static core::Result<StationKey> readOrMake(const QString& file);
-    /// One that is forgotten with the object; for tests.
+    /// Returns a key that is not stored; for tests.
     [[nodiscard]] static StationKey make();
 
-    /// 64 hex digits.
+    /// Returns the public key, 64 hex digits.
     [[nodiscard]] const std::string& publicHex() const { return m_publicHex; }
-    /// 128 hex digits.
+    /// Returns a signature, 128 hex digits.
     [[nodiscard]] std::string sign(std::string_view words) const;
-    /// By any station's public key; false for what is no hex, too.
+    /// Returns whether a signature is valid for a station's public key; false for text that is not hex.
     [[nodiscard]] static bool isSigned(std::string_view words, const std::string& signatureHex,
                                        const std::string& publicHex);
 

@@ -15,58 +15,60 @@
 
 namespace database::sql {
 
-/// Keeps an attempt with its recording (empty: none), on the disk when this returns. Exactly once: one with a uid that
-/// is kept already is that one, and its id is returned. It comes from this station's outbox, which vouches for whose it
-/// is (record.personUid): he may have logged out, or been disabled, meanwhile.
+/// Stores an attempt with its recording (empty: none); both are on the disk when this returns. An attempt whose uid is
+/// stored already is not stored again; its id is returned. Attempts come from this station's outbox, which is trusted
+/// for the person (record.personUid): that person may have logged out, or been disabled, meanwhile.
 [[nodiscard]] core::Result<AttemptId> deliverAttempt(const DatabaseContext& school, const AttemptRecord& attempt,
                                                      const QByteArray& recording);
 
-/// The last attempts of a person, newest first, without their score sheets. `attempts` 0: as many as there are.
+/// Selects the last attempts of a person. `limit` 0: all.
 struct HistoryQuery
 {
     std::string lessonId;  ///< empty: of any lesson
     std::string tooth;     ///< not empty: practice without a lesson, at this tooth
     int limit = 0;
 };
+/// Returns attempts of a person, newest first, without their score sheets.
 [[nodiscard]] core::Result<std::vector<AttemptRecord>> history(const DatabaseContext& school, const Login& session,
                                                                PersonId person, const HistoryQuery& query);
 
-/// Every lesson that a person ever attempted, by its id.
+/// Returns the standing in every lesson that a person has attempted.
 [[nodiscard]] core::Result<std::vector<LessonStanding>> standingsOf(const DatabaseContext& school, const Login& session,
                                                                     PersonId person);
 
-/// One attempt with all there is of it. UnknownName where there is none.
+/// Returns one attempt with all its data. UnknownName if there is none.
 [[nodiscard]] core::Result<AttemptRecord> openAttempt(const DatabaseContext& school, const Login& session,
                                                       AttemptId id);
-/// Its recording; FileMissing where none was kept.
+/// Returns the recording of an attempt; FileMissing if none was stored.
 [[nodiscard]] core::Result<QByteArray> openRecording(const DatabaseContext& school, const Login& session, AttemptId id);
 
-/// What is kept of attempts at exactly this lesson, newest first: the session's person's own, and those within his
-/// reach.
+/// A stored score sheet.
 struct KeptSheet
 {
     std::string finishedUtc;
     std::string json;
 };
+/// Returns the score sheets of attempts at exactly this lesson, newest first: the user's own, and those that the user
+/// may read.
 [[nodiscard]] core::Result<std::vector<KeptSheet>> sheetsOfLesson(const DatabaseContext& school, const Login& session,
                                                                   const std::string& lessonId,
                                                                   const std::string& lessonHash, int limit);
 
-/// Returns the SQL for the input device by which attempts are compared, from the column that stores it. Before mouse,
-/// pen, keyboard and gamepad were told apart, nearly everybody used a mouse: "pointer" counts as one.
+/// Returns the SQL for the input device by which attempts are compared, from the column that stores it. In old
+/// attempts, "pointer" stands for mouse, pen, keyboard and gamepad; nearly all used a mouse, so it counts as one.
 [[nodiscard]] QString comparedDevice(const QString& column);
 
-/// Where a score, in tenths of a point, stands among each classmate's best of a lesson by that rubric and with the same
-/// input device, the session's own among them; without a class it is alone. Classmates are the students who can log in
-/// and are in a class with him at present.
+/// Returns the rank of a score, in tenths of a point, among the best scores of the user's classmates in a lesson, by
+/// the same rubric and with the same input device, including the user's own; without a class it is the only one.
+/// Classmates are the students who can log in and are currently in one of the user's classes.
 /// @param device  as AttemptRecord::device
 [[nodiscard]] core::Result<lessons::ClassStanding>
 standingAmongClassmates(const DatabaseContext& school, const Login& session, const std::string& lessonId,
                         const std::string& rubricHash, const std::string& device, int tenths);
 
-/// The machine's score stays; this one counts. Nothing: the machine's counts again.
-/// ChangedSince: there are not as many as `before` says.
-/// @param before  so many were given so far, as whoever gives this one has seen it; nothing: however many
+/// Sets the score that counts in place of the computed one, which is kept. ChangedSince: the number of given scores is
+/// not `before`.
+/// @param before  number of scores given so far, as the user has seen it; empty: not checked
 [[nodiscard]] core::Status overrideScore(const DatabaseContext& school, const Login& session, AttemptId id,
                                          std::optional<int> tenths, const std::string& reason,
                                          std::optional<std::size_t> before = {});
@@ -74,25 +76,26 @@ standingAmongClassmates(const DatabaseContext& school, const Login& session, con
 struct NewComment
 {
     std::string words;
-    std::optional<std::array<double, 3>> placeMm;  ///< in the tooth's frame
-    std::optional<std::int64_t> momentMs;          ///< since the attempt began
+    std::optional<std::array<double, 3>> placeMm;  ///< tooth frame
+    std::optional<std::int64_t> momentMs;          ///< from the start of the attempt
 };
 [[nodiscard]] core::Result<std::int64_t> addComment(const DatabaseContext& school, const Login& session, AttemptId id,
                                                     const NewComment& comment);
-/// One's own: nobody is shown it any more, and its words stay in the database. ChangedSince: that is done already.
+/// Withdraws the user's own comment: it is no longer shown, but stays in the database. ChangedSince: it is withdrawn
+/// already.
 [[nodiscard]] core::Status withdrawComment(const DatabaseContext& school, const Login& session, std::int64_t comment);
 
-/// Every attempt of a person, with its score sheet, and what the audit noted when it was kept (JSON; empty: nothing).
-/// For who checks or copies the database; asks nobody's leave.
+/// Calls `take` for every attempt of a person, with its score sheet and the audit's note when it was stored (JSON;
+/// empty: none). For checking and copying the database; without a permission check.
 [[nodiscard]] core::Status
 forEachAttempt(const QSqlDatabase& db,
                const std::function<void(const AttemptRecord& attempt, const std::string& noted)>& take);
 
-/// What the audit says of an attempt when it is kept: a hash of everything in it that never changes.
+/// Returns the audit's digest of an attempt: a hash of all its fields that never change.
 [[nodiscard]] std::string digestOfAttempt(const AttemptRecord& attempt);
 
-/// The same of what a teacher said, as its row holds it: of a comment words, x_um, y_um, z_um, moment_ms, written_utc;
-/// of another score reason, given_utc.
+/// Returns the digest of what a teacher wrote, from its row: of a comment words, x_um, y_um, z_um, moment_ms,
+/// written_utc; of a given score reason, given_utc.
 [[nodiscard]] std::string digestOfComment(const QVariantList& row);
 
 }  // namespace database::sql

@@ -14,15 +14,16 @@
 /// Backups of an SQLite file. A server is backed up by its administrator.
 namespace database::sql {
 
-/// Is called again and again during long work; returns false to stop it.
+/// Called repeatedly during long operations; returns false to cancel.
 using BackupProgress = std::function<bool()>;
 
-/// The folder "backups" beside the database's file; beside a file with another name than "cusp.sqlite", "NAME-backups".
+/// Returns the folder "backups" beside the database's file; beside a file with another name than "cusp.sqlite",
+/// "NAME-backups".
 [[nodiscard]] QString backupFolder(const QString& databaseFile);
 
-/// Writes a copy of the database, as it is at one moment, into `folder` as "backup-2026-11-20-10.15.00.sqlite". Other
-/// programs may write to the database meanwhile. The copy gets its name after it was verified (verifyBackup(), and that
-/// it holds the same school) and is on the disk; it has the permissions of the database. Returns its path.
+/// Writes a consistent copy of the database into `folder` as "backup-2026-11-20-10.15.00.sqlite". Other programs may
+/// write to the database meanwhile. The copy gets its name after it was verified (by verifyBackup(), and that it holds
+/// the same school) and is on the disk; it has the permissions of the database. Returns its path.
 [[nodiscard]] core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
                                            const BackupProgress& progress = {});
 
@@ -32,51 +33,51 @@ using BackupProgress = std::function<bool()>;
 /// Checks a backup: it is a database of this program with a known schema, and its pages and foreign keys are sound.
 [[nodiscard]] core::Status verifyBackup(const QString& file);
 
-/// The backups in a folder, newest first.
+/// Returns the backups in a folder, newest first.
 [[nodiscard]] QStringList backupsIn(const QString& folder);
 
-/// When a backup was made (UTC), from its name; invalid for other files.
+/// Returns the time of a backup (UTC), from its name; invalid for other files.
 [[nodiscard]] QDateTime madeAt(const QString& backup);
 
-/// Identifies a school: the hash of the first row of its audit, or of the last row that says it was copied from another
-/// database. It is the same in all backups of a school. Empty: nobody has been entered yet.
+/// Returns the identity of a school: the hash of the first row of its audit, or of the last row that records a copy
+/// from another database. It is the same in all backups of a school. Empty if no person has been entered.
 [[nodiscard]] core::Result<std::string> schoolOf(const QSqlDatabase& db);
-/// The same of a file; empty also if it cannot be read.
+/// Returns the identity of the school in a file; empty also if the file cannot be read.
 [[nodiscard]] std::string schoolOf(const QString& file);
 
-/// Which of these backups the rotation removes. It keeps all of the last 2 days that have one, and the newest of each
+/// Returns the backups that the rotation removes. It keeps all of the last 2 days with backups, and the newest of each
 /// of the last 12 days, 10 weeks and 9 months.
 [[nodiscard]] QStringList tooMany(const QStringList& files);
 
-/// Removes the backups of this school that tooMany() names from a folder, and returns them.
+/// Removes the backups of this school that tooMany() returns from a folder, and returns them.
 QStringList removeOldBackups(const QSqlDatabase& db, const QString& folder);
 
-/// The newest verified backup in the folder of this database; empty if there is none. Backups of another school than
-/// the one in the file, and of a school without people, do not count.
+/// Returns the newest verified backup in the folder of this database; empty if there is none. Backups of another school
+/// than the one in the file, and of a school without people, do not count.
 [[nodiscard]] QString newestSound(const QString& databaseFile);
 
-/// Busy: another program, or another connection of this one, has the database open. Brings what a crashed program left
-/// in the write-ahead log into the file.
+/// Checks that the database is closed, and merges the write-ahead log of a crashed program into the file. Busy: another
+/// program, or another connection of this one, has the database open.
 [[nodiscard]] core::Status expectClosed(const QString& databaseFile);
 
-/// Puts a backup in the place of the database and brings it to this program's schema. The file that was there is moved
-/// aside to "replaced-...", with its write-ahead log. Refused without any change: Busy if another program has the
-/// database open or restores there, WrongKind if the backup is of another school than the file. The backup is verified,
-/// copied and migrated before the old file is moved.
-/// @param progress  false stops it as long as nothing was replaced
-/// @return where the old file is now; empty if there was none
+/// Replaces the database by a backup and migrates it to this program's schema. The old file is moved to "replaced-...",
+/// with its write-ahead log. Errors, without any change: Busy if another program has the database open or restores it,
+/// WrongKind if the backup is of another school than the file. The backup is verified, copied and migrated before the
+/// old file is moved.
+/// @param progress  false cancels as long as the file was not replaced
+/// @return new path of the old file; empty if there was none
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc, const BackupProgress& progress = {});
 
-/// Whether this person may restore a backup over an open school: admins. Nobody can be asked about a damaged or missing
-/// file.
+/// Checks whether a person may restore a backup over an open school: admins. For a damaged or missing file there is no
+/// check.
 [[nodiscard]] core::Status mayRestore(const DatabaseContext& school, const Login& session);
 
 /// Notes in the audit that a person made a backup. Admins.
 [[nodiscard]] core::Status noteBackup(const DatabaseContext& school, const Login& session, const QString& backup);
 
 /// Notes in the audit of the restored database that it was restored.
-/// @param who  who wanted it; "system" is noted if the restored database does not know them
+/// @param who  the user; "system" is noted if the restored database does not contain them
 [[nodiscard]] core::Status noteRestored(const DatabaseContext& school, const Login& who, const QString& backup);
 
 }  // namespace database::sql

@@ -12,36 +12,37 @@ namespace database::sql {
 
 class AuditBatch;
 
-/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, cannot be seen,
-/// or has a "|", which parts classes in a class list.
+/// Returns the name of a class as it is stored. OutOfRange if it is empty, longer than 100 characters, has invisible
+/// characters, or has a "|", which separates classes in a class list.
 [[nodiscard]] core::Result<std::string> checkClassName(const std::string& name);
-/// Those within the session's reach, by name.
+/// Returns the classes that the user may access, by name.
 [[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const DatabaseContext& school, const Login& session);
 [[nodiscard]] core::Result<ClassId> addClass(const DatabaseContext& school, const Login& session,
                                              const std::string& name);
 [[nodiscard]] core::Status renameClass(const DatabaseContext& school, const Login& session, ClassId id,
                                        const std::string& name);
-/// Puts a person into a class, or takes him out; what is so already stays so.
+/// Adds a person to a class, or removes the person. Does nothing if that is already so.
 [[nodiscard]] core::Status enrol(const DatabaseContext& school, const Login& session, ClassId id, PersonId person,
                                  bool belongs);
 
-/// What the classes within the session's reach are to do, by due date.
+/// Returns the assignments of the classes that the user may access, by due date.
 [[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext& school,
                                                                          const Login& session);
-/// Gives a class a lesson to do, or changes when it is due and how often it may be tried. The id is ignored.
-/// @param before  what there is, as whoever changes it has seen it; empty: nothing. ChangedSince: it is otherwise
+/// Assigns a lesson to a class, or changes its due date and attempt limit. The id is ignored.
+/// @param before  the assignment as the user has seen it; empty: none. ChangedSince: it is different
 [[nodiscard]] core::Status assign(const DatabaseContext& school, const Login& session,
                                   const ClassAssignment& assignment, const std::optional<ClassAssignment>& before = {});
-/// Takes it back; attempts stay. ChangedSince: it is not as it was seen; where it is gone already nothing is done.
+/// Removes an assignment; attempts stay. ChangedSince: it is not as the user has seen it. Does nothing if it is removed
+/// already.
 [[nodiscard]] core::Status unassign(const DatabaseContext& school, const Login& session, const ClassAssignment& before);
 
-/// How often the session's person may still try a lesson; nothing: as often as he likes. Of several classes the most
-/// generous decides.
+/// Returns the number of attempts at a lesson that the user has left; empty: no limit. Of several classes the highest
+/// limit applies.
 [[nodiscard]] core::Result<std::optional<int>> attemptsLeft(const DatabaseContext& school, const Login& session,
                                                             const std::string& lessonId);
 
-/// Inside a transaction of others, who have looked whether it is allowed, and seal the audit: the class of that name,
-/// made if need be.
+/// Returns the class of that name and creates it if necessary. Inside a transaction of the caller, which has checked
+/// the permission and seals the audit.
 [[nodiscard]] core::Result<ClassId> classNamed(const DatabaseContext& school, AuditBatch& audit,
                                                const std::string& actor, const std::string& name);
 [[nodiscard]] core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,

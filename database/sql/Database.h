@@ -16,47 +16,47 @@
 
 namespace database::sql {
 
-/// What SQLite puts beside a database's file.
+/// Suffixes of the files that SQLite creates beside a database.
 inline constexpr std::array kBeside{"-journal", "-wal", "-shm"};
-/// A database's file with them, itself last: what lies beside it is never alone there.
+/// Returns the paths of those files and then the database itself, so that they are never left without it.
 [[nodiscard]] QStringList wholeOf(const QString& file);
 
-/// Whether a database may lie there: a readable file, or none yet in a folder that exists. Refused with one sentence: a
-/// folder, a pipe, a device, a file of several names. The file itself is not opened.
+/// Checks whether a database can be at a path: a readable file, or no file in an existing folder. Errors, one sentence
+/// each: a folder, a pipe, a device, a file with several hard links. Does not open the file.
 [[nodiscard]] core::Status checkPlace(const QString& path);
 
-/// Whether the file is there and who runs the program may not write it.
+/// Returns whether the file exists and the user of the program may not write it.
 [[nodiscard]] bool isReadOnly(const QString& file);
 
-/// One open SQLite file or PostgreSQL database, brought to the newest schema. Belongs to the thread that opened it;
-/// close it before the QCoreApplication ends.
+/// An open SQLite file or PostgreSQL database with the newest schema. Belongs to the thread that opened it; close it
+/// before the QCoreApplication ends.
 class Database
 {
 public:
     struct Options
     {
-        /// How long to wait for another program's write.
+        /// Time to wait for another program's write.
         std::chrono::milliseconds patience = std::chrono::seconds(5);
-        /// Bring an older schema to the newest. On a server that many stations share it is `cusp db migrate` that does.
+        /// Migrate an older schema. On a server shared by many stations, `cusp db migrate` does that.
         bool mayMigrate = true;
-        /// Back a file up, verified, before its schema changes.
+        /// Write a verified backup of a file before its schema changes.
         bool savesFirst = true;
-        /// Make a school where there is nothing, or an empty file.
+        /// Create a school if there is no file, or an empty one.
         bool mayCreate = true;
-        /// Where nothing is, leave it so: copySchool() makes the school there.
+        /// Leave an empty database empty: copySchool() creates the school.
         bool isToBeFilled = false;
-        /// Where the file lies; for tests. Servers are not asked.
+        /// Determines the kind of drive; for tests. Not used for servers.
         FileSystem (*fileSystemOf)(const QString& path) = &database::fileSystemOf;
     };
 
-    /// Opens the database, or creates it where nothing is. SQLite: write-ahead log, full sync at each commit, foreign
-    /// keys on, the file checked before it is used, a verified backup before its schema changes; on a network drive one
-    /// program at a time, see notice(). Refused with one sentence and left untouched: a folder, a file that is no
-    /// database or belongs to another program, a damaged one, one from a later program, a place that cannot be written,
-    /// a server that does not answer.
+    /// Opens a database, or creates it if there is none. SQLite: write-ahead log, full sync at each commit, foreign
+    /// keys on, the file checked first, a verified backup before its schema changes; on a network drive one program at
+    /// a time, see notice(). Errors, one sentence each, without any change: a folder, a file that is no database or
+    /// belongs to another program, a damaged one, one from a newer program, a place that cannot be written, a server
+    /// that does not respond.
     [[nodiscard]] static core::Result<std::unique_ptr<Database>> open(const Address& address, const Options& options);
     [[nodiscard]] static core::Result<std::unique_ptr<Database>> open(const Address& address);
-    /// @param where  as Address::parse() reads it
+    /// @param where  as for Address::parse()
     [[nodiscard]] static core::Result<std::unique_ptr<Database>>
     open(const QString& where, std::chrono::milliseconds patience = std::chrono::seconds(5));
 
@@ -66,19 +66,20 @@ public:
 
     [[nodiscard]] QSqlDatabase handle() const { return QSqlDatabase::database(m_connection, false); }
     [[nodiscard]] const Address& address() const { return m_address; }
-    /// One sentence for who runs the place, such as that the file lies on a network drive; empty: nothing to say.
+    /// Returns one sentence for the administrator, such as that the file is on a network drive; empty: none.
     [[nodiscard]] const std::string& notice() const { return m_notice; }
-    /// False on a network drive: this connection keeps out every other one, those of this program too.
+    /// Returns false on a network drive: this connection excludes all others, also of this program.
     [[nodiscard]] bool allowsOthers() const { return m_allowsOthers; }
 
-    /// Of a file: whether it still is the one of that name. Who goes on in one that was moved or removed writes where
-    /// nobody looks. core::ErrorCode::FileMissing: none is there; core::ErrorCode::WrongKind: another one is.
+    /// For a file: checks that the open file still has its name. Writing to one that was moved or removed would be
+    /// lost. core::ErrorCode::FileMissing: there is no file of that name; core::ErrorCode::WrongKind: there is another
+    /// one.
     [[nodiscard]] core::Status stillThere() const;
 
-    /// Of a server: whether it answers, and on this connection: one that was started anew meanwhile does not.
+    /// For a server: returns whether it responds on this connection; a server that was restarted does not.
     [[nodiscard]] bool answers() const;
 
-    /// After core::ErrorCode::ConnectionLost: connects again. What was in a transaction is gone.
+    /// Connects again after core::ErrorCode::ConnectionLost. An open transaction is lost.
     [[nodiscard]] core::Status reconnect();
 
 private:

@@ -13,46 +13,47 @@
 
 namespace database::sql {
 
-/// What every operation on a school's data works with. Belongs to the thread of its connection.
+/// The environment of every operation on a school's data. Belongs to the thread of its connection.
 struct DatabaseContext
 {
-    QSqlDatabase db;  ///< of a Database, which outlives it
+    QSqlDatabase db;  ///< of a Database, which must outlive this
     StationKey key;
     std::function<QDateTime()> nowUtc = [] { return QDateTime::currentDateTimeUtc(); };
-    /// What a password costs at least, whatever the database says; tests pay less.
+    /// Lowest cost of password hashes, whatever the database says; lower in tests.
     PasswordCost leastCost = {};
 
     /// "2026-11-20T10:15:00Z"
     [[nodiscard]] std::string now() const;
 };
 
-/// The clock of the server, asked once: a station whose clock is wrong shall neither lock a name out nor make a code
-/// last. Of a file, and where the server does not say, this computer's.
+/// Returns a clock that follows the server's, read once: a station with a wrong clock must not lock a name out or
+/// extend a code. For a file, or if the server gives no time, this computer's clock.
 [[nodiscard]] std::function<QDateTime()> clockOf(const QSqlDatabase& db);
 
-/// OutOfRange for a time that cannot be noted, of a clock that is wrong by thousands of years.
+/// Checks a time. OutOfRange if it cannot be stored because the clock is wrong by thousands of years.
 [[nodiscard]] core::Status checkClock(const QDateTime& nowUtc);
 
-/// A person, as the rules see him.
+/// A person's permission for an operation.
 struct AuthorizedUser
 {
     Role role = Role::Guest;
     Reach reach = Reach::Nothing;
 };
 
-/// Whether the session's person may do this at all, by the role he has now; NotAllowed if not, or if he was disabled.
-/// Whose data it may be is for the operation to look at: the reach says how far.
+/// Checks whether the user may perform an operation, by the user's current role. NotAllowed if not, or if the account
+/// is disabled. The caller must check whose data it accesses against the reach.
 [[nodiscard]] core::Result<AuthorizedUser> authorize(const DatabaseContext& school, const Login& session,
                                                      Operation operation);
 
-/// As authorize(), for something that belongs to one person. To mark is not allowed on what is one's own.
+/// Like authorize(), for data of one person. Grading one's own attempts is not allowed.
 [[nodiscard]] core::Result<AuthorizedUser> authorizeFor(const DatabaseContext& school, const Login& session,
                                                         Operation operation, PersonId owner);
-/// As authorize(), for something that belongs to one class.
+/// Like authorize(), for data of one class.
 [[nodiscard]] core::Result<AuthorizedUser> authorizeForClass(const DatabaseContext& school, const Login& session,
                                                              Operation operation, ClassId ofClass);
 
-/// The people of all classes that a person (bound to its one "?") belongs to, himself included: SQL, in brackets.
+/// Returns SQL, in parentheses, for the people of all classes of a person (bound to its one "?"), including that
+/// person.
 [[nodiscard]] QString classmates();
 
 }  // namespace database::sql

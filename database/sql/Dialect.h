@@ -9,55 +9,58 @@
 
 namespace database::sql {
 
-/// What SQLite and PostgreSQL disagree on, in one place. Every other line of SQL is the subset that they share.
+/// The differences between SQLite and PostgreSQL, in one place. All other SQL is the subset that both share.
 namespace dialect {
 
-/// "CUSP" as SQLite's application_id: tells our files from those of other programs. PostgreSQL's mark is the table
-/// cusp_schema.
+/// "CUSP" as SQLite's application_id, which identifies our files. In PostgreSQL the table cusp_schema does.
 inline constexpr int kApplicationId = 0x43555350;
 
 [[nodiscard]] bool isPostgres(const QSqlDatabase& db);
 
-/// A migration's text with its braces filled in: {row_id}, {int64}, {blob}, {table_options}, and {append_only NAME},
-/// which makes the database itself refuse to change or delete a row of that table.
+/// Replaces the placeholders in a migration: {row_id}, {int64}, {blob}, {table_options}, and {append_only NAME}, which
+/// makes the database refuse to change or delete rows of that table.
 [[nodiscard]] QString expand(const QSqlDatabase& db, QString sql);
 
-/// Begins a transaction that writes. SQLite waits for other writers now, not at its end.
+/// Returns the statement that begins a writing transaction. SQLite waits for other writers at its start, not at its
+/// end.
 [[nodiscard]] QString beginWrite(const QSqlDatabase& db);
-/// Begins a transaction that reads everything as it was at its first SELECT, and holds nobody up.
+/// Returns the statement that begins a reading transaction, which sees the state at its first SELECT and blocks nobody.
 [[nodiscard]] QString beginRead(const QSqlDatabase& db);
-/// Goes behind a SELECT whose rows nobody else may take until the transaction ends.
+/// Returns the suffix of a SELECT that locks its rows until the transaction ends.
 [[nodiscard]] QString forUpdate(const QSqlDatabase& db);
-/// Lets one migration run at a time, until the transaction ends; empty where beginWrite() does.
-/// @param isThere  a schema, of whichever version
+/// Returns the statement that lets one migration run at a time, until the transaction ends; empty if beginWrite() does.
+/// @param isThere  a schema of some version exists
 [[nodiscard]] QString lockSchema(const QSqlDatabase& db, bool isThere);
-/// The same for what is noted in the audit. Who then does nothing for three seconds loses his connection.
+/// Returns the statement that lets one transaction with audit rows run at a time. A connection that is then idle for
+/// three seconds is closed.
 [[nodiscard]] QString lockTurn(const QSqlDatabase& db);
 
-/// Of a server: this connection finds the server's own functions before all others, and tables in the schema only in
-/// which the school is, or would be made, whatever its role and its database are set to. Who owns those could else put
-/// functions of his own in the place of the server's, and be found sound by them.
+/// For a server: makes this connection find the server's own functions before all others, and tables only in the schema
+/// of the school, or in which it would be created, whatever the settings of role and database. Otherwise the owner of
+/// those could replace the server's functions by others and pass the check.
 [[nodiscard]] core::Status pinSearchPath(const QSqlDatabase& db);
 
-/// Number of the last migration applied; 0 on an empty database.
+/// Returns the number of the last migration applied; 0 for an empty database.
 [[nodiscard]] core::Result<int> schemaVersion(const QSqlDatabase& db);
-/// To be called inside the transaction of the migration.
+/// Sets that number. Call inside the transaction of the migration.
 [[nodiscard]] core::Status setSchemaVersion(const QSqlDatabase& db, int version);
-/// Tables there are, of this program or another.
+/// Returns the number of tables, of this program or another.
 [[nodiscard]] core::Result<int> countTables(const QSqlDatabase& db);
-/// After rows came with ids of their own: the next id is beyond them. On a server it needs no more rights than rows do.
+/// Sets the next id of a table beyond those of inserted rows. On a server it needs no more permissions than inserting
+/// rows.
 [[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
 
-/// Of an SQLite file, for QSQLITE_OPEN_URI. Immutable: nobody changes it, and nothing is made beside it; never where a
-/// part of it lies in a log.
+/// Returns the URI of an SQLite file, for QSQLITE_OPEN_URI. Immutable: the file does not change and SQLite creates no
+/// file beside it; do not use it if part of the data is in a log.
 [[nodiscard]] QString uriOf(const QString& file, bool isImmutable);
-/// Of SQLite: where it lies, however it was opened.
+/// Returns the path of an open SQLite database.
 [[nodiscard]] QString fileOf(const QSqlDatabase& db);
 
-/// For people: the file, or the server's address.
+/// Returns the file, or the server's address, for display.
 [[nodiscard]] std::string nameOf(const QSqlDatabase& db);
 
-/// A failed statement as a sentence: `doing` ("add the attempt"), the database's name, the cause and a way out.
+/// Returns the error for a failed statement: one sentence with `doing` ("add the attempt"), the database's name, the
+/// cause and a remedy.
 [[nodiscard]] core::Error error(const QSqlDatabase& db, const QSqlError& error, const std::string& doing);
 
 }  // namespace dialect

@@ -8,13 +8,14 @@
 
 namespace database::sql {
 
-/// Writes every attempt within the session's reach as CSV (RFC 4180, UTF-8, numbers as in C), oldest first, one line at
-/// a time: memory does not grow with the number of attempts. Noted in the audit. Returns how many there were.
-/// @param write  takes a line with its end; returns false to stop, which is FileUnwritable
+/// Writes every attempt that the user may read as CSV (RFC 4180, UTF-8, numbers in the C locale), oldest first, one
+/// line at a time: memory does not grow with the number of attempts. Noted in the audit. Returns the number of
+/// attempts.
+/// @param write  called with each line including its end; returns false to cancel, with error FileUnwritable
 [[nodiscard]] core::Result<std::int64_t> exportAttempts(const DatabaseContext& school, const Login& session,
                                                         const std::function<bool(std::string_view line)>& write);
 
-/// Into the audit: that a table or a report of a class is taken out of the school. Its teachers, and admins.
+/// Notes in the audit that a table or a report of a class is exported. Its teachers, and admins.
 [[nodiscard]] core::Status noteClassExport(const DatabaseContext& school, const Login& session, ClassId ofClass);
 
 }  // namespace database::sql

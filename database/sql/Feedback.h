@@ -8,12 +8,12 @@
 
 namespace database::sql {
 
-/// Those attempts of a person of which others have said something, a comment or another score; what was said last comes
-/// first, and whether that person has seen it.
+/// Returns the attempts of a person with feedback of others, a comment or another score, the newest feedback first, and
+/// whether that person has seen it.
 [[nodiscard]] core::Result<std::vector<Feedback>> feedbackFor(const DatabaseContext& school, const Login& session,
                                                               PersonId person);
 
-/// The session's person has seen what was said of an attempt so far.
+/// Notes that the user has seen the feedback on an attempt.
 [[nodiscard]] core::Status seeFeedback(const DatabaseContext& school, const Login& session,
                                        const AttemptRecord& attempt);
 

@@ -10,60 +10,61 @@
 
 namespace database::sql {
 
-/// How one comes in. Each call hashes a password: keep it off the ui thread. A class only because nobody else makes a
-/// Session.
+/// Authentication. Most calls hash a password: do not call them on the ui thread. A class, because only it may create a
+/// Login.
 class Logins
 {
 public:
-    /// After this many failures in a row the next try has to wait a second, then two, four, up to a quarter of an hour.
+    /// Number of failures without a delay. After more failures in a row the next attempt has to wait one second, then
+    /// two, four, up to kLongestWait.
     static constexpr int kFreeFailures = 3;
     static constexpr std::chrono::seconds kLongestWait = std::chrono::minutes(15);
-    /// Beyond so many names that logins have failed with, those are forgotten that nobody has tried for a day.
+    /// Number of names with failed logins beyond which those are removed that have not been tried for a day.
     static constexpr int kMostFailedNames = 10'000;
-    /// How long a one-time code is good for.
+    /// Validity of a one-time code.
     static constexpr std::chrono::hours kCodeLife = std::chrono::hours(72);
 
-    /// What the audit calls the name of a login that failed, behind "name:": whatever was typed, it stands nowhere.
+    /// Returns the hash that the audit stores for the name of a failed login, after "name:": the text that was typed is
+    /// stored nowhere.
     [[nodiscard]] static std::string nameInAudit(const std::string& username);
 
-    /// Whether nobody has been entered yet: the first may make himself the admin.
+    /// Returns whether no person has been entered yet: the first may become the admin.
     [[nodiscard]] static core::Result<bool> isNew(const DatabaseContext& school);
 
-    /// checkPassword(), and it must not look like a one-time code.
+    /// Checks a new password: checkPassword(), and that it does not look like a one-time code.
     [[nodiscard]] static core::Status checkNewPassword(const std::string& password, const std::string& username);
 
-    /// Enters the first person, an admin, and keeps what passwords cost here. NotAllowed when there is somebody.
+    /// Enters the first person, an admin, and stores the cost of passwords. NotAllowed if there is already a person.
     [[nodiscard]] static core::Result<Login> createFirstAdmin(const DatabaseContext& school, const NewPerson& who,
                                                               const std::string& password, const PasswordCost& cost);
 
-    /// Lets a person in. WrongLogin, with the same words and after the same time: no such name, a wrong password, a
-    /// disabled account. TooSoon: after failures, also of others at the same moment. NewPassword: a one-time code was
-    /// right, which redeem() takes.
+    /// Logs a person in. WrongLogin, with the same text and after the same time: unknown name, wrong password, disabled
+    /// account. TooSoon: after failures, also by others at the same time. NewPassword: a valid one-time code, for
+    /// redeem().
     [[nodiscard]] static core::Result<Login> login(const DatabaseContext& school, const std::string& username,
                                                    const std::string& password);
 
-    /// Takes a one-time code, which is then used up, and sets the password. Failures as of login(), and of
-    /// checkPassword().
+    /// Uses up a one-time code and sets the password. Errors as for login() and checkPassword().
     [[nodiscard]] static core::Result<Login> redeem(const DatabaseContext& school, const std::string& username,
                                                     const std::string& code, const std::string& newPassword);
 
-    /// Tells the audit that a person has gone.
+    /// Notes in the audit that a person has logged out.
     [[nodiscard]] static core::Status logout(const DatabaseContext& school, const Login& session);
 
-    /// WrongLogin if the present password is not `old`.
+    /// Changes the user's password. WrongLogin if the current password is not `old`.
     [[nodiscard]] static core::Status changePassword(const DatabaseContext& school, const Login& session,
                                                      const std::string& old, const std::string& newPassword);
 
-    /// What one's own password is compared with (database::fits), for where the database is away when a place that was
-    /// left is unlocked.
+    /// Returns the hash of the user's password (database::fits()), for unlocking the window when the database is
+    /// unavailable.
     [[nodiscard]] static core::Result<std::string> ownHash(const DatabaseContext& school, const Login& session);
 };
 
-/// What passwords cost in this school, never less than DatabaseContext::leastCost.
+/// Returns the cost of passwords in this school, never less than DatabaseContext::leastCost.
 [[nodiscard]] core::Result<PasswordCost> passwordCost(const DatabaseContext& school);
 
-/// From now on passwords cost as much, if that is at least twice what they do: each hash is made anew when its owner
-/// logs in next. Never less. Admins; hashes once.
+/// Raises the cost of passwords, if it at least doubles: each hash is renewed at the owner's next login. Never lowers
+/// it. Admins; computes one hash.
 [[nodiscard]] core::Status raisePasswordCost(const DatabaseContext& school, const Login& session,
                                              const PasswordCost& cost);
 

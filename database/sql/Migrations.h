@@ -18,14 +18,14 @@ struct Migration
     QString sql;
 };
 
-/// The steps this program ships (resources of database/migrations), in order.
+/// Returns the migrations of this program (resources of database/migrations), in order.
 [[nodiscard]] core::Result<std::vector<Migration>> shippedMigrations();
 
-/// Makes it where nothing is, inside a transaction of the caller's.
+/// Creates the schema in an empty database, inside a transaction of the caller.
 [[nodiscard]] core::Status applyAll(const QSqlDatabase& db, std::span<const Migration> steps);
 
-/// Brings the database to the newest schema, one transaction per step: a step that breaks leaves the file as it was.
-/// A file newer than us is refused, not guessed at. The caller has made a backup copy.
+/// Migrates the database to the newest schema, one transaction per step: a step that fails changes nothing. A database
+/// with a newer schema than the program's is an error. The caller must have made a backup.
 [[nodiscard]] core::Status migrate(const QSqlDatabase& db, std::span<const Migration> steps);
 
 }  // namespace database::sql

@@ -10,9 +10,9 @@
 
 namespace database::sql {
 
-/// Compares tables with what the audit notes of their rows: overrides and given scores, comments, people with their
+/// Compares tables with the audit's notes on their rows: overrides and given scores, comments, people with their
 /// logins, classes, enrolments, assignments, presets, the school's settings, exams that were begun.
-/// @param say  is told each row that differs
+/// @param say  called for each row that differs
 [[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db,
                                             const std::function<void(const IntegrityIssue&)>& say);
 

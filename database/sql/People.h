@@ -11,14 +11,14 @@ namespace database::sql {
 
 class AuditBatch;
 
-/// Everybody within the session's reach, by family name. Admins: all; instructors: those of their classes.
+/// Returns the people that the user may access, by family name. Admins: all; instructors: those of their classes.
 [[nodiscard]] core::Result<std::vector<Person>> listPeople(const DatabaseContext& school, const Login& session);
 
-/// OutOfRange: a given or family name is too long, or holds what cannot be seen.
+/// Checks a given or family name. OutOfRange if it is too long or has invisible characters.
 [[nodiscard]] core::Status checkPersonName(const std::string& name);
 
-/// Who was entered, or has no password any more, and the one-time code that lets him in: it is kept nowhere in clear,
-/// so tell it now.
+/// A person who was entered, or whose password was reset, with the one-time code for the login. The code is not stored
+/// in clear, so the caller must show it.
 struct Entered
 {
     Person person;
@@ -27,48 +27,47 @@ struct Entered
 [[nodiscard]] core::Result<Entered> addPerson(const DatabaseContext& school, const Login& session,
                                               const NewPerson& who);
 
-/// Names, role and whether disabled; the uid and the username stay. NobodyLeft: the last admin who can log in cannot be
-/// disabled or made something else.
-/// ChangedSince: others have set the same to something else, and nothing is changed.
-/// @param asItWas  when the change was thought of: what is as it was then stays as others have set it since
-/// @returns  as he is now
+/// Changes names, role and whether the account is disabled; uid and username stay. NobodyLeft: the last admin who can
+/// log in cannot be disabled or get another role. ChangedSince: others have set the same field to another value; the
+/// database is not changed.
+/// @param asItWas  the person as the user saw it: fields that the user did not change keep their current value
+/// @returns  the person after the change
 [[nodiscard]] core::Result<Person> changePerson(const DatabaseContext& school, const Login& session,
                                                 const Person& person, const std::optional<Person>& asItWas = {});
 
-/// Takes the password away and gives a one-time code in its place, good for Logins::kCodeLife. Failed logins are
-/// forgiven.
+/// Replaces the password by a one-time code, valid for Logins::kCodeLife. Clears failed logins.
 [[nodiscard]] core::Result<Entered> resetPassword(const DatabaseContext& school, const Login& session, PersonId person);
 
-/// By the name that is typed at the login. UnknownName; admins.
+/// Returns the person with a username. UnknownName; admins.
 [[nodiscard]] core::Result<Person> findPerson(const DatabaseContext& school, const Login& session,
                                               const std::string& username);
 
-/// What the audit notes of a person's names: it can tell that they were changed, and not what they are.
+/// Returns the audit's digest of a person's names: it shows that they were changed, but not what they are.
 [[nodiscard]] std::string digestOfNames(const Person& person);
 
-/// What lets a person in, as it is kept; empty: not that way.
+/// The stored secrets for a person's login; empty: not possible that way.
 struct KeptLogin
 {
     std::string passwordHash;
     std::string codeHash;
     std::string codeUntilUtc;
 };
-/// What the audit notes of that, at each change of it: it can tell that it was changed, and lets nobody in.
+/// Returns the audit's digest of those, noted at each change: it shows that they were changed, but allows no login.
 [[nodiscard]] std::string digestOfLogin(const std::string& uid, const KeptLogin& kept);
 
-/// How somebody new comes in: by a password, a one-time code, or not yet.
+/// The first login of a new person: by a password, a one-time code, or not possible yet.
 struct FirstLogin
 {
     std::string passwordHash;
     std::string code;
 };
-/// Inside a transaction of others, who have looked whether it is allowed.
-/// @param audit  which they seal
+/// Enters a person, inside a transaction of the caller, which has checked the permission.
+/// @param audit  sealed by the caller
 /// @param actor  uid, for the audit
 [[nodiscard]] core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
                                          const NewPerson& who, const FirstLogin& login);
 
-/// Inside the transaction that has changed what lets a person in: notes it as it is now.
+/// Notes the current login secrets of a person, inside the transaction that has changed them.
 [[nodiscard]] core::Status noteLogin(const DatabaseContext& school, const std::string& actor, const std::string& action,
                                      const std::string& uid);
 

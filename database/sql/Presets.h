@@ -8,12 +8,12 @@
 
 namespace database::sql {
 
-/// Among the school's settings: "name v2" of the preset that is in use, where that is not the one that is shipped; and
-/// the names of those that are offered to nobody any more, one a line.
+/// Names of school settings: "name v2" of the preset in use, if it is not the shipped one; and the names of retired
+/// presets, one per line.
 inline const std::string kPresetInUse = "preset.in_use";
 inline const std::string kRetiredPresets = "preset.retired";
 
-/// A version of a hardness preset, as it is kept: what its file says.
+/// A stored version of a hardness preset, with the contents of its file.
 struct KeptPreset
 {
     std::string name;
@@ -23,10 +23,10 @@ struct KeptPreset
     bool operator==(const KeptPreset&) const = default;
 };
 
-/// All versions of all presets, by name, the newest version of each first. Everybody.
+/// Returns all versions of all presets, by name, the newest version of each first. Everybody.
 [[nodiscard]] core::Result<std::vector<KeptPreset>> listPresets(const DatabaseContext& school, const Login& session);
-/// Keeps a version, which is never changed. OutOfRange where there is one of that name and number already with another
-/// content; the same again costs nothing. Admins.
+/// Stores a version, which is never changed. OutOfRange if that version exists with other contents; the same contents
+/// are not stored again. Admins.
 [[nodiscard]] core::Status addPreset(const DatabaseContext& school, const Login& session, const KeptPreset& preset);
 
 }  // namespace database::sql

@@ -9,15 +9,15 @@
 
 namespace database::sql {
 
-/// Of a class list, that of the columns included.
+/// Largest number of lines of a class list, including the header.
 constexpr std::size_t kMostRosterLines = 20'000;
 
 /// A class list is CSV whose first line names the columns username, given_name, family_name, role and class, in any
-/// order; role may be left out (student), and several classes are parted by "|".
-/// Enters who is new, changes the names of who is known, and puts all into their classes, all or nothing. Admins.
-/// @param dryRun  says what it would do, codes left out, and does nothing
-/// @param asSeen  what that said: where it would do anything else by now it does nothing (ChangedSince); null: nobody
-/// has looked
+/// order; role is optional (student), and several classes are separated by "|".
+/// Enters new people, changes the names of known ones, and adds all to their classes, all or nothing. Admins.
+/// @param dryRun  returns what would be done, without codes, and changes nothing
+/// @param asSeen  the outcome of the dry run: if the import would now do anything else, it does nothing (ChangedSince);
+///                null: no dry run
 [[nodiscard]] core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Login& session,
                                                        std::string_view csv, bool dryRun,
                                                        const RosterOutcome* asSeen = nullptr);

@@ -10,31 +10,31 @@
 
 namespace database::sql {
 
-/// Names and values as texts; what they mean is for who uses them.
+/// Names and values as text; the callers define their meaning.
 using SettingsMap = std::map<std::string, std::string>;
 
-/// The session's own, and the school's, over which nobody has a say for himself.
+/// Returns the user's own settings and the school's, which a user cannot override.
 [[nodiscard]] core::Result<SettingsMap> readSettings(const DatabaseContext& school, const Login& session);
-/// For everybody here. OutOfRange: the value has more than 16,000 characters.
+/// Changes a setting of the school. OutOfRange: the value has more than 16,000 characters.
 [[nodiscard]] core::Status changeSetting(const DatabaseContext& school, const Login& session, const std::string& name,
                                          const std::string& value);
 
 struct ReplacedSetting
 {
     bool isDone = false;
-    std::string before;  ///< what was there until then; empty: nothing
+    std::string before;  ///< the value before; empty: none
 };
-/// The same, and tells in the place of what.
-/// @param of  only where that is still what is there; nothing: whatever is
+/// Changes a setting of the school and returns the value before.
+/// @param of  changes it only if this is the current value; empty: in any case
 [[nodiscard]] core::Result<ReplacedSetting> replaceSetting(const DatabaseContext& school, const Login& session,
                                                            const std::string& name, const std::string& value,
                                                            const std::optional<std::string>& of = {});
-/// For the session's person alone. OutOfRange as above.
+/// Changes a setting of the user. OutOfRange as above.
 [[nodiscard]] core::Status changeOwnSetting(const DatabaseContext& school, const Login& session,
                                             const std::string& name, const std::string& value);
 
-/// For everybody here, into the audit, too: inside a transaction of others, who have taken their turn and looked
-/// whether it is allowed.
+/// Changes a setting of the school and notes it in the audit, inside a transaction of the caller, which has called
+/// takeTurn() and checked the permission.
 /// @param actor  uid, or "system"
 [[nodiscard]] core::Status putSetting(const DatabaseContext& school, const std::string& actor, const std::string& name,
                                       const std::string& value);

@@ -15,35 +15,35 @@
 
 namespace database::sql {
 
-/// Runs one statement with its values bound. `doing` goes into the sentence of a failure: "could not add the attempt".
+/// Runs a statement with bound values. `doing` is part of the error: "could not add the attempt".
 [[nodiscard]] core::Result<QSqlQuery> run(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                           const QVariantList& values = {});
-/// The same, where only success is of interest.
+/// Runs a statement without a result.
 [[nodiscard]] core::Status execute(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                    const QVariantList& values = {});
-/// The same, for one value: that of the first row, null without one.
+/// Runs a statement and returns the first value of the first row, null without a row.
 [[nodiscard]] core::Result<QVariant> ask(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                          const QVariantList& values = {});
-/// The same, for rows, one at a time. A damaged page must not look like a short list: it is an error.
+/// Runs a statement and calls `row` for each row. A damaged page is an error, not the end of the rows.
 [[nodiscard]] core::Status forEach(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                    const QVariantList& values, const std::function<void(const QSqlQuery&)>& row);
 
-/// As it must be bound: an empty std::string is '', a null QString would be NULL.
+/// Returns a text as it must be bound: an empty std::string is '', a null QString would be NULL.
 [[nodiscard]] QVariant text(const std::string& utf8);
 [[nodiscard]] inline QVariant number(std::int64_t value)
 {
     return QVariant::fromValue<qlonglong>(value);
 }
 [[nodiscard]] std::string textOf(const QSqlQuery& row, int column);
-/// From one column to the last.
+/// Returns the values from a column to the last.
 [[nodiscard]] QVariantList valuesOf(const QSqlQuery& row, int first);
 
-/// Ends a transaction so that it is kept. A server that goes away before it has answered is asked how it ended, as soon
-/// as it is back: for some seconds, after which nobody knows (OutcomeUnknown). Where it was undone, ConnectionLost.
-/// Afterwards the connection is lost in either case.
+/// Commits a transaction. If the server is lost before it has answered, asks for the outcome when it is back, for some
+/// seconds; after that the outcome is unknown (OutcomeUnknown). ConnectionLost if it was rolled back. The connection is
+/// lost in either case.
 [[nodiscard]] core::Status commit(const QSqlDatabase& db, const std::string& doing);
 
-/// Runs `work` inside a transaction that writes, which ends with it: kept if it succeeds, undone if not.
+/// Runs `work` inside a writing transaction, which is committed if it succeeds, and otherwise rolled back.
 /// @param work  returns a core::Result or core::Status
 template <class Work>
 auto inTransaction(const QSqlDatabase& db, const std::string& doing, Work work) -> decltype(work())
@@ -55,7 +55,7 @@ auto inTransaction(const QSqlDatabase& db, const std::string& doing, Work work) 
         if (auto kept = commit(db, doing); !kept)
             done = tl::unexpected(kept.error());
     }
-    // The first failure is the one to tell; a failed rollback ends with the connection anyway.
+    // The first error is reported; a failed rollback ends with the connection anyway.
     if (!done)
         static_cast<void>(execute(db, QStringLiteral("ROLLBACK"), doing));
     return done;
