@@ -6,11 +6,11 @@
 
 #include "core/bur/BurMask.h"
 
-/// A bur's head over the columns around it. One formula for every kernel, for contact and for cutting: what stops the
-/// bur must be, to the bit, what it cuts.
+/// A bur's head over the columns around it. One formula for all kernels, for contact and for cutting: what stops the
+/// bur must be, bit for bit, what it cuts.
 ///
-/// The functions are static, not merely inline: this header is compiled for several processors, and the linker must
-/// never take the copy for one as the copy for all.
+/// The functions are static, not only inline: this header is compiled for several processors, and the linker must never
+/// use the copy for one as the copy for all.
 namespace core::contact {
 
 /// A head with its axis at (u, v), in lattice units.
@@ -45,21 +45,21 @@ inline constexpr auto kLastStep = static_cast<float>(bur::BurMask::kTableSteps);
             static_cast<float>(mask.coneSlope)};
 }
 
-/// Squared distance, mm2, of any column of row j from the head's axis along +y.
+/// Returns the squared distance of any column of row j from the head's axis along +y, mm2.
 [[maybe_unused]] static inline float dy2Of(int j, const BurHead& head) noexcept
 {
     const float dy = (static_cast<float>(j) - head.v) * head.cell;
     return dy * dy;
 }
 
-/// Squared distance, mm2, of column i of that row from the axis.
+/// Returns the squared distance of column i of that row from the axis, mm2.
 [[maybe_unused]] static inline float r2Of(int i, float dy2, const BurHead& head) noexcept
 {
     const float dx = (static_cast<float>(i) - head.u) * head.cell;
     return dx * dx + dy2;
 }
 
-/// Height of the head's underside above its tip.
+/// Returns the height of the head's underside above its tip.
 [[maybe_unused]] static inline float underAt(float r2, const BurHead& head) noexcept
 {
     if (!(r2 <= head.radius2))
@@ -70,7 +70,7 @@ inline constexpr auto kLastStep = static_cast<float>(bur::BurMask::kTableSteps);
     return head.corner - std::sqrt(head.corner2 - round * round) + head.cone * (out - round);
 }
 
-/// Height of the head's upper side above its tip.
+/// Returns the height of the head's upper side above its tip.
 [[maybe_unused]] static inline float upperAt(float r2, const BurHead& head) noexcept
 {
     if (!(r2 <= head.radius2))
@@ -79,8 +79,9 @@ inline constexpr auto kLastStep = static_cast<float>(bur::BurMask::kTableSteps);
     return head.mask.upperOfR2[static_cast<std::size_t>(step < kLastStep ? step : kLastStep)];
 }
 
-/// How high its tip the head must keep to clear one column from above (Above, with the column's top), and the negative
-/// of how low to clear it from beneath (Beneath, with its bottom): the larger, the more in the way.
+/// The limit that one column sets for the height of the tip: the lowest height that clears it from above (Above, with
+/// the column's top), or the negative of the highest that clears it from below (Beneath, with its bottom). The larger,
+/// the more restrictive.
 enum class Side { Above, Beneath };
 
 template <Side side>

@@ -11,22 +11,21 @@
 
 namespace core::contact {
 
-/// What a bur that runs free is felt by: noise across its axis, most of it at 150 to 350 Hz (the 5 kHz of a real one
-/// cannot be shown at 1 kHz), of slowly changing strength (docs/facts/haptics.md, section 7).
+/// The vibration of a free-running bur on the hand: noise across its axis, most of it at 150 to 350 Hz (the 5 kHz of a
+/// real one cannot be produced at 1 kHz), with slowly changing strength (docs/facts/haptics.md, section 7).
 ///
-/// n(k) - n(k-2) of uniform random numbers, one a millisecond, or one a tick where ticks are longer: at 1 kHz nothing
-/// at 0 and at 500 Hz, most at 250 Hz; and a sum
-/// over any 50 ms is that of four numbers, so the mean is nought. Seeded: the same every time. Servo thread; no
-/// allocation.
+/// n(k) - n(k-2) of uniform random numbers, one per millisecond, or one per tick if ticks are longer: at 1 kHz zero at
+/// 0 and 500 Hz, and largest at 250 Hz; a sum over any 50 ms is that of four numbers, so the mean is zero. Seeded: the
+/// same every time. Servo thread; no allocation.
 class BurVibration
 {
 public:
-    /// @param rmsN  over time, both axes together; 0: none
+    /// @param rmsN  over time, both axes together; 0: no vibration
     explicit BurVibration(double rmsN) noexcept : m_rmsN(rmsN) {}
 
-    /// Force on the hand for this tick, newtons, tooth frame. Without `running` it is gone within 50 ms.
+    /// Returns the force on the hand for this tick, N, tooth frame. Ends within 50 ms when `running` is false.
     glm::dvec3 update(bool running, double seconds) noexcept;
-    /// None from now on.
+    /// Stops the vibration at once.
     void stop() noexcept;
 
 private:
@@ -38,8 +37,8 @@ private:
     std::array<glm::dvec2, 3> m_noise{};  ///< newest first
     double m_sinceDrawnS = 0.0;
     int m_drawn = 0;
-    double m_aim = 1.0;    ///< where the strength goes
-    double m_level = 0.0;  ///< strength now, about 1 while the bur runs
+    double m_aim = 1.0;    ///< target of the strength
+    double m_level = 0.0;  ///< current strength, about 1 while the bur runs
 };
 
 }  // namespace core::contact

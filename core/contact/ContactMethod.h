@@ -11,8 +11,8 @@
 
 namespace core::contact {
 
-/// Answers, each tick, where the bur is when the hand is at `device`: the anchor, which the spring pulls to and the
-/// screen shows. The methods stand side by side so that they can be charted against each other.
+/// Computes in each tick the position of the bur for a position `device` of the hand: the anchor, which the spring
+/// pulls to and the screen shows. There are several methods, so that they can be compared in charts.
 ///
 /// Servo thread; no allocation, no lock. Frames and units: tooth frame, mm.
 class ContactMethod
@@ -28,26 +28,27 @@ public:
     /// Moves the anchor for one tick and returns it.
     virtual glm::dvec3 update(LiveTooth& tooth, const glm::dvec3& device) noexcept = 0;
 
-    /// Where cutting shall advance the bur to, now that update() has answered: for most as near to the device as it
-    /// gets.
+    /// Returns the position towards which cutting advances the bur. Call after update(). For most methods that is the
+    /// device.
     [[nodiscard]] virtual glm::dvec3 cutTowards(const glm::dvec3& device) const noexcept { return device; }
 
-    /// Puts the anchor where cutting has advanced the bur to.
+    /// Sets the anchor to where cutting has advanced the bur.
     virtual void moveTo(const glm::dvec3& anchor) noexcept = 0;
 
-    /// The tooth or the bur is another from now on: the anchor may stand inside what was not there before.
+    /// Must be called when the tooth or the bur was replaced: the anchor may be inside the new one.
     virtual void toothChanged() noexcept {}
 
-    /// Forgets everything: the bur is at the device, or above it if that is inside the tooth.
+    /// Resets the state: puts the bur at the device, or above it if that is inside the tooth.
     virtual void restart(const glm::dvec3& device) noexcept = 0;
 };
 
-/// "penalty", "lattice", "lattice16" or "continuous"; UnknownName otherwise.
+/// Creates "penalty", "lattice", "lattice16" or "continuous"; UnknownName otherwise.
 ///
-/// penalty     no memory: the force acts along the surface normal under the device, by the depth along it.
-/// lattice     CEDS 2011: the anchor walks on lattice points, one of 26 steps a tick, to the free one nearest to hand.
-/// lattice16   the same with up to sixteen steps a tick.
-/// continuous  search for the nearest free point over the clearance field.
+/// penalty     no state: the force acts along the surface normal under the device, in proportion to the depth along it.
+/// lattice     CEDS 2011: the anchor moves on lattice points, one of 26 steps per tick, to the free one nearest the
+/// hand.
+/// lattice16   the same with up to sixteen steps per tick.
+/// continuous  searches for the nearest free point over the clearance field.
 [[nodiscard]] Result<std::unique_ptr<ContactMethod>> makeContactMethod(std::string_view name);
 
 }  // namespace core::contact

@@ -5,14 +5,14 @@
 
 namespace core::contact {
 
-/// The bur as a point over the clearance field: the anchor is the nearest free point to the device that it can slide to
-/// from the last anchor.
+/// Treats the bur as a point over the clearance field: the anchor is the free point nearest to the device that it can
+/// slide to from the last anchor.
 ///
-/// Above the tooth it slides on the tangent planes of what it meets, as a god-object does. No move is longer than half
-/// the bur's radius, and all that the tooth forbids the tip is wider than the radius to either side: it neither hops
-/// onto a wall nor through a ridge. Beneath an overhang and in a notch searchAround() takes over. So it does for
-/// a bur that finds no way while the hand goes on. An anchor that is
-/// free stays where it is reached from: it is put on top of the tooth only if the tooth or the bur has changed.
+/// Above the tooth it slides on the tangent planes of the surfaces that it touches, like a god-object. No move is
+/// longer than half the bur's radius, and every obstacle for the tip is wider than the radius on either side: the
+/// anchor jumps neither onto a wall nor through a ridge. Below an overhang and in a notch searchAround() is used, and
+/// also when the slide is blocked while the hand moves on. A free anchor keeps its place: it is put on top of the tooth
+/// only if the tooth or the bur was replaced.
 class ContinuousContact final : public ContactMethod
 {
 public:
@@ -29,7 +29,7 @@ public:
 private:
     [[nodiscard]] Edges standClear(LiveTooth& tooth, Touch& ground) noexcept;
 
-    /// What the last look found, and where: mostly that is where the next tick begins.
+    /// The result of the last search and its place: the next tick usually begins there.
     struct Known
     {
         const LiveTooth* tooth = nullptr;
@@ -44,12 +44,12 @@ private:
     };
 
     Known m_known;
-    glm::dvec3 m_askedFrom{0.0};  ///< where the hand was when a way was last found or looked for far around
+    glm::dvec3 m_askedFrom{0.0};  ///< position of the hand when a path was last found, or last searched widely
     std::uint64_t m_revision = 0;
-    int m_blockedTicks = 0;  ///< on end in which the slide found no way
+    int m_blockedTicks = 0;  ///< ticks in a row in which the slide was blocked
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
     glm::dvec3 m_device{0.0, 0.0, 10.0};
-    bool m_mayBeInside = true;  ///< the anchor was not free where it stands by any move of its own
+    bool m_mayBeInside = true;  ///< the anchor did not reach its place by a move of its own, so it may not be free
 };
 
 }  // namespace core::contact

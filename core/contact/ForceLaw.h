@@ -8,40 +8,39 @@
 
 namespace core::contact {
 
-/// What turns the distance between hand and anchor into a force.
+/// Parameters that turn the distance between hand and anchor into a force.
 struct ForceSettings
 {
-    /// Spring of the virtual coupling, one for the whole tooth: hardness acts on removal
+    /// Stiffness of the virtual coupling, the same for the whole tooth: hardness affects removal
     /// (docs/facts/haptics.md, section 3).
     double stiffnessNPerMm = 2.0;
-    /// Its damper, on the speed at which it is stretched: for slow motion, where the device's dry friction holds what
-    /// sampling and delay feed, and where every count of the encoders would be felt through more.
+    /// Damping of slow stretching of the spring, where the device's dry friction absorbs the energy that sampling and
+    /// delay add, and where more damping would make every encoder count felt.
     double dampingNSPerM = 3.0;
-    /// What the damper has more where the length of the spring changes much faster than ForceLaw::kFastMmPerS, which
-    /// dry friction does not hold: small motions come to rest and large ones grow (docs/facts/haptics.md, section 2.1).
-    /// For a spring stiffer than 3 N/mm so much more, as often as it is stiffer, on a pace that is known sooner.
+    /// Additional damping when the length of the spring changes much faster than ForceLaw::kFastMmPerS, which dry
+    /// friction does not absorb: small motions stop and large ones grow (docs/facts/haptics.md, section 2.1). For a
+    /// spring stiffer than 3 N/mm it increases in proportion, with a velocity estimate of less delay.
     double fastDampingNSPerM = 30.0;
-    double brakeN = 0.5;    ///< most that passivity control takes out of fast motion; 0 is none
+    double brakeN = 0.5;    ///< largest force of passivity control against fast motion; 0: none
     double friction = 0.1;  ///< Coulomb coefficient of the bur sliding on the tooth
-    /// Of the force along x and y, for a device whose arms are weaker sideways, and of that along z. Equal gains are a
-    /// softer spring. Unequal ones tilt the force on a slope, so that it is no longer that of any spring: a circle into
-    /// a 45 degree plane and out again, 0.3 mm wide, gives 0.07 mJ for a difference of one half. So both are shipped
-    /// at 1.
+    /// Factors of the force along x and y, and along z, for a device whose arms are weaker sideways. Equal factors act
+    /// like a softer spring. Unequal ones tilt the force on a slope, so that it is no longer conservative: a circle
+    /// into a 45 degree plane and out again, 0.3 mm wide, gives 0.07 mJ for a difference of one half. So both are 1 by
+    /// default.
     double lateralGain = 1.0;
     double verticalGain = 1.0;
-    double clampN = 8.0;  ///< largest force ever given to the hand
-    /// Radius of the ball about the tooth's origin that the device moves in, mm; 0: it has no end, as a mouse has none
+    double clampN = 8.0;  ///< largest force on the hand
+    /// Radius of the sphere around the tooth's origin in which the device moves, mm; 0: unlimited, like a mouse
     /// (WorkArea).
     double workAreaMm = 0.0;
-    double vibrationN = 0.0;  ///< rms of what a bur that runs free is felt by (BurVibration); 0: nothing
-    /// Fastest change of force; below 1000 the filter itself destabilises (docs/facts/haptics.md, section 2.3). A
-    /// spring stiffer than 2.5 N/mm may change its force faster in proportion: it is the pace of the hand that is
-    /// limited.
+    double vibrationN = 0.0;  ///< rms vibration of a free-running bur (BurVibration); 0: none
+    /// Fastest change of the force; below 1000 the filter itself destabilises (docs/facts/haptics.md, section 2.3). For
+    /// a spring stiffer than 2.5 N/mm the limit rises in proportion, because it limits the speed of the hand.
     double slewNPerS = 2000.0;
     bool operator==(const ForceSettings&) const = default;
 };
 
-/// OutOfRange naming the first setting outside its limits.
+/// Checks the settings. OutOfRange names the first invalid one.
 [[nodiscard]] Status check(const ForceSettings& settings);
 
 /// Virtual coupling from the hand to the anchor (Colgate 1995; Adams & Hannaford 1999): spring and damper, friction,
@@ -51,24 +50,24 @@ class ForceLaw
 public:
     explicit ForceLaw(const ForceSettings& settings) noexcept : m_settings(settings) {}
 
-    /// Force on the hand for this tick, newtons, tooth frame.
+    /// Returns the force on the hand for this tick, N, tooth frame.
     glm::dvec3 update(const glm::dvec3& device, const glm::dvec3& anchor, double seconds) noexcept;
 
-    /// Forgets everything and begins at zero: what begins in the air begins softly by itself.
+    /// Resets all state. No ramp is needed: the force is zero until contact.
     void restart() noexcept;
-    /// The device is lost: zero at once. When it comes back the force rises from zero over kReturnS, whether it is in
-    /// contact by then or not.
+    /// Handles the loss of the device: zero force at once. When the device returns the force rises from zero over
+    /// kReturnS, with or without contact.
     void drop() noexcept;
 
-    /// Other settings from now on. What that changes of the force comes no faster than the slew limit lets it.
+    /// Changes the settings. The resulting change of the force obeys the slew limit.
     void setSettings(const ForceSettings& settings) noexcept { m_settings = settings; }
-    /// The spring from now on as this share of the settings, 0 to 1: the loop has become slower.
+    /// Sets the stiffness as a share of the settings, 0 to 1, for a loop that has become slower.
     void setShare(double share) noexcept { m_share = share; }
-    /// What the spring alone gives to the hand when it is stretched so far, N: what a bur presses with that cuts. As
-    /// the force rises after drop(), so does this: nothing is cut by a force that is not felt.
+    /// Returns the force of the spring alone at this stretch, N: the load of a cutting bur. Rises after drop() like the
+    /// force, so that a force that is not felt does not cut.
     [[nodiscard]] double springN(const glm::dvec3& stretchMm) const noexcept;
 
-    /// True if the last force was cut down to the clamp.
+    /// Returns whether the last force was clamped.
     [[nodiscard]] bool clamped() const noexcept { return m_clamped; }
     [[nodiscard]] const ForceSettings& settings() const noexcept { return m_settings; }
 
@@ -82,7 +81,7 @@ private:
     [[nodiscard]] double lengthening(const glm::dvec3& normal) noexcept;
     [[nodiscard]] glm::dvec3 damper(const glm::dvec3& pace, const glm::dvec3& normal, double seconds) noexcept;
     [[nodiscard]] glm::dvec3 promptDamper(const glm::dvec3& normal, double seconds) const noexcept;
-    /// Of the spring as it is now, N/mm.
+    /// Returns the current stiffness, N/mm.
     [[nodiscard]] double stiffnessNPerMm() const noexcept { return m_share * m_settings.stiffnessNPerMm; }
     [[nodiscard]] glm::dvec3 gain() const noexcept;
     [[nodiscard]] double timesStiff() const noexcept;
@@ -90,10 +89,10 @@ private:
 
     ForceSettings m_settings;
     glm::dvec3 m_forceN{0.0};
-    /// Where the spring ends: the anchor, but for its jumps.
+    /// The end of the spring: the anchor without its jumps.
     glm::dvec3 m_held{0.0};
-    /// Where the bur sticks to the surface: trails it inside the friction cone, so that friction costs neither delay
-    /// nor velocity noise (Harwin & Melder 2002). The anchor itself stays where the geometry puts it.
+    /// The place where the bur sticks to the surface: follows within the friction cone, so that friction adds neither
+    /// delay nor velocity noise (Harwin & Melder 2002). The anchor itself is where the geometry puts it.
     glm::dvec3 m_stuck{0.0};
     glm::dvec3 m_device{0.0};
     VelocityEstimator m_stretching;
@@ -101,11 +100,11 @@ private:
     VelocityEstimator m_length;  ///< of the spring from the hand to the held end, as x
     glm::dvec3 m_pace{0.0};      ///< handsPace() of the last tick
     double m_lengthening = 0.0;  ///< of the spring by the hand in the last tick, mm/s
-    glm::dvec3 m_acrossN{0.0};   ///< what the damper gives across the spring
-    double m_takenMj = 0.0;      ///< what the hand has put into the spring and not yet got back
+    glm::dvec3 m_acrossN{0.0};   ///< damping force across the spring
+    double m_takenMj = 0.0;      ///< energy that the hand has put into the spring and not got back
     double m_share = 1.0;
     double m_return = 1.0;  ///< 0 after drop(), rising to 1
-    bool m_begins = true;   ///< nothing is known of the tick before
+    bool m_begins = true;   ///< there is no previous tick
     bool m_touched = false;
     bool m_clamped = false;
 };

@@ -15,18 +15,18 @@ struct HalfSpace
     double offset;
 };
 
-/// Up to a few half-spaces, and the point of all of them that is nearest to another: the
-/// god-object's place among its active planes (Zilles & Salisbury 1995). Servo thread; no allocation.
+/// A few half-spaces, and the point in all of them that is nearest to another point: the god-object's place among its
+/// active planes (Zilles & Salisbury 1995). Servo thread; no allocation.
 class HalfSpaces
 {
 public:
     static constexpr std::size_t kMost = 4;
 
     void clear() noexcept { m_count = 0; }
-    /// One more; the oldest gives way if there are kMost.
+    /// Adds a half-space; replaces the oldest if there are kMost.
     void add(const HalfSpace& space) noexcept;
 
-    /// False if no point lies in all of them.
+    /// Finds the nearest point. Returns false if no point is in all of them.
     [[nodiscard]] bool nearest(const glm::dvec3& to, glm::dvec3& point) const noexcept;
 
 private:

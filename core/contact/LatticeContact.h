@@ -5,15 +5,15 @@
 
 namespace core::contact {
 
-/// The anchor of CEDS (Hunt 2011, after Williams's surface dragging): a point of the lattice that never enters the
-/// tooth. It moves to whichever of itself and its 26 neighbours is free and nearest to the device: once a tick in 2011,
-/// or as often as it is given, each step from where the last one ended, so that it never jumps what is wider than a
-/// cell. A bur that is free where the hand holds it, within half a cell of the anchor, is felt nowhere. Cutting works
-/// towards the neighbour nearest to the device; the anchor goes there once all of it is free.
+/// The anchor of CEDS (Hunt 2011, after Williams's surface dragging): a lattice point that never enters the tooth. It
+/// moves to the one of itself and its 26 neighbours that is free and nearest to the device: once per tick in 2011, or
+/// `steps` times, each step from the end of the last, so that it never jumps over an obstacle wider than a cell. A bur
+/// that is free at the position of the hand, within half a cell of the anchor, gives no force. Cutting works towards
+/// the neighbour nearest to the device; the anchor moves there once all of it is free.
 class LatticeContact final : public ContactMethod
 {
 public:
-    /// @param steps  a tick, at least 1
+    /// @param steps  per tick, at least 1
     explicit LatticeContact(int steps = 1) noexcept : m_steps(steps) {}
     [[nodiscard]] std::string_view name() const noexcept override { return m_steps == 1 ? "lattice" : "lattice16"; }
     glm::dvec3 update(LiveTooth& tooth, const glm::dvec3& device) noexcept override;
@@ -26,7 +26,7 @@ private:
     int m_steps;
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
     double m_cellMm = 0.0;       ///< of the lattice that m_anchor is on
-    bool m_mayBeInside = false;  ///< the tooth, the bur or the place is another than a tick ago
+    bool m_mayBeInside = false;  ///< the tooth, the bur or the place was replaced since the last tick
 };
 
 }  // namespace core::contact

@@ -19,14 +19,14 @@ namespace core::contact {
     return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
-/// The square of the distance between two points.
+/// Returns the squared distance between two points.
 [[nodiscard]] inline double distance2(const glm::dvec3& a, const glm::dvec3& b) noexcept
 {
     const glm::dvec3 apart = a - b;
     return glm::dot(apart, apart);
 }
 
-/// The same direction, no longer than `longest`.
+/// Returns a vector in the same direction, no longer than `longest`.
 [[nodiscard]] inline glm::dvec3 shortened(const glm::dvec3& v, double longest) noexcept
 {
     const double length = lengthOf(v);

@@ -6,7 +6,7 @@
 namespace core::contact {
 
 /// Force along the surface normal under the device: the first method of 2011, dropped there as erratic in corners and
-/// pits (docs/facts/haptics.md, section 3.3). Kept for the charts and for the tests that show it failing.
+/// pits (docs/facts/haptics.md, section 3.3). For the charts and for the tests that show where it fails.
 class PenaltyContact final : public ContactMethod
 {
 public:

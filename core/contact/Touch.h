@@ -8,18 +8,19 @@
 
 namespace core::contact {
 
-/// What a bur let down over a point comes to stand on.
+/// First contact of a bur lowered vertically at a point.
 struct Touch
 {
-    double heightMm;   ///< of the tip: the clearance C; kEmptyTop or less if there is nothing
-    glm::dvec2 slope;  ///< dC/dx and dC/dy, mm a mm; kUpright and more at an upright side
-    glm::dvec3 onMm;   ///< the point of the tooth that carries the bur
-    /// On an upright side of uncut ground: the way it looks, a unit vector, and its height over onMm down to roofMm, up
-    /// to which the tip is free beneath it. Zero on everything else.
+    double heightMm;   ///< of the tip: the clearance C; kEmptyTop or less if there is no contact
+    glm::dvec2 slope;  ///< dC/dx and dC/dy, mm per mm; kUpright or more at an upright side
+    glm::dvec3 onMm;   ///< the point of the tooth that the bur touches
+    /// On an upright side of uncut ground: its outward direction, a unit vector; the side is between roofMm and onMm in
+    /// height, and the tip is free below roofMm. Zero elsewhere.
     glm::dvec2 outwards{0.0, 0.0};
     double roofMm = static_cast<double>(terrain::kEmptyTop);
-    /// On cut ground, the slope from that column to the next one outwards, mm a mm: a bur beside a wall does not climb
-    /// the columns at its foot on its way to the wall's first, which may be most of a cell beyond its rim.
+    /// On cut ground, the slope from that column to the next one outwards, mm per mm: a bur beside a wall must not
+    /// climb the columns at its foot on the way to the first column of the wall, which may be most of a cell beyond its
+    /// rim.
     double rise = 0.0;
 
     [[nodiscard]] bool isSide() const { return outwards.x != 0.0 || outwards.y != 0.0; }

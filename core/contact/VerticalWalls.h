@@ -17,11 +17,11 @@ namespace core::contact {
 
 /// The upright sides of uncut ground: the outer rim of a tooth, a step, a wall.
 ///
-/// Columns say of such a side only between which two of them it lies, and a side that runs across the lattice is a
-/// stair: a bur that leans on it drops into every notch. So a side is a chain of points half-way between a high node
-/// and a low one, each moved onto the straight line that fits its neighbours where one does, and joined by chords that
-/// a bur which touches both ends cannot get behind. Ground that has been cut is its columns and no more, and so are the
-/// sides beside it.
+/// Columns give the place of such a side only to within a cell, and a side at an angle to the lattice is a stair: a bur
+/// that presses against it would drop into every notch. So a side is a chain of points half-way between a high node and
+/// a low one, each moved onto the straight line that fits its neighbours if there is one. The points are joined by
+/// chords, and a bur that touches both ends of a chord cannot get behind it. Cut ground consists of its columns only,
+/// and so do the sides beside it.
 ///
 /// Built with the tooth; afterwards read on the servo thread, without allocation.
 class VerticalWalls
@@ -29,20 +29,20 @@ class VerticalWalls
 public:
     explicit VerticalWalls(const terrain::ToothAnatomy& anatomy);
 
-    /// What a bur let down over a point comes to stand on, if that is a side; else `below` again.
-    /// @param below  what is known to carry the bur there
+    /// Returns the contact of a bur lowered at a point if that is with a side; otherwise `below`.
+    /// @param below  the contact with the ground
     [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const bur::BurMask& mask,
                                 const Touch& below) const noexcept;
 
-    /// Of the sides that stand beside a bur whose tip is at `tipMm` over a point, and not wholly above it, the one that
-    /// comes nearest to its axis; none if it is no isSide().
+    /// Returns, of the sides beside a bur whose tip is at `tipMm` over a point, and not wholly above it, the one
+    /// nearest to its axis; not isSide() if there is none.
     [[nodiscard]] Touch besideAt(glm::dvec2 pointMm, double tipMm, const terrain::Tooth& tooth,
                                  const bur::BurMask& mask) const noexcept;
 
 private:
     static constexpr int kBlock = 8;
 
-    /// A post that a bur may touch.
+    /// A wall point that a bur may touch.
     struct Node
     {
         glm::dvec2 place;
@@ -53,13 +53,13 @@ private:
     /// Enough for both sides of a slot under the widest bur at 1024 nodes a side.
     using Nodes = std::array<Node, 1280>;
 
-    /// How far around its axis a bur asks for posts, mm.
+    /// The distances around its axis within which a bur needs wall points, mm.
     struct Reach
     {
         Reach(const terrain::Grid& grid, const bur::BurMask& mask);
         double radius;
         double chord;     ///< longest
-        double farthest;  ///< end of a chord that it may touch
+        double farthest;  ///< end of a chord that the bur may touch
     };
     struct Foot;
 
@@ -72,14 +72,14 @@ private:
                          MayCount&& mayCount) noexcept;
     [[nodiscard]] static Touch touchOf(glm::dvec2 pointMm, const bur::BurMask& mask, const Foot& foot) noexcept;
 
-    /// A point of a side.
+    /// A point of a wall.
     struct Post
     {
         glm::vec2 placeMm;
-        glm::ivec2 high;  ///< the node that stands behind it
+        glm::ivec2 high;  ///< the high node behind it
     };
 
-    /// The fall of the ground from one node to the next, before it is straightened.
+    /// The edge between a high and a low node, before it is straightened.
     struct Fall
     {
         glm::dvec2 middle;  ///< lattice
@@ -91,13 +91,13 @@ private:
                                                  const std::vector<std::vector<std::size_t>>& byBlock, int blockSide);
 
     [[nodiscard]] static bool isUncut(glm::ivec2 node, const terrain::Tooth& tooth) noexcept;
-    /// True if no side can be met over a place on the lattice.
+    /// Returns whether no side can be touched at a place on the lattice.
     [[nodiscard]] bool isFar(glm::dvec2 lattice) const noexcept;
 
     int m_side = 0;
     int m_blockSide = 0;
-    std::vector<std::uint8_t> m_hasNear;  ///< blocks within reach of whose nodes there are posts, 1 each
-    std::vector<std::uint32_t> m_first;   ///< of a block's posts, and one more at the end
+    std::vector<std::uint8_t> m_hasNear;  ///< 1 for blocks within reach of whose nodes there are wall points
+    std::vector<std::uint32_t> m_first;   ///< index of a block's first wall point, and one more at the end
     std::vector<Post> m_posts;            ///< block by block
 };
 
