@@ -7,11 +7,11 @@
 
 namespace core::teeth {
 
-/// Nine values at even steps; in between a smooth curve.
+/// Nine values at even steps, with a smooth curve between them.
 using Curve = std::array<double, 9>;
 
-/// Everything that makes the crown of an incisor or canine. Mean tooth, mm; x from mesial to distal, y towards the lip.
-/// The figures of 21 were fitted to a scan, the others follow the anatomy of docs/teeth.md.
+/// The parameters of the crown of an incisor or canine. Mean tooth, mm; x from mesial to distal, y towards the lip. The
+/// values of 21 were fitted to a scan, the others follow the anatomy of docs/teeth.md.
 struct AnteriorDesign
 {
     // Silhouettes from the incisal edge (first value) to the CEJ (last).
@@ -25,7 +25,7 @@ struct AnteriorDesign
     double lingualTaper = 0.2;  ///< share by which the section narrows towards the cingulum
     Curve edgeZ{};              ///< incisal edge from its mesial to its distal corner, 0 at the highest point
     double fossaMm = 0.5;       ///< depth of the lingual fossa (beside the lingual ridge, where there is one)
-    double fossaFrom = 0.03;    ///< where it begins and ends, share of the crown from the edge
+    double fossaFrom = 0.03;    ///< its start and end, share of the crown from the edge
     double fossaTo = 0.72;
     double fossaHalf = 0.72;  ///< half its width, in the middle, share of the half crown; the rest is marginal ridge
     double lingualRidgeMm = 0.0;
@@ -36,7 +36,7 @@ struct AnteriorDesign
     RootDesign roots;
 };
 
-/// The mean design of an incisor or canine: 21-23 and 31-33.
+/// Returns the mean design of an incisor or canine: 21-23 and 31-33.
 [[nodiscard]] AnteriorDesign anteriorDesign(int fdi);
 
 }  // namespace core::teeth

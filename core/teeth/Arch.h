@@ -14,7 +14,7 @@
 #include "core/teeth/ToothGenerator.h"
 #include "core/teeth/TriangleSamples.h"
 
-/// The whole mouth as a model to look at: all 32 teeth in their arches, the gums, palate and tongue.
+/// The whole mouth as a model for viewing: all 32 teeth in their arches, the gums, palate and tongue.
 ///
 /// Mouth frame: mm, +x towards the patient's left, +y backwards, +z up (the axes of DICOM), origin between the incisal
 /// edges of the upper central incisors, occlusal planes horizontal while the mouth is closed. Each jaw is worked out in
@@ -28,9 +28,9 @@ struct LookVertex
 {
     glm::vec3 positionMm;
     glm::vec3 normal;
-    float open;          ///< share of the light of an even sky that neighbours and gum leave it, 0 .. 1
+    float open;          ///< share of the light of a uniform sky that neighbours and gum let through, 0 to 1
     float tissue;        ///< a Tissue
-    float shown = 1.0F;  ///< 0: it has faded into the room
+    float shown = 1.0F;  ///< 0: faded out completely
 };
 
 /// Smooth triangles, counter-clockwise seen from outside.
@@ -38,52 +38,51 @@ struct LookMesh
 {
     std::vector<LookVertex> vertices;
     std::vector<std::uint32_t> indices;
-    glm::vec3 middleMm{0.0F};  ///< of a ball around it
+    glm::vec3 middleMm{0.0F};  ///< of a bounding sphere
     float radiusMm = 0.0F;
 };
 
-/// One mesh standing somewhere. A tooth's mesh is in its tooth frame, that of a gum in its jaw frame.
+/// A mesh with its place. A tooth's mesh is in its tooth frame, that of a gum in its jaw frame.
 struct ArchPiece
 {
-    int fdi = 0;        ///< the tooth, or that whose gum it is; 0: palate, tongue
-    bool tooth = true;  ///< else soft tissue
+    int fdi = 0;        ///< the tooth, or the tooth of the gum; 0: palate, tongue
+    bool tooth = true;  ///< otherwise soft tissue
     bool upper = true;  ///< the jaw
     std::shared_ptr<const LookMesh> mesh;
-    glm::dmat4 place{1.0};  ///< piece to scene; mirrors (negative determinant) where the mesh is the other side's
+    glm::dmat4 place{1.0};  ///< scene from piece; mirrors (negative determinant) if the mesh is that of the other side
 };
 
-/// Where two neighbours of the left side touch, in the jaw frame.
+/// The contact of two neighbours of the left side, in the jaw frame.
 struct ArchContact
 {
     int mesialFdi = 0;
     int distalFdi = 0;
     glm::dvec3 middleMm{0.0};
-    double lowestMm = 0.0;  ///< z at which they part towards the gum
-    double gapMm = 0.0;     ///< what is left between them along the arch; negative: they overlap
+    double lowestMm = 0.0;  ///< z at which they separate towards the gum
+    double gapMm = 0.0;     ///< distance between them along the arch; negative: they overlap
 };
 
 class Arch
 {
 public:
-    /// Makes all of it, a few hundred milliseconds; any thread that may wait. The same every time.
+    /// Builds the whole mouth, some hundred milliseconds; any thread but the ui thread. The same every time.
     Arch();
 
-    /// Rotation and shift from a tooth's frame into its jaw's, for the left side: 21 to 28, 31 to 38.
+    /// Returns rotation and shift from a tooth's frame into its jaw's, for the left side: 21 to 28, 31 to 38.
     [[nodiscard]] glm::dmat4 jawFromTooth(int fdi) const;
     [[nodiscard]] const CoarseTooth& tooth(int fdi) const;
     [[nodiscard]] const std::vector<ArchContact>& contacts() const { return m_contacts; }
 
-    /// Everything, standing in the mouth frame, with the lower jaw turned about the hinge of the jaw joints.
+    /// Returns all pieces in the mouth frame, with the lower jaw rotated about the axis of the jaw joints.
     [[nodiscard]] std::vector<ArchPiece> mouth(double openRad) const;
 
-    /// The teeth beside a tooth of the left side and the gum around the three, standing in the frame of that tooth. The
-    /// gum fades below the necks and where it would go on to the next teeth, and so do the roots.
-    /// The central incisors have their fellow of the right side, the third molars nobody behind them. Empty for a
-    /// number that is not one of the sixteen. The teeth are made anew in a finer mesh than mouth() has, which takes
-    /// some tens of milliseconds.
+    /// Returns the teeth beside a tooth of the left side and the gum around the three, in the frame of that tooth. The
+    /// gum fades below the necks and towards the next teeth, and so do the roots. The neighbour of a central incisor is
+    /// that of the right side; a third molar has no distal neighbour. Empty for a number that is not one of the
+    /// sixteen. The teeth are built again in a finer mesh than that of mouth(), which takes some tens of milliseconds.
     [[nodiscard]] std::vector<ArchPiece> neighbours(int fdi) const;
 
-    /// Of the whole mouth.
+    /// Returns the number of triangles of the whole mouth.
     [[nodiscard]] std::size_t triangles() const;
 
 private:
@@ -108,7 +107,7 @@ private:
     std::vector<SampleMap> m_skylines;  ///< of the upper and the lower jaw: heights that hide the sky
 };
 
-/// 36 for 46 and for 36: the tooth of the left side that looks the same, mirrored. 0 for no tooth.
+/// Returns the tooth of the left side with the same mirrored shape: 36 for 46 and for 36. 0 for no tooth.
 [[nodiscard]] int leftFellow(int fdi);
 [[nodiscard]] inline bool isRight(int fdi)
 {
@@ -119,7 +118,7 @@ private:
     return fdi < 30 ? Jaw::Upper : Jaw::Lower;
 }
 
-/// Mouth from jaw, the mouth opened by an angle.
+/// Returns mouth from jaw, with the mouth opened by an angle.
 [[nodiscard]] glm::dmat4 mouthFromJaw(Jaw jaw, double openRad);
 
 }  // namespace core::teeth

@@ -10,15 +10,15 @@ namespace core::teeth {
 /// Upper or lower teeth.
 enum class Jaw { Upper, Lower };
 
-/// A place beside a dental arch: how far along it from the midline, and how far towards lip or cheek. mm.
+/// A place beside a dental arch: the distance along it from the midline, and towards lip or cheek, mm.
 struct ArchPlace
 {
     double alongMm = 0.0;
     double outwardMm = 0.0;
 };
 
-/// The left half of the curve on which incisal edges, canine tips and buccal cusps stand, seen along the axis of the
-/// teeth: x towards the patient's left, y backwards, origin between the central incisors; mm.
+/// The left half of the curve through incisal edges, canine tips and buccal cusps, seen along the axis of the teeth: x
+/// towards the patient's left, y backwards, origin between the central incisors; mm.
 ///
 /// y = a x^2 + b x^4 (an even polynomial describes an arch better than a parabola or a catenary: Pepe 1975), through
 /// the canine's tip and the mesiobuccal cusp of the first molar at their mean distances from the midline in adults.
@@ -33,11 +33,11 @@ public:
     [[nodiscard]] static double intermolarMm(Jaw jaw) { return jaw == Jaw::Upper ? 51.5 : 45.5; }
 
     [[nodiscard]] glm::dvec2 point(double alongMm) const;
-    /// Unit vector along the curve, away from the midline.
+    /// Returns the unit vector along the curve, away from the midline.
     [[nodiscard]] glm::dvec2 tangent(double alongMm) const;
-    /// Unit vector towards lip or cheek.
+    /// Returns the unit vector towards lip or cheek.
     [[nodiscard]] glm::dvec2 outward(double alongMm) const;
-    /// The nearest place; before the midline and past the end the curve goes straight on.
+    /// Returns the nearest place; beyond its ends the curve continues straight.
     [[nodiscard]] ArchPlace placeOf(glm::dvec2 point) const;
 
 private:

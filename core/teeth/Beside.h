@@ -7,9 +7,9 @@
 
 namespace core::teeth {
 
-/// The teeth beside one of ours, where they stand in an arch (Arch::neighbours), as height maps in its tooth frame: for
-/// whether a bur touches them. Null for a number that is not one of the sixteen. Made once for each tooth, in some
-/// hundred milliseconds; any thread that may wait.
+/// Returns the neighbouring teeth of a tooth in its arch (Arch::neighbours) as height maps in its tooth frame, to
+/// detect contact with a bur. Null for a number that is not one of the sixteen. Built once for each tooth, in some
+/// hundred milliseconds; any thread but the ui thread.
 [[nodiscard]] std::shared_ptr<const terrain::HeightMaps> teethBeside(int fdi);
 
 }  // namespace core::teeth

@@ -12,7 +12,7 @@
 
 namespace core::teeth {
 
-/// A layer of an upright tooth, its pulp or its decay, as a solid that a bur meets from another side.
+/// A layer of an upright tooth, its pulp or its decay, as a solid for a tooth placed on a side.
 class LaidSolid
 {
 public:
@@ -22,8 +22,9 @@ public:
     /// @param roof, floor  of the layer, such as &terrain::ColumnLayers::pulpRoof
     LaidSolid(const LaidTooth& laid, Height roof, Height floor);
 
-    /// Roof and floor, mm in the frame the tooth is cut in, of the first stretch of it that a bur at `atMm` meets on
-    /// its way from `top` down to `bottom`; nothing if there is none. A roof next to the surface is the surface.
+    /// Returns roof and floor of the first part of the solid that a bur at `atMm` meets on its way from `top` down to
+    /// `bottom`, mm in the frame in which the tooth is cut; empty if there is none. A roof next to the surface becomes
+    /// the surface.
     [[nodiscard]] std::optional<std::pair<float, float>> along(glm::dvec2 atMm, float top, float bottom) const;
 
 private:
@@ -32,7 +33,7 @@ private:
     const LaidTooth& m_laid;
     Height m_roof;
     Height m_floor;
-    glm::dvec3 m_lowMm{1.0e9};  ///< of the box around it, frame the tooth is cut in
+    glm::dvec3 m_lowMm{1.0e9};  ///< of its bounding box, in the frame in which the tooth is cut
     glm::dvec3 m_highMm{-1.0e9};
 };
 

@@ -19,38 +19,37 @@ enum class LayerRule {
 struct LayerOptions
 {
     LayerRule rule = LayerRule::Anatomical;
-    int fdi = 0;             ///< FDI number; 0 when unknown: the kind of tooth is then guessed from its crown
-    std::uint64_t seed = 0;  ///< of the variation between people; 0 is the mean of the tables
+    int fdi = 0;             ///< FDI number; 0: unknown, the kind of tooth is then guessed from its crown
+    std::uint64_t seed = 0;  ///< of the variation between people; 0: the mean of the tables
 };
 
-/// Lays enamel, dentin and pulp under the surface of a whole tooth (roots in `bottom`), tooth frame, mm.
+/// Computes enamel, dentin and pulp under the surface of a whole tooth (roots in `bottom`), tooth frame, mm.
 ///
-/// Anatomical. Enamel is everything closer to the outer surface than its thickness there, so thickness is measured
-/// along the normal on a cusp, on an incline and on the side alike: 0 at the enamel-cement junction (CEJ) and
-/// 0.05 + 0.32 h at h mm above it on a molar (less on premolars, canines and incisors), towards the fossa's own
-/// figure inside the occlusal table. Fissures are closed first: the junction dips under their mouth, not their base;
-/// at least 0.2 mm of enamel stays below one. The pulp has a horn under each cusp, its walls keep 1 mm of dentin on
-/// every side and end where a crown is cut off flat. Figures: docs/teeth.md (Deutsch and Musikant 2004
-/// for molar pulps).
+/// Anatomical: enamel is everything closer to the outer surface than its thickness there, so thickness is measured
+/// along the normal on a cusp, on an incline and on the side alike: 0 at the cemento-enamel junction (CEJ) and 0.05 +
+/// 0.32 h at h mm above it on a molar (less on premolars, canines and incisors), towards the value of the fossa inside
+/// the occlusal table. Fissures are closed first: the enamel-dentin junction dips under their mouth, not their base; at
+/// least 0.2 mm of enamel stays below one. The pulp has a horn under each cusp; its walls keep 1 mm of dentin on every
+/// side and end where a crown is cut off flat. Values: docs/teeth.md (Deutsch and Musikant 2004 for molar pulps).
 ///
-/// A column holds one junction, so enamel on the underside of a bulge is kept only where it fills the column. The
-/// junction then lies below the bottom by the thickness of the enamel there.
+/// A column has one junction, so enamel on the underside of a bulge is kept only if it fills the column. The junction
+/// is then below the bottom by the thickness of the enamel there.
 ///
 /// @param top, bottom  [side * side], kEmptyTop and kEmptyBottom outside the tooth
-/// @return one entry a node, without caries; entries of empty columns are all zero. Any thread.
+/// @return one entry per node, without caries; entries of empty columns are all zero. Any thread.
 [[nodiscard]] std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::span<const float> top,
                                                              std::span<const float> bottom,
                                                              const LayerOptions& options);
 
-/// The same tissues in the columns of a tooth that lies on a side. Thickness of enamel and the pulp belong to the
-/// tooth's own frame: enamel is everything closer to the outer surface than its thickness there, and the pulp is that
-/// of the upright tooth, met along the bur.
+/// Computes the tissues of a tooth placed on a side. Thickness of enamel and the pulp are defined in the tooth's own
+/// frame: enamel is everything closer to the outer surface than its thickness there, and the pulp is that of the
+/// upright tooth, along the direction of the bur.
 ///
-/// A column holds one junction and one stretch of pulp: those that the bur comes to first. Behind them, enamel of the
+/// A column has one junction and one part of pulp: the first in the direction of the bur. Behind them, enamel of the
 /// far side is dentin in the model, except where a column is enamel throughout.
 ///
-/// @param top, bottom  of the laid tooth, [side * side]
-/// @return one entry a node, without caries; entries of empty columns are all zero. Any thread.
+/// @param top, bottom  of the tooth on its side, [side * side]
+/// @return one entry per node, without caries; entries of empty columns are all zero. Any thread.
 [[nodiscard]] std::vector<terrain::ColumnLayers> buildLaidLayers(const LaidTooth& laid, const terrain::Grid& grid,
                                                                  std::span<const float> top,
                                                                  std::span<const float> bottom,

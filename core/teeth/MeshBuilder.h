@@ -11,7 +11,7 @@
 
 namespace core::teeth {
 
-/// How finely a tooth is meshed. The default is what is rasterised and drilled; the others are for looking at.
+/// The resolution of a tooth's mesh. The default is for rasterising and drilling; the others are for viewing.
 struct MeshDetail
 {
     int topCells = 160;      ///< along the side of the square over the occlusal table: under 0.09 mm each on a molar
@@ -22,9 +22,9 @@ struct MeshDetail
     int branchRings = 26;    ///< of each root
     int spokePoints = 14;    ///< across the furcation
 
-    /// From afar.
+    /// For a distant view.
     [[nodiscard]] static MeshDetail coarse() { return {32, 6, 22, 56, 3, 6, 3}; }
-    /// For looking at it beside the tooth that is drilled.
+    /// For a view beside the tooth that is drilled.
     [[nodiscard]] static MeshDetail medium() { return {80, 8, 44, 112, 3, 6, 3}; }
 };
 
@@ -38,16 +38,16 @@ public:
     Index add(const glm::dvec3& point);
     void triangle(Index a, Index b, Index c);
 
-    /// Joins a ring to the one below it; the lower has as many vertices or half as many (vertex k under vertex 2k).
+    /// Joins a ring to the one below it, which has as many vertices or half as many (vertex k under vertex 2k).
     void band(std::span<const Index> upper, std::span<const Index> lower);
 
-    /// Closes a ring towards one point below it.
+    /// Closes a ring with a point below it.
     void capBelow(std::span<const Index> ring, Index tip);
 
     [[nodiscard]] const glm::dvec3& point(Index index) const { return m_points[index]; }
     [[nodiscard]] std::vector<glm::dvec3>& points() { return m_points; }
 
-    /// The mesh; y is multiplied by `ySign`, and with it the triangles are turned so that they keep facing outwards.
+    /// Returns the mesh with y multiplied by `ySign`; keeps the triangles facing outwards.
     [[nodiscard]] mesh::TriangleMesh finish(double ySign) const;
 
 private:

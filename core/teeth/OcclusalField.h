@@ -9,27 +9,27 @@
 
 namespace core::teeth {
 
-/// Which cusp a lobe is: buccal or lingual on a premolar, the others on a molar. None: a ridge.
+/// The cusp that a lobe forms: buccal or lingual on a premolar, the others on a molar. None: a ridge.
 enum class Cusp : std::uint8_t { None, B, L, MB, ML, DB, DL, D };
 
 /// A developmental lobe: a four-ridged pyramid with a rounded tip. Cusps, marginal ridges and oblique ridges are all
 /// lobes; the occlusal surface is the highest lobe everywhere, as a dental technician builds a crown from drops of wax,
 /// and the developmental grooves are where two lobes meet.
 ///
-/// Design frame of all posterior figures: mm, x from mesial to distal, y towards the cheek, z occlusal.
+/// Design frame of all posterior teeth: mm, x from mesial to distal, y towards the cheek, z occlusal.
 struct Lobe
 {
     double x = 0.0;
     double y = 0.0;
-    double z = 0.0;            ///< height of the tip; of a cusp, on the finished crown
+    double z = 0.0;            ///< height of the tip; for a cusp, on the finished crown
     double turnDeg = 0.0;      ///< rotation of the ridges about the tip, from x towards y
     double slopeMesial = 0.5;  ///< fall along each of the four ridges, mm per mm
     double slopeDistal = 0.5;
     double slopeBuccal = 0.5;
     double slopeLingual = 0.5;
     double power = 1.5;   ///< 1 a pyramid with four sharp ridges, 2 a cone
-    double groove = 1.0;  ///< share of the fissure depth that its grooves get
-    int group = 0;        ///< lobes of one group run into each other without a fissure
+    double groove = 1.0;  ///< share of the fissure depth for its grooves
+    int group = 0;        ///< lobes of one group join without a fissure
     Cusp cusp = Cusp::None;
 };
 
@@ -37,7 +37,7 @@ struct Lobe
 class OcclusalField
 {
 public:
-    /// One slow wave of the wander: a displacement along a fixed direction.
+    /// One long wave of the displacement: a shift along a fixed direction.
     struct Wave
     {
         glm::dvec2 perMm{0.0};  ///< phase per mm, radians
@@ -51,16 +51,16 @@ public:
         double grooveDistanceMm = 1.0e3;  ///< to the nearest line where two lobes of different groups meet
         glm::dvec2 awayFromGroove{0.0};   ///< unit direction in which that distance grows
         double bank = 1.0;                ///< 1 on one bank of that line, -1 on the other
-        double groove = 0.0;              ///< share of the fissure depth there, 0 where lobes run together
+        double groove = 0.0;              ///< share of the fissure depth there, 0 where lobes join
     };
 
-    /// @param blendMm  height over which lobe joins lobe smoothly
-    /// @param furrows  share by which a lobe's fall waxes and wanes round its tip: supplemental ridges and furrows
+    /// @param blendMm  height over which lobes join smoothly
+    /// @param furrows  relative variation of a lobe's slope around its tip: supplemental ridges and furrows
     OcclusalField(const std::vector<Lobe>& lobes, double blendMm, double furrows, std::vector<Wave> wander);
 
     void setLobes(const std::vector<Lobe>& lobes);
     [[nodiscard]] Sample at(glm::dvec2 point) const;
-    /// Height of one lobe alone, by its place in the design's list.
+    /// Returns the height of one lobe alone, by its index in the design's list.
     [[nodiscard]] double lobeHeight(std::size_t lobe, glm::dvec2 point) const;
 
 private:

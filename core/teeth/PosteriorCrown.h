@@ -14,30 +14,30 @@ class PosteriorCrown
 public:
     struct Top
     {
-        double z = 0.0;        ///< surface, fissures carved
-        double fissure = 0.0;  ///< depth of the fissure that runs nearby
+        double z = 0.0;        ///< surface, with fissures
+        double fissure = 0.0;  ///< depth of the nearest fissure
         double lipMm = 0.0;    ///< half the width of its mouth
-        double carved = 0.0;   ///< how much of that the fissures took
+        double carved = 0.0;   ///< depth that the fissures removed
         double grooveDistanceMm = 1.0e3;
-        double bank = 1.0;  ///< which bank of the groove: 1 or -1
+        double bank = 1.0;  ///< side of the groove: 1 or -1
         glm::dvec2 awayFromGroove{0.0};
     };
 
     PosteriorCrown(PosteriorDesign design, std::vector<OcclusalField::Wave> wander, double beadPhase);
 
-    /// Radius of the height of contour at an angle (radians, distal over buccal), mm.
+    /// Returns the radius of the height of contour at an angle (radians, from distal to buccal), mm.
     [[nodiscard]] double outlineMm(double angle) const;
 
-    /// Height of the surface above a point inside the outline.
+    /// Returns the height of the surface above a point inside the outline.
     [[nodiscard]] Top top(glm::dvec2 point) const;
 
-    /// Raises or lowers the lobe of each cusp until its tip on the finished crown is as high as the design says: where
+    /// Raises or lowers the lobe of each cusp until its tip on the finished crown has the height of the design: where
     /// the sides round a cusp off, its tip is lower than that of its lobe.
     void settleTips();
 
     /// Builds the crown down to the CEJ and returns the ring there.
     ///
-    /// @param sizes  the CEJ lies sizes.crownHeightMm below the buccal tip
+    /// @param sizes  the CEJ is sizes.crownHeightMm below the buccal tip
     [[nodiscard]] MeshBuilder::Ring build(MeshBuilder& builder, const ToothSizes& sizes,
                                           const MeshDetail& detail) const;
 
@@ -45,11 +45,11 @@ public:
     [[nodiscard]] const OcclusalField& field() const { return m_field; }
 
 private:
-    /// Turns each side groove into line with the fissure that it continues.
+    /// Aligns each side groove with the fissure that it continues.
     void alignSideGrooves();
-    /// The highest point of the surface near a place, design frame.
+    /// Returns the highest point of the surface near a place, design frame.
     [[nodiscard]] double tipNear(glm::dvec2 place) const;
-    /// Points of the CEJ line, from distal over buccal.
+    /// Returns points of the CEJ line, from distal to buccal.
     [[nodiscard]] std::vector<glm::dvec3> cej(std::size_t count, double facialZ, const ToothSizes& sizes) const;
 
     PosteriorDesign m_design;

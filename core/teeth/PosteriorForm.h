@@ -10,7 +10,7 @@
 
 namespace core::teeth {
 
-/// A generated premolar or molar as its maker knows it: where its cusps are and its grooves run, free of any grid.
+/// The construction of a generated premolar or molar: the places of its cusps and grooves, independent of any grid.
 /// Points are in the tooth frame, mm.
 struct PosteriorForm
 {
@@ -21,11 +21,11 @@ struct PosteriorForm
 
     [[nodiscard]] glm::dvec2 toDesign(glm::dvec2 toothMm) const;
     [[nodiscard]] glm::dvec2 toTooth(glm::dvec2 designMm) const;
-    /// Height of the occlusal surface were its fissures filled to the mouth: where a groove's depth is measured from.
+    /// Returns the height of the occlusal surface with its fissures filled: the reference for the depth of a groove.
     [[nodiscard]] double mouthMm(glm::dvec2 toothMm) const;
-    /// Height of one lobe alone, by its place in crown.design().lobes: two lobes meet in a groove.
+    /// Returns the height of one lobe alone, by its index in crown.design().lobes: two lobes meet in a groove.
     [[nodiscard]] double lobeMm(std::size_t lobe, glm::dvec2 toothMm) const;
-    /// The height of contour seen from above, as a closed line of so many points from distal.
+    /// Returns the height of contour seen from above, as a closed line of `points` points from distal.
     [[nodiscard]] std::vector<glm::dvec2> outline(int points) const;
 };
 

@@ -13,18 +13,18 @@ struct RootBranch
     double lengthShare = 1.0;  ///< of the tooth's root length
     double halfX = 1.5;        ///< semi-axes of the section just below the furcation
     double halfY = 3.0;
-    double bendX = 0.0;  ///< how far the middle bows away from the straight line
+    double bendX = 0.0;  ///< distance of the middle from the straight line
     double bendY = 0.0;
 };
 
-/// The roots of a tooth. Several roots part at the furcation, between the angles named.
+/// The roots of a tooth. Several roots separate at the furcation, at the given angles.
 struct RootDesign
 {
     std::vector<RootBranch> branches;
     std::vector<double>
-        partingDeg;         ///< where neighbours part, ascending; empty for one root. Branch k follows angle k.
+        partingDeg;         ///< angles between neighbours, ascending; empty for one root. Branch k follows angle k.
     double trunkMm = 4.0;   ///< from the CEJ to the furcation
-    double hollowMm = 0.0;  ///< depth of the long hollows on the mesial and distal side of a single root
+    double hollowMm = 0.0;  ///< depth of the long concavities on the mesial and distal side of a single root
 };
 
 }  // namespace core::teeth

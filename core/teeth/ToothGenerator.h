@@ -13,30 +13,31 @@
 
 namespace core::teeth {
 
-/// Makes a whole tooth from the tables: mm, tooth frame (+z occlusal, +x from mesial to distal, right-handed; see
+/// Generates a whole tooth from the tables: mm, tooth frame (+z occlusal, +x from mesial to distal, right-handed; see
 /// buccalSign() for y), origin at the centre of the crown's outline at the height of the tallest cusp.
 ///
-/// Closed, manifold, oriented outwards, and the same for the same seed. Seed 0 is the mean tooth; any other draws its
-/// sizes, cusps and grooves. Some tens of milliseconds. UnknownName for anything but 21-28 and 31-38.
+/// Closed, manifold, oriented outwards, and the same for the same seed. Seed 0 is the mean tooth; any other varies its
+/// sizes, cusps and grooves. Some tens of milliseconds. UnknownName for numbers other than 21-28 and 31-38.
 [[nodiscard]] Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed);
 
-/// What generateTooth() makes a premolar or molar from. As long as generateTooth() takes; UnknownName for other teeth.
+/// Returns the construction of a premolar or molar by generateTooth(). Takes as long; UnknownName for other teeth.
 [[nodiscard]] Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed);
 
-/// A tooth to look at, not to drill.
+/// A tooth for viewing, not for drilling.
 struct CoarseTooth
 {
     mesh::TriangleMesh mesh;
-    std::size_t crownVertices = 0;      ///< of the mesh, its first; the others are the root
-    std::vector<std::uint32_t> cervix;  ///< vertices of the CEJ line, once round
+    std::size_t crownVertices = 0;      ///< number of the mesh's first vertices that form the crown; the others form
+                                        ///< the root
+    std::vector<std::uint32_t> cervix;  ///< vertices around the CEJ line
 };
 
-/// The mean tooth of generateTooth() in fewer triangles: a few thousand, made in a few milliseconds, or as many as
-/// `detail` asks for.
+/// Returns the mean tooth of generateTooth() with fewer triangles: a few thousand, in a few milliseconds, or as many as
+/// `detail` requests.
 [[nodiscard]] Result<CoarseTooth> generateCoarseTooth(int fdi, const MeshDetail& detail = MeshDetail::coarse());
 
-/// The sizes that this tooth has: the table's for seed 0, drawn from its spread (cut at two standard deviations) for
-/// any other. The CEJ lies crownHeightMm below the highest point of the facial side.
+/// Returns the sizes of this tooth: those of the table for seed 0, otherwise drawn from its distribution (truncated at
+/// two standard deviations). The CEJ is crownHeightMm below the highest point of the facial side.
 [[nodiscard]] Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed);
 
 }  // namespace core::teeth

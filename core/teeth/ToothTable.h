@@ -26,13 +26,14 @@ inline constexpr double kCrownDiameterSdMm = 0.5;
 inline constexpr double kCrownHeightSdMm = 0.8;
 inline constexpr double kRootLengthSdMm = 1.5;
 
-/// The sixteen teeth of the left side: 21 to 28, then 31 to 38.
+/// Returns the sixteen teeth of the left side: 21 to 28, then 31 to 38.
 [[nodiscard]] std::span<const ToothSizes> toothSizes();
 
-/// Sizes of one tooth by its FDI number; UnknownName for anything but 21-28 and 31-38.
+/// Returns the sizes of one tooth by its FDI number; UnknownName for numbers other than 21-28 and 31-38.
 [[nodiscard]] Result<ToothSizes> findToothSizes(int fdi);
 
-/// Direction of buccal (labial) along +y of the tooth frame: +1 for upper left teeth, -1 for lower left ones.
+/// Returns the direction of buccal (labial) along +y of the tooth frame: +1 for upper left teeth, -1 for lower left
+/// ones.
 ///
 /// The frame is right-handed with +z occlusal and +x from mesial to distal; on the patient's left that makes +y point
 /// to the cheek above and to the tongue below.

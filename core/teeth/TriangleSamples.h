@@ -11,7 +11,7 @@
 
 namespace core::teeth {
 
-/// A map of values over a rectangle, nodes kCellMm apart.
+/// A map of values over a rectangle, with nodes cellMm apart.
 struct SampleMap
 {
     glm::dvec2 lowMm{0.0};
@@ -47,7 +47,7 @@ struct SampleMap
     }
 };
 
-/// Calls take(value of the map, z) at every node under the triangle, corners given as (x, y of the map, z).
+/// Calls take(value of the map, z) at every node under the triangle, with corners as (x, y of the map, z).
 template <class Take>
 void sampleTriangle(SampleMap& map, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const Take& take)
 {

@@ -10,9 +10,9 @@
 
 namespace core::teeth {
 
-/// Smooth random field in [-1, 1] over the plane: seeded values on a 16 x 16 lattice that repeats, blended by
-/// smoothstep. No transcendental, so a seed gives the same field with every library. Seed 0 is the zero field: the
-/// tooth of the tables, without a person's variation.
+/// A smooth random field in [-1, 1] over the plane: seeded values on a repeating 16 x 16 lattice, blended by
+/// smoothstep. No transcendental function, so a seed gives the same field with every library. Seed 0 is the zero field:
+/// the tooth of the tables, without a person's variation.
 class ValueNoise
 {
 public:
