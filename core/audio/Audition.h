@@ -5,11 +5,11 @@
 
 namespace core::audio {
 
-/// Length in seconds of the sample that a user can play.
+/// Length of the sample that a user can play, s.
 inline constexpr double kAuditionS = 5.0;
 
-/// The sample: the turbine runs up, cuts enamel, then dentin, and runs down.
-/// @param seconds  since the sample began
+/// Returns the state of the sample: the turbine runs up, cuts enamel, then dentin, and runs down.
+/// @param seconds  since the start of the sample
 [[nodiscard]] SoundState auditionAt(double seconds) noexcept;
 
 }  // namespace core::audio

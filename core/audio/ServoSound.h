@@ -23,9 +23,9 @@ private:
     double m_removedMm3 = 0.0;
     double m_cutMm3PerS = 0.0;
     glm::dvec3 m_deviceMm{0.0};
-    double m_speedMmPerS = 0.0;  ///< of the hand
-    double m_freeS = 0.0;        ///< since the bur touched last
-    double m_lastN = 0.0;        ///< strength of the force
+    double m_speedMmPerS = 0.0;  ///< speed of the hand
+    double m_freeS = 0.0;        ///< time since the last contact
+    double m_lastN = 0.0;        ///< magnitude of the force
     double m_lastStepN = 0.0;    ///< its change in the last tick
     double m_roughN = 0.0;       ///< smoothed difference between the last two changes of the force
 };

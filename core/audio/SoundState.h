@@ -8,12 +8,12 @@
 
 namespace core::audio {
 
-/// How a handpiece is driven, which decides how it sounds.
+/// The kind of a handpiece's drive, which decides its sound.
 enum class Drive : std::uint8_t { Turbine, Electric, LowSpeed };
 inline constexpr std::size_t kDriveCount = 3;
 
-/// Drive of a handpiece with this free speed: electric ones end at 200,000 turns of the bur a minute, and low-speed
-/// ones at 40,000.
+/// Returns the drive of a handpiece with this free speed. Electric ones end at 200,000 turns of the bur per minute, and
+/// low-speed ones at 40,000.
 [[nodiscard]] Drive driveOf(double freeRpm) noexcept;
 
 /// Input of the synthesiser at one moment. Plain values: the servo publishes one every tick.
@@ -21,25 +21,25 @@ struct SoundState
 {
     Drive drive = Drive::Turbine;
     bool turns = false;                                      ///< the handpiece is on; the bur may have stalled
-    float freeRpm = 320'000;                                 ///< turns of the bur a minute without a load
-    float burRpm = 0.0F;                                     ///< turns of the bur a minute now
+    float freeRpm = 320'000;                                 ///< turns of the bur per minute without a load
+    float burRpm = 0.0F;                                     ///< current turns of the bur per minute
     bool isTouching = false;                                 ///< the bur touches the tooth
     float cutMm3PerS = 0.0F;                                 ///< material that is removed
     float chatter = 0.0F;                                    ///< 0 a steady cut, 1 a bur that bounces on an edge
     bool spray = false;                                      ///< the cooling spray is on
     bool suction = false;                                    ///< the suction is on
-    std::uint32_t contacts = 0;                              ///< grows by one whenever the bur meets the tooth
+    std::uint32_t contacts = 0;                              ///< increases by one whenever the bur touches the tooth
     float contactMmPerS = 0.0F;                              ///< speed of the last contact
-    terrain::Material material = terrain::Material::Enamel;  ///< under the bur; meaningful while touching
+    terrain::Material material = terrain::Material::Enamel;  ///< under the bur; valid while touching
 
-    /// Share of the stall torque that brakes the bur, 0 to 1.
+    /// Returns the share of the stall torque that brakes the bur, 0 to 1.
     [[nodiscard]] float load() const noexcept
     {
         return turns && freeRpm > 0.0F && burRpm < freeRpm ? 1.0F - burRpm / freeRpm : 0.0F;
     }
 };
 
-/// Parts of the sound that have a volume of their own.
+/// Parts of the sound with separate volumes.
 enum class Part : std::uint8_t { Handpiece, Cutting, Contact, Spray, Suction };
 inline constexpr std::size_t kPartCount = 5;
 

@@ -9,8 +9,8 @@
 
 namespace core::audio {
 
-/// Frequency in Hz of the strongest line of a handpiece whose bur turns `burRpm` times a minute: one period a turn
-/// (docs/method.md, section "What is heard").
+/// Returns the frequency in Hz of the strongest tone of a handpiece whose bur turns `burRpm` times per minute: one
+/// period per turn (docs/method.md, section "What is heard").
 [[nodiscard]] constexpr double fundamentalHz(double burRpm) noexcept
 {
     return burRpm / 60.0;
@@ -20,7 +20,7 @@ namespace core::audio {
 class Smoothed
 {
 public:
-    /// @param share  of the difference that remains, taken away with every sample
+    /// @param share  of the remaining difference that is removed with every sample
     float next(float share) noexcept
     {
         const float difference = target - now;
@@ -41,7 +41,7 @@ private:
 class NoiseBand
 {
 public:
-    /// A centre above 0.4 times the sample rate is moved there.
+    /// A centre above 0.4 times the sample rate is clamped to that.
     /// @param sharpness  centre over width
     NoiseBand(double centreHz, double sharpness, double rateHz) noexcept;
     /// @param white  uniform from -1 to 1
@@ -55,8 +55,8 @@ private:
     float m_second = 0.0F;
 };
 
-/// Makes the sound of a handpiece at work, sample by sample: the lines of the drive, the noise of its bearings, the
-/// noise of cutting, which differs from material to material, the contact, chatter, spray and suction.
+/// Generates the sound of a handpiece at work, sample by sample: the tones of the drive, the noise of its bearings, the
+/// noise of cutting, which depends on the material, the contact, chatter, spray and suction.
 ///
 /// The level, pitch and material are smoothed for every sample, so that no change of a parameter clicks. Values that
 /// are not finite count as zero. A limiter keeps the output within -1 and 1. The same states give the same samples.
@@ -72,12 +72,12 @@ public:
     /// Time constant in seconds with which the pitch follows the speed of the bur.
     static constexpr double kPitchS = 0.006;
 
-    /// @param rateHz  samples a second; outside its limits the nearest limit is used
+    /// @param rateHz  samples per second; clamped to its limits
     explicit Synthesizer(double rateHz) noexcept;
 
     /// Sets volumes for the next samples.
     void setVolumes(const Volumes& volumes) noexcept;
-    /// Fills whole frames of `channels` equal samples; samples that fill no whole frame are left as they are.
+    /// Fills whole frames of `channels` equal samples; samples of an incomplete frame are unchanged.
     void render(const SoundState& state, std::span<float> samples, int channels = 1) noexcept;
 
     [[nodiscard]] double rateHz() const noexcept { return m_rateHz; }

@@ -10,13 +10,13 @@
 
 namespace core::bur {
 
-inline constexpr double kWidestHeadMm = 1.5;       ///< radius of the thickest head of a file
-inline constexpr double kThinnestHeadMm = 0.2;     ///< of the thinnest: some columns of any tooth are under it
-inline constexpr double kSharpestCornerMm = 0.02;  ///< radius of the sharpest rim of a file
+inline constexpr double kWidestHeadMm = 1.5;       ///< largest radius of a head in a file
+inline constexpr double kThinnestHeadMm = 0.2;     ///< smallest radius: every tooth has columns below it
+inline constexpr double kSharpestCornerMm = 0.02;  ///< smallest radius of a rim in a file
 
 /// Reads burs from text, line by line:
 ///
-///     bur 171                          what the bur is called: up to 24 characters without blanks
+///     bur 171                          id of the bur: up to 24 characters without blanks
 ///     shape tapered                    one of shapeWord()
 ///     material carbide                 or "diamond" and the grit's number in ISO 6360: diamond 524
 ///     iso6360 500 314 168 006 012      may be left out

@@ -8,8 +8,8 @@
 
 namespace core::bur {
 
-/// How low the tip of any bur comes on a tooth, mm in its frame: then the head of the handpiece lies on the highest
-/// cusp.
+/// Returns the lowest height of the tip of any bur on a tooth, mm in its frame: there the head of the handpiece touches
+/// the highest cusp.
 [[nodiscard]] inline double lowestTipMm(const terrain::ToothAnatomy& anatomy)
 {
     return static_cast<double>(*std::max_element(anatomy.top.begin(), anatomy.top.end())) - kChuckMm;

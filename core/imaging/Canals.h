@@ -10,8 +10,8 @@ namespace core::imaging {
 /// The model itself ends its pulp where vertical columns cannot follow a canal. Canals are added only where no bur
 /// comes, so what is drilled and measured does not change.
 ///
-/// The canals of an anatomy are found once, in about 20 ms at 150 x 150. Any thread that may wait. Returns a tooth
-/// without pulp or without roots unchanged.
+/// The canals of an anatomy are computed once, in about 20 ms at 150 x 150. Any thread but the ui thread. Returns a
+/// tooth without pulp or without roots unchanged.
 [[nodiscard]] terrain::Tooth withCanals(terrain::Tooth tooth);
 
 }  // namespace core::imaging

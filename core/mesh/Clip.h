@@ -5,8 +5,8 @@
 
 namespace core::mesh {
 
-/// The part of a mesh above a height, with new vertices where its edges cross that plane and no others than it uses. It
-/// is open where the plane cuts it (findHoles()).
+/// Returns the part of a mesh above a height, with new vertices where its edges cross that plane and without unused
+/// ones. It is open at the cut (findHoles()).
 [[nodiscard]] TriangleMesh clippedBelow(const TriangleMesh& mesh, double height);
 
 }  // namespace core::mesh

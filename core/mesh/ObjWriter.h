@@ -12,7 +12,7 @@ namespace core::mesh {
 /// Writes a mesh as Wavefront OBJ: `#` lines of the comment, `v` lines with six decimals, `f` lines. Independent of the
 /// locale.
 ///
-/// The file appears whole or not at all (writeWhole).
+/// The file is written completely or not at all (writeWhole()).
 [[nodiscard]] Status writeObj(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view comment);
 
 }  // namespace core::mesh

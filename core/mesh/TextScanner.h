@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// Small steps that the text readers share. Nothing here depends on the locale.
+/// Functions shared by the text readers. None depends on the locale.
 namespace core::mesh {
 
 [[nodiscard]] inline bool isBlank(char c)
@@ -16,7 +16,7 @@ namespace core::mesh {
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// Takes the first word off the line; empty when there is none.
+/// Removes the first word from the line and returns it; empty if there is none.
 [[nodiscard]] inline std::string_view takeWord(std::string_view& line)
 {
     std::size_t begin = 0;
@@ -30,7 +30,7 @@ namespace core::mesh {
     return word;
 }
 
-/// Equal but for the case of ASCII letters; `lower` is given in lower case.
+/// Returns whether texts are equal, ignoring the case of ASCII letters; `lower` must be in lower case.
 [[nodiscard]] inline bool equalsIgnoringCase(std::string_view text, std::string_view lower)
 {
     if (text.size() != lower.size())
@@ -43,7 +43,7 @@ namespace core::mesh {
     return true;
 }
 
-/// A whole word as a finite float: nothing for "nan", "inf", "1e99" or "1.5x".
+/// Parses a whole word as a finite float; empty for "nan", "inf", "1e99" or "1.5x".
 [[nodiscard]] inline std::optional<float> finiteNumber(std::string_view word)
 {
     if (word.starts_with('+'))
@@ -65,7 +65,7 @@ namespace core::mesh {
     return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Walks through a text line by line. Lines end with LF or CR LF, or with CR in a text that has no LF.
+/// Iterates over the lines of a text. Lines end with LF or CR LF, or with CR in a text without LF.
 class Lines
 {
 public:
@@ -92,13 +92,13 @@ private:
     std::size_t m_number = 0;
 };
 
-/// The text behind the byte order mark that some editors put before UTF-8.
+/// Returns the text after a UTF-8 byte order mark, if there is one.
 [[nodiscard]] inline std::string_view withoutMark(std::string_view text)
 {
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
-/// A word of the file as it may stand in a message: short, printable ASCII.
+/// Returns a word of the file for a message: short, printable ASCII.
 [[nodiscard]] inline std::string quoted(std::string_view word)
 {
     std::string text = "\"";

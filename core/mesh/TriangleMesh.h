@@ -9,8 +9,8 @@
 
 namespace core::mesh {
 
-/// An indexed triangle mesh: what the readers give, the generator makes and the rasteriser takes.
-/// Counter-clockwise seen from outside. The unit and frame are said by whoever holds it.
+/// An indexed triangle mesh, as returned by the readers and the generator and used by the rasteriser. Counter-clockwise
+/// seen from outside. Its owner knows the unit and frame.
 struct TriangleMesh
 {
     std::vector<glm::vec3> vertices;

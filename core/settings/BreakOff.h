@@ -5,16 +5,16 @@
 
 namespace core::settings {
 
-/// Whether what no tooth could keep breaks off: a column or a fin that a cut has left standing, higher than
-/// `slenderness` times its width.
+/// Whether too slender remains break off: a column or a fin left by a cut that is higher than `slenderness` times its
+/// width.
 struct BreakOff
 {
     bool on = false;
-    double slenderness = 6.0;  ///< height by width; no uncut cusp comes near: a flank of 80 degrees is under 6
+    double slenderness = 6.0;  ///< height by width; no uncut cusp is close to it: a flank of 80 degrees is under 6
     bool operator==(const BreakOff&) const = default;
 };
 
-/// OutOfRange if the slenderness does not lie between 3 and 100.
+/// Checks the rule. OutOfRange if the slenderness is not from 3 to 100.
 [[nodiscard]] Status check(const BreakOff& rule);
 
 }  // namespace core::settings

@@ -12,23 +12,23 @@
 
 namespace core::settings {
 
-/// What a preset knows to be cut. A tooth knows four tissues (terrain::Material); which caries it has, and whether it
-/// is a tooth at all or a plastic one, the lesson says (ToothKind).
+/// The substances of a preset. A tooth has four tissues (terrain::Material); the lesson decides which caries it has,
+/// and whether it is a plastic tooth (ToothKind).
 enum class Substance { SoftCaries, FirmCaries, Enamel, Dentin, Pulp, Plastic };
 inline constexpr std::size_t kSubstances = 6;
 
-/// How drilling feels, as a school sets it: how every substance yields, and what turns the distance between hand and
-/// bur into a force. A named version of it is never changed; a change is another version.
+/// The feel of drilling as set by a school: the hardness of each substance, and the parameters of the force law. A
+/// named version is never changed; a change makes a new version.
 ///
-/// The defaults are what is shipped; docs/method.md names their sources.
+/// The defaults are the shipped values; docs/method.md has their sources.
 struct FeelPreset
 {
     std::string name = "natural";
     int version = 1;
     std::string notes;
-    std::string hash;  ///< SHA-256 of the content, 64 hex digits (lessons/PresetFile); empty: not known
+    std::string hash;  ///< SHA-256 of the content, 64 hex digits (lessons/PresetFile); empty: unknown
 
-    // As MaterialHardness: mm³/(N s) pushing sideways, and the force up to which nothing comes away, N.
+    // As in MaterialHardness: mm³/(N s) when pushing sideways, and the threshold of the force, N.
     double softCariesRate = 5.0;
     double softCariesFromN = 0.05;
     double firmCariesRate = 3.2;  ///< between dentin and soft decay (docs/facts/haptics.md, section 8.1)
@@ -41,12 +41,12 @@ struct FeelPreset
     double pulpFromN = 0.0;
     double plasticRate = 2.5;
     double plasticFromN = 0.12;
-    // As HardnessPreset.
+    // As in HardnessPreset.
     double axialShare = 0.65;
     double flatEndShare = 0.615;
     double fullLoadN = 1.5;
 
-    // As contact::ForceSettings. The rest of those is the device's.
+    // As in contact::ForceSettings. Its other members belong to the device.
     double stiffnessNPerMm = 2.0;
     double dampingNSPerM = 3.0;
     double fastDampingNSPerM = 30.0;
@@ -55,50 +55,51 @@ struct FeelPreset
     bool operator==(const FeelPreset&) const = default;
 };
 
-/// Every number of a preset with its range, in the order of files and tables: rate and threshold of each substance, the
-/// shares along the axis and the full load, the forces. An id's parts are the keys of the file, from the outside in.
+/// Returns every number of a preset with its range, in the order of files and tables: rate and threshold of each
+/// substance, the shares along the axis and the full load, the forces. The parts of an id are the keys of the file,
+/// outermost first.
 [[nodiscard]] std::span<const NumberField<FeelPreset>> feelFields();
 [[nodiscard]] const NumberField<FeelPreset>& rateField(Substance substance);
 [[nodiscard]] const NumberField<FeelPreset>& thresholdField(Substance substance);
-/// How a substance yields.
+/// Returns the hardness of a substance.
 [[nodiscard]] MaterialHardness hardnessOf(const FeelPreset& preset, Substance substance);
 
-/// How many of feelFields(), from the first on, say how a tooth is cut; the others are forces.
+/// Number of feelFields(), from the first, that concern cutting; the others concern forces.
 inline constexpr std::size_t kCuttingFields = 2 * kSubstances + 3;
 
-/// The same preset, cut as by Cusp before there were flat ends and full loads: what a file means that says nothing of
-/// them.
+/// Returns the preset with cutting as in Cusp before flat ends and full loads: the meaning of a file without them.
 [[nodiscard]] FeelPreset withoutEndsAndFullLoad(FeelPreset preset);
 
 enum class DecayKind {
     Soft,
     Firm,   ///< discoloured and firm throughout
-    Graded  ///< soft above, then leathery, firm at the bottom (terrain::DecayZones)
+    Graded  ///< soft at the top, then leathery, firm at the bottom (terrain::DecayZones)
 };
 
-/// What a tooth is made of, as far as its layers do not say it.
+/// The properties of a tooth's materials that its layers do not define.
 struct ToothKind
 {
-    bool isPlastic = false;  ///< one resin throughout, as a typodont's
+    bool isPlastic = false;  ///< of one resin throughout, like a typodont's
     DecayKind decay = DecayKind::Soft;
     bool operator==(const ToothKind&) const = default;
 };
 
-/// "natural v3 #1a2b3c4d", "natural v3, changed": what recordings and score sheets call a preset. One without a hash is
-/// not what its version says.
+/// Returns the label of a preset in recordings and score sheets: "natural v3 #1a2b3c4d", or "natural v3, changed"
+/// without a hash, because it then differs from its version.
 [[nodiscard]] std::string labelOf(const FeelPreset& preset);
 
-/// The rows of a preset that such a tooth is cut by, with the preset's label for a name. A preset knows soft and firm
-/// decay. Leathery decay lies between: the geometric mean of the two rates, the mean of the two thresholds.
+/// Returns the hardness of a tooth of this kind, named by the preset's label. A preset has soft and firm decay.
+/// Leathery decay is between them: the geometric mean of the two rates, the mean of the two thresholds.
 [[nodiscard]] HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth);
-/// Puts the forces of a preset into a force law and leaves what is the device's.
+/// Copies the forces of a preset into a force law; the members that belong to the device stay.
 void putForces(const FeelPreset& preset, contact::ForceSettings& force);
 
-/// What a servo is set to, as far as a preset knows it; the rest as in `base`. The reverse of the two above.
+/// Returns the preset of a servo's settings, with all other members as in `base`. The inverse of hardnessFor() and
+/// putForces().
 [[nodiscard]] FeelPreset feltAs(FeelPreset base, const HardnessPreset& hardness, const contact::ForceSettings& force,
                                 const ToothKind& tooth);
 
-/// OutOfRange or BadNumber naming the first number outside its range.
+/// Checks a preset. OutOfRange or BadNumber names the first invalid number.
 [[nodiscard]] Status check(const FeelPreset& preset);
 
 }  // namespace core::settings

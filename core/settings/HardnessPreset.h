@@ -10,16 +10,16 @@
 
 namespace core::settings {
 
-/// How one material yields: dV/dt = rate * max(0, F - threshold) (Preston's law) up to the full load of the preset, at
-/// the speed that cutting::kReferenceRpmMm stands for.
+/// The removal of one material: dV/dt = rate * max(0, F - threshold) (Preston's law) up to the full load of the preset,
+/// at the speed cutting::kReferenceRpmMm.
 struct MaterialHardness
 {
-    double rateMm3PerNs = 0.7;  ///< volume a second for each newton above the threshold, pushing sideways
-    double thresholdN = 0.15;   ///< a lighter touch leaves no mark
+    double rateMm3PerNs = 0.7;  ///< volume per second for each newton above the threshold, pushing sideways
+    double thresholdN = 0.15;   ///< a smaller force removes nothing
     bool operator==(const MaterialHardness&) const = default;
 };
 
-/// How the lower zones of decay yield, in a tooth whose decay has zones (terrain::DecayZones).
+/// The hardness of the lower zones of decay, in a tooth whose decay has zones (terrain::DecayZones).
 struct DecayZoneHardness
 {
     MaterialHardness leathery;
@@ -27,11 +27,10 @@ struct DecayZoneHardness
     bool operator==(const DecayZoneHardness&) const = default;
 };
 
-/// The full load of a preset whose pace grows with the load without end: the largest force limit that a preset may
-/// have.
+/// The full load of a preset whose rate grows without limit: the largest force limit that a preset may have.
 inline constexpr double kNoFullLoadN = 20.0;
 
-/// What a tooth feels like to cut. docs/method.md names the sources of the shipped values.
+/// The hardness of a tooth. docs/method.md has the sources of the shipped values.
 struct HardnessPreset
 {
     std::string name = "natural";
@@ -41,24 +40,24 @@ struct HardnessPreset
         {2.2, 0.10},  // dentin
         {20.0, 0.0},  // pulp gives way
     }};
-    /// Of the leathery and the firm zone; the row of caries is then that of the soft one. Without it, the row of caries
-    /// holds for all decay.
+    /// Hardness of the leathery and the firm zone; the row of caries is then that of the soft one. Empty: the row of
+    /// caries applies to all decay.
     std::optional<DecayZoneHardness> decayZones = {};
-    /// Share of the rate that is left when a bur is pushed along its axis: the end cuts more slowly than the side.
+    /// Share of the rate when a bur is pushed along its axis: the end cuts more slowly than the side.
     double axialShare = 0.65;
-    /// Share of axialShare that a bur with a flat end has, as a pear or a fissure bur (Bur::hasFlatEnd()): 0.40 of the
-    /// rate is left. 1: the shape of the end makes no difference.
+    /// Factor of axialShare for a bur with a flat end, such as a pear or a fissure bur (Bur::hasFlatEnd()): 0.40 of the
+    /// rate. 1: the shape of the end has no effect.
     double flatEndShare = 0.615;
-    /// Load beyond which a bur removes no more, N. From kNoFullLoadN on the pace grows with any load.
+    /// Load beyond which a bur removes no more, N. From kNoFullLoadN on the rate grows with any load.
     double fullLoadN = 1.5;
     bool operator==(const HardnessPreset&) const = default;
 
-    /// Returns what is left of the rate when a bur is pushed along its axis.
+    /// Returns the share of the rate when a bur is pushed along its axis.
     [[nodiscard]] double shareOfEnd(bool isFlat) const noexcept
     {
         return isFlat ? axialShare * flatEndShare : axialShare;
     }
-    /// Takes everything but the name of another preset. Allocates nothing.
+    /// Copies all members but the name. Allocates nothing.
     void takeFigures(const HardnessPreset& other) noexcept
     {
         material = other.material;
@@ -69,8 +68,8 @@ struct HardnessPreset
     }
 };
 
-/// The same material figures, cut as by Cusp before there were flat ends and full loads: what a recording or a preset
-/// means that says nothing of them.
+/// Returns the material values with cutting as in Cusp before flat ends and full loads: the meaning of a recording or a
+/// preset without them.
 [[nodiscard]] inline HardnessPreset withoutEndsAndFullLoad(HardnessPreset preset)
 {
     preset.flatEndShare = 1.0;
@@ -81,13 +80,13 @@ struct HardnessPreset
 inline constexpr double kMinRateMm3PerNs = 0.0;
 inline constexpr double kMaxRateMm3PerNs = 100.0;
 inline constexpr double kMaxThresholdN = 10.0;
-inline constexpr double kMinShare = 0.01;  ///< of axialShare and flatEndShare; the largest is 1
+inline constexpr double kMinShare = 0.01;  ///< for axialShare and flatEndShare; the largest is 1
 inline constexpr double kMinFullLoadN = 0.2;
 
-/// "natural" or "typodont" (one plastic throughout); UnknownName otherwise.
+/// Returns "natural" or "typodont" (one plastic throughout); UnknownName otherwise.
 [[nodiscard]] Result<HardnessPreset> findHardnessPreset(std::string_view name);
 
-/// OutOfRange naming the first value outside its limits.
+/// Checks a preset. OutOfRange names the first value outside its limits.
 [[nodiscard]] Status check(const HardnessPreset& preset);
 
 }  // namespace core::settings

@@ -9,51 +9,53 @@
 
 namespace core::settings {
 
-/// One number that a person may look at or turn while the program runs. Whoever owns the number binds it: what concerns
-/// the servo is sent there as a command by `write`, and read back from what was sent.
+/// A number that a user may read or change while the program runs. The owner of the number provides the functions; one
+/// that concerns the servo is sent there as a command by `write`, and read back from what was sent.
 struct Parameter
 {
-    std::string name;  ///< "force.stiffness": its group before the first point; unique
-    std::string unit;  ///< empty: a plain number
+    std::string name;  ///< "force.stiffness": the group before the first point; unique
+    std::string unit;  ///< empty: no unit
     double minimum = 0.0;
     double maximum = 1.0;
     bool isSwitch = false;            ///< 0 or 1
-    std::function<double()> read;     ///< cheap; NaN where there is nothing to read
-    std::function<double()> initial;  ///< what reset() sets; null: it is only read
-    /// Sets it; answers why not, in the language of the window, or nothing. Null: a live value, to be watched.
+    std::function<double()> read;     ///< cheap; NaN if there is no value
+    std::function<double()> initial;  ///< returns the value that reset() sets; null: read-only
+    /// Sets the value; returns why not, in the language of the window, or an empty string. Null: a live value, which
+    /// can only be watched.
     std::function<std::string(double)> write;
     std::function<std::string()> label;  ///< "Stiffness", in the language of the window
-    std::function<std::string()> help;   ///< what it does, in the same
-    /// Why it is not told here and now, in the same, or nothing; `read` says NaN meanwhile. Null: it always is told.
+    std::function<std::string()> help;   ///< explanation, in the same language
+    /// Returns why the value is hidden at present, in the same language, or an empty string; `read` then returns NaN.
+    /// Null: never hidden.
     std::function<std::string()> withheld{};
 
     [[nodiscard]] bool isLive() const { return !write; }
 };
 
-/// What came of setting a parameter.
+/// The outcome of setting a parameter.
 struct SetAnswer
 {
     enum class Outcome { Done, Unknown, ReadOnly, NotANumber, OutOfRange, Refused };
     Outcome outcome = Outcome::Done;
-    std::string why;  ///< of Refused: the owner's sentence
+    std::string why;  ///< for Refused: the owner's sentence
 };
 
-/// All of them, by name: one truth for the console, the page of settings and tests. One thread: the ui's.
+/// All parameters by name, for the console, the settings page and tests. Ui thread.
 class Parameters
 {
 public:
-    /// A name that is there already is replaced.
+    /// Adds a parameter, or replaces the one of the same name.
     void add(Parameter parameter);
 
-    /// Null if there is none. Stays valid until the name is added again.
+    /// Returns a parameter; null if there is none. Valid until the name is added again.
     [[nodiscard]] const Parameter* find(std::string_view name) const;
-    /// Those whose name holds the text, in the order of names; empty: all.
+    /// Returns the parameters whose name contains the text, sorted by name; empty text: all.
     [[nodiscard]] std::vector<const Parameter*> matching(std::string_view text) const;
-    /// Those whose name begins so.
+    /// Returns the parameters whose name begins with the text.
     [[nodiscard]] std::vector<const Parameter*> beginningWith(std::string_view text) const;
 
     [[nodiscard]] SetAnswer set(std::string_view name, double value) const;
-    /// To its initial value.
+    /// Sets a parameter to its initial value.
     [[nodiscard]] SetAnswer reset(std::string_view name) const;
 
 private:

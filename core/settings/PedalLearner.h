@@ -12,7 +12,7 @@ namespace core::settings {
 class PedalLearner
 {
 public:
-    /// Shorter movements are noise.
+    /// Shorter movements are noise, in units of the axis.
     static constexpr double kLeastTravel = 0.3;
     static constexpr double kSettlesAfterS = 0.3;
 
@@ -24,12 +24,12 @@ public:
         bool operator==(const Learnt&) const = default;
     };
 
-    /// Takes the next readings. Returns the result once an axis has been moved and has settled at where it began.
-    /// @param axes     readings, -1 to 1; those of the first call are of a released pedal
+    /// Processes the next readings. Returns the result once an axis has been moved and has settled at its start.
+    /// @param axes     readings, -1 to 1; the pedal must be released at the first call
     /// @param seconds  since the last call
     [[nodiscard]] std::optional<Learnt> update(std::span<const float> axes, double seconds);
 
-    /// Returns the axis that has moved most by now; -1 before any has moved by kLeastTravel.
+    /// Returns the axis that has moved most so far; -1 before any has moved by kLeastTravel.
     [[nodiscard]] int movedAxis() const;
 
 private:

@@ -3,7 +3,7 @@
 
 namespace core::settings {
 
-/// How the travel of a pedal sets the speed of the bur. Readings are those of an axis, -1 to 1.
+/// Settings that convert the travel of a pedal into the speed of the bur. Readings are those of an axis, -1 to 1.
 struct PedalSettings
 {
     static constexpr double kLeastTravel = 0.1;  ///< between the readings of a released and of a pressed pedal
@@ -12,10 +12,10 @@ struct PedalSettings
     static constexpr double kMostCurve = 3.0;
 
     double restReading = -1.0;  ///< of the released pedal
-    double fullReading = 1.0;   ///< of the pedal that is pressed fully
+    double fullReading = 1.0;   ///< of the fully pressed pedal
     bool isInverted = false;    ///< the bur is fastest while the pedal is released
-    double deadZone = 0.08;     ///< share of the travel in which the bur stands
-    double curve = 1.0;         ///< exponent: 1 is a straight line; with more, slow speeds have more of the travel
+    double deadZone = 0.08;     ///< share of the travel in which the bur is stopped
+    double curve = 1.0;         ///< exponent: 1 is linear; a larger value gives slow speeds more of the travel
     bool operator==(const PedalSettings&) const = default;
 
     /// Returns the share of the travel for a reading, 0 to 1. 0 for a reading that is not finite, and if there is

@@ -3,7 +3,7 @@
 
 namespace core::settings {
 
-/// Whether a setting lies between its limits; false for NaN.
+/// Returns whether a value is within limits; false for NaN.
 [[nodiscard]] constexpr bool within(double value, double low, double high) noexcept
 {
     return value >= low && value <= high;

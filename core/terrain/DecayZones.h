@@ -8,13 +8,13 @@
 
 namespace core::terrain {
 
-/// Thickness of the two lower zones of decay in dentin, mm. Ahead of the infected dentin lie 0.5 to 1.5 mm that are
-/// demineralised but not infected (docs/teeth.md).
+/// Thickness of the two lower zones of decay in dentin, mm. Below the infected dentin 0.5 to 1.5 mm are demineralised
+/// but not infected (docs/teeth.md).
 inline constexpr float kFirmDecayMm = 0.5F;
 inline constexpr float kLeatheryDecayMm = 0.5F;
 
-/// Upper ends of the zones of decay in one column, mm: firm from cariesFloor to firmRoof, leathery from there to
-/// leatheryRoof, soft from there to cariesRoof.
+/// Upper ends of the zones of decay in one column, mm: firm from cariesFloor to firmRoof, leathery up to leatheryRoof,
+/// soft up to cariesRoof.
 struct DecayZones
 {
     float firmRoof = 0.0F;
@@ -29,7 +29,7 @@ struct DecayZones
             std::min(column.cariesFloor + kFirmDecayMm + kLeatheryDecayMm, inDentin)};
 }
 
-/// The same of column k of a tooth: both heights are cariesFloor as well where its decay has no zones.
+/// Returns the zones of column k of a tooth. Both heights are cariesFloor also if its decay has no zones.
 [[nodiscard]] inline DecayZones decayZonesOf(const ToothAnatomy& anatomy, std::size_t k) noexcept
 {
     const ColumnLayers& column = anatomy.layers[k];

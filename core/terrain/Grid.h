@@ -11,8 +11,8 @@ inline constexpr int kMinGridSide = 64;
 inline constexpr int kMaxGridSide = 1024;
 inline constexpr int kDefaultGridSide = 150;
 
-/// A square lattice of nodes over the tooth, seen along -z. Node (i, j) lies at origin + cell * (i, j) and stands
-/// for the square cell around it; i runs along +x and is the fast index.
+/// A square lattice of nodes over the tooth, seen along -z. Node (i, j) is at origin + cell * (i, j) and represents the
+/// square cell around it; i runs along +x and is the fast index.
 struct Grid
 {
     int side = kDefaultGridSide;    ///< nodes a side, 64 .. 1024
@@ -32,7 +32,7 @@ struct Grid
         return nodeMm(static_cast<int>(index % row), static_cast<int>(index / row));
     }
     [[nodiscard]] glm::dvec2 middleMm() const { return originMm + 0.5 * cellMm * (side - 1); }
-    /// Continuous lattice coordinates of a point: whole numbers on nodes.
+    /// Returns the continuous lattice coordinates of a point: integers on nodes.
     [[nodiscard]] glm::dvec2 latticeOf(glm::dvec2 pointMm) const
     {
         return {(pointMm.x - originMm.x) / cellMm, (pointMm.y - originMm.y) / cellMm};

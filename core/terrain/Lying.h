@@ -12,11 +12,11 @@ namespace core::terrain {
 enum class ToothSide : std::uint8_t { Occlusal, MinusX, PlusX, MinusY, PlusY };
 inline constexpr int kToothSideCount = 5;
 
-/// How a tooth lies under the bur. Everything that is cut from one direction is a height field in that direction, so a
-/// tooth is turned before it is rasterised and the bur still comes along -z.
+/// The orientation of a tooth under the bur. All that is cut from one direction is a height field in that direction, so
+/// a tooth is rotated before it is rasterised, and the bur always comes along -z.
 ///
-/// Two frames share the millimetre: the tooth's own frame (+z occlusal) and the frame it is cut in (+z towards the
-/// handpiece). They are parallel where a tooth stands upright.
+/// Two frames in millimetres: the tooth's own frame (+z occlusal) and the frame in which it is cut (+z towards the
+/// handpiece). For an upright tooth they are parallel.
 struct Lying
 {
     static constexpr double kLeastTiltDeg = 5.0;
@@ -26,9 +26,9 @@ struct Lying
     double tiltDeg = 0.0;  ///< angle between the tooth's axis and the bur: 90 is flat on its side, 0 is upright
 
     [[nodiscard]] bool isUpright() const { return up == ToothSide::Occlusal; }
-    /// Returns whether a tooth can lie like this: upright without a tilt, or tilted by 5 to 90 degrees to a side.
+    /// Returns whether the orientation is valid: upright without a tilt, or tilted by 5 to 90 degrees to a side.
     [[nodiscard]] bool isSound() const;
-    /// Turns directions of the tooth's own frame into the frame it is cut in. A tilt of 90 is exact.
+    /// Returns the rotation from the tooth's own frame into the frame in which it is cut. A tilt of 90 is exact.
     [[nodiscard]] glm::dmat3 cutFromOwn() const;
     bool operator==(const Lying&) const = default;
 };

@@ -23,14 +23,14 @@ struct NodeRect
     return {0, 0, grid.side, grid.side};
 }
 
-/// The rectangle with `nodes` more on every side, as far as the grid goes.
+/// Returns the rectangle with `nodes` more on every side, clipped to the grid.
 [[nodiscard]] inline NodeRect grown(const NodeRect& rect, int nodes, const Grid& grid)
 {
     return {std::max(rect.beginI - nodes, 0), std::max(rect.beginJ - nodes, 0), std::min(rect.endI + nodes, grid.side),
             std::min(rect.endJ + nodes, grid.side)};
 }
 
-/// The smallest rectangle that holds both; an empty one adds nothing.
+/// Returns the smallest rectangle that contains both; an empty one adds nothing.
 [[nodiscard]] inline NodeRect united(const NodeRect& a, const NodeRect& b)
 {
     if (a.isEmpty())

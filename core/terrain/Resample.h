@@ -6,13 +6,13 @@
 
 #include "core/terrain/Tooth.h"
 
-/// A tooth on a lattice of half or of twice the distance between nodes: the same surfaces, seen more coarsely or more
-/// finely. Coarser, every second node speaks for its column. Finer, the nodes stay and between them lies the mean of
-/// their neighbours. A column's area is shared out to the columns that come to stand for it; at the rim, where the
-/// coarser lattice has none, it is lost. Any thread.
+/// Resamples a tooth to half or twice the number of nodes per side: the same surfaces, coarser or finer. Coarser: every
+/// second node represents its column. Finer: the nodes stay, and new ones between them have the mean of their
+/// neighbours. A column's area is distributed to the columns that replace it; at the rim, where the coarser lattice has
+/// none, it is lost. Any thread.
 namespace core::terrain {
 
-enum class Sampling { Half, Double };  ///< nodes along a side, about
+enum class Sampling { Half, Double };  ///< approximate change of the number of nodes per side
 
 [[nodiscard]] Grid resampled(const Grid& grid, Sampling sampling);
 
@@ -21,11 +21,11 @@ enum class Sampling { Half, Double };  ///< nodes along a side, about
 /// @param anatomy  the tooth's own anatomy, resampled
 [[nodiscard]] Tooth resampled(const Tooth& tooth, std::shared_ptr<const ToothAnatomy> anatomy, Sampling sampling);
 
-/// Heights over an anatomy's columns, kEmptyTop where there is nothing: an ideal surface.
+/// Resamples heights over an anatomy's columns, such as an ideal surface; kEmptyTop where there is none.
 [[nodiscard]] std::vector<float> resampledTop(const ToothAnatomy& anatomy, std::span<const float> top,
                                               Sampling sampling);
 
-/// What is said of whole columns: between two, the one before speaks.
+/// Resamples labels of columns: a new column has the label of the one before it.
 template <class T>
 [[nodiscard]] std::vector<T> resampledLabels(const Grid& grid, const std::vector<T>& labels, Sampling sampling)
 {

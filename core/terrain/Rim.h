@@ -9,33 +9,33 @@
 
 #include "core/terrain/NodeRect.h"
 
-/// Closing the drawn surface where the height maps end: around the tooth and around a perforation. Only for looks: a
-/// sewn node has no thickness, so it adds no volume, and neither contact nor cutting sees it. Any thread; works on the
+/// Closes the drawn surface where the height maps end: around the tooth and around a perforation. For display only: a
+/// sewn node has no thickness, so it adds no volume, and contact and cutting ignore it. Any thread; works on the
 /// caller's own maps.
 namespace core::terrain {
 
-/// Gives every empty node that has a solid one among its eight neighbours one height, common to the top and the bottom
-/// surface: the mean of those neighbours' tops and bottoms. With it, the four corners of every lattice square that
-/// touches the tooth have a height, and the two surfaces meet.
+/// Gives every empty node with a solid one among its eight neighbours a common height for the top and the bottom
+/// surface: the mean of those neighbours' tops and bottoms. Then the four corners of every lattice square that touches
+/// the tooth have a height, and the two surfaces meet.
 ///
-/// @param rect   nodes whose top or bottom changed; what is sewn up to one node around them is redone
-/// @param sewn   [side * side] heights, kEmptyTop where nothing is sewn; brought to size when it is not yet
-/// @return how many nodes are sewn within the rectangle grown by one node
+/// @param rect   nodes whose top or bottom changed; sewn nodes up to one node around them are updated
+/// @param sewn   [side * side] heights, kEmptyTop where nothing is sewn; resized if necessary
+/// @return number of sewn nodes within the rectangle grown by one node
 std::size_t sewRim(const Grid& grid, std::span<const float> top, std::span<const float> bottom, const NodeRect& rect,
                    std::vector<float>& sewn);
 
-/// Below this z, up or down, a normal counts as steep.
+/// Normals with |z| below this count as steep.
 inline constexpr float kSteepNormalZ = 0.75F;
-/// How far calmSteepNormals() looks around a node.
+/// Distance around a node that calmSteepNormals() uses, nodes.
 inline constexpr int kCalmReach = 4;
 
-/// Calms the normals of rims and walls: on a wall that is one cell wide the lattice, not the tooth, says where each of
-/// them points. A steep normal borrows from the steep ones around it that look its way, the more the nearer, the
-/// steeper and the more alike they are, and is brought back to length one. It blends in where "steep" begins, so that
-/// nothing shows there. The two walls of a slit do not mix, and what is not steep is left as it is.
+/// Smooths the normals of rims and walls: on a wall that is one cell wide they depend on the lattice, not on the tooth.
+/// A steep normal is averaged with the steep ones around it of similar direction, weighted by nearness, steepness and
+/// similarity, and normalised. The effect is blended in at the threshold, so that no edge is visible. The two walls of
+/// a slit do not mix, and other normals are unchanged.
 ///
-/// Chosen by looking: to borrow x and y from the nearest node that is not steep leaves the walls of cavities in
-/// streaks, and turns steep flanks into combs, because there is no such node near.
+/// Chosen by appearance: taking x and y from the nearest normal that is not steep gives streaks on the walls of
+/// cavities, and combs on steep flanks, because there is no such normal nearby.
 ///
 /// @param normals  [side * side] unit vectors, zero where there is no surface
 /// @param calm     the same size, written within the rectangle only

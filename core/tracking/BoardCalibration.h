@@ -25,21 +25,21 @@ public:
     enum class Look {
         Taken,
         NoBoard,
-        Alike,      ///< the board is where it was in a picture before
+        Alike,      ///< the board is in the same place as in an earlier picture
         OtherSize,  ///< than the pictures before
     };
-    /// Looks for the board. Takes a fifth of a second and more.
+    /// Searches for the board. Takes a fifth of a second or more.
     Look take(const PictureView& picture);
-    /// Number of pictures that were taken.
+    /// Returns the number of pictures used.
     [[nodiscard]] int views() const { return static_cast<int>(m_views.size()); }
 
     struct Found
     {
         CameraModel camera;
-        double errorPx = 0.0;  ///< root mean square distance of the corners from where the camera has them
+        double errorPx = 0.0;  ///< root mean square distance of the corners from their computed places
     };
-    /// Errors: BadStructure (fewer than kLeastViews pictures, or the board is tilted too little in them), OutOfRange
-    /// (no camera fits the pictures).
+    /// Computes the camera. Errors: BadStructure (fewer than kLeastViews pictures, or the board is tilted too little in
+    /// them), OutOfRange (no camera fits the pictures).
     [[nodiscard]] Result<Found> solve() const;
 
 private:

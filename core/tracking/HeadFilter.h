@@ -15,18 +15,18 @@ namespace core::tracking {
 struct Head
 {
     bool isSeen = false;  ///< in the last picture
-    double seenS = 0.0;   ///< time of the last picture that it was accepted from; 0: never
-    Pose pose;            ///< of the tag, camera frame, smooth
+    double seenS = 0.0;   ///< time of the last accepted picture; 0: never
+    Pose pose;            ///< of the tag, camera frame, filtered
     Pose raw;             ///< the same as measured
     glm::dvec3 mmPerS{0.0};
 
-    /// Position at a later time, by its speed; at most 30 ms ahead.
+    /// Returns the position at a later time, by its speed; at most 30 ms ahead.
     [[nodiscard]] glm::dvec3 positionAtMm(double timeS) const;
 };
 
-/// Decides which measured poses are the head, chooses between the two poses of each, and filters them.
+/// Selects the measured poses that belong to the head, chooses between the two poses of each, and filters them.
 ///
-/// A tag that comes into sight counts from its second picture on. A jump is accepted when it is confirmed twice.
+/// A tag that comes into view counts from its second picture on. A jump is accepted when it is confirmed twice.
 class HeadFilter
 {
 public:
@@ -39,7 +39,7 @@ public:
     HeadFilter();
     explicit HeadFilter(const Settings& settings);
 
-    /// @param tag    what a picture shows; empty: no tag
+    /// @param tag    the tag in a picture; empty: none
     /// @param timeS  of the picture, later than that of the last one
     const Head& take(const std::optional<PosedTag>& tag, double timeS);
     [[nodiscard]] const Head& head() const { return m_head; }
@@ -54,8 +54,8 @@ private:
     std::array<OneEuro, 3> m_position;
     double m_turnDegPerS = 0.0;
     Head m_head;
-    bool m_isFollowing = false;       ///< the filter holds a head that was seen not long ago
-    std::optional<Pose> m_candidate;  ///< where a tag was seen that is not accepted yet
+    bool m_isFollowing = false;       ///< the filter contains a recent pose
+    std::optional<Pose> m_candidate;  ///< pose of a tag that is not accepted yet
     double m_candidateS = 0.0;
     int m_confirmed = 0;
     int m_otherIsBetter = 0;  ///< pictures in a row in which the pose that was not chosen has half the error

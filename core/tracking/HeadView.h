@@ -8,35 +8,36 @@
 
 namespace core::tracking {
 
-/// How the view follows the head.
+/// Settings for the view that follows the head.
 struct HeadViewSettings
 {
-    double gain = 2.0;         ///< degrees of the view for one of the head, 0.5 to 4
-    double mostYawDeg = 75.0;  ///< farthest turn to a side
+    double gain = 2.0;         ///< rotation of the view per rotation of the head, 0.5 to 4
+    double mostYawDeg = 75.0;  ///< largest rotation to a side
     double mostPitchDeg = 40.0;
-    double depthPower = 0.7;  ///< of the distance: 0 keeps it, 1 follows the head in full
-    bool isWindow = false;    ///< the screen is a window before the tooth, which does not turn; else the tooth turns
+    double depthPower = 0.7;  ///< exponent of the distance: 0 ignores it, 1 follows the head fully
+    bool isWindow = false;    ///< the screen is a window in front of the tooth, which does not turn; otherwise the
+                              ///< tooth turns
     bool operator==(const HeadViewSettings&) const = default;
 };
 
-/// Computes in each frame how the view turns, from the position of the head relative to that at recentre().
+/// Computes in each frame the rotation of the view from the position of the head relative to that at recentre().
 ///
-/// Without a tag, the view stays, and after a second glides back; with one it glides to the head. It never turns by
-/// more than a degree a frame. Ui thread.
+/// Without a tag the view stays, and after a second returns smoothly; with one it approaches the head smoothly. It
+/// never turns by more than a degree per frame. Ui thread.
 class HeadView
 {
 public:
     static constexpr double kMostDegPerFrame = 1.0;
 
     void setSettings(const HeadViewSettings& settings) { m_settings = settings; }
-    /// Where the head is next seen becomes its middle position.
+    /// Makes the next position of the head its middle position.
     void recentre() { m_hasNeutral = false; }
-    /// @param nowS     steady clock; when the frame will be seen
+    /// @param nowS     steady clock; the time at which the frame will be seen
     /// @param seconds  since the last frame
-    /// @param holds    the bur touches the tooth: a tag that is lost moves nothing
+    /// @param holds    the bur touches the tooth: then losing the tag moves nothing
     const Lean& update(const Head& head, double nowS, double seconds, bool holds);
     [[nodiscard]] const Lean& lean() const { return m_lean; }
-    /// The view is where the mouse left it.
+    /// Returns whether the view is as the mouse left it.
     [[nodiscard]] bool isAtRest() const { return m_lean == Lean{}; }
 
 private:
@@ -46,7 +47,7 @@ private:
     bool m_hasNeutral = false;
     glm::dvec3 m_neutralMm{0.0};  ///< camera frame
     Lean m_lean;
-    double m_follow = 0.0;  ///< 0: it glides from rest, 1: it is with the head
+    double m_follow = 0.0;  ///< 0: at rest, 1: with the head
 };
 
 }  // namespace core::tracking

@@ -3,13 +3,13 @@
 
 namespace core::tracking {
 
-/// Turn and shift of the view by the head, relative to the view that the mouse chose.
+/// Rotation and shift of the view by the head, relative to the view set with the mouse.
 struct Lean
 {
-    double yawDeg = 0.0;    ///< the eye goes to the right
-    double pitchDeg = 0.0;  ///< the eye goes up
+    double yawDeg = 0.0;    ///< the eye moves to the right
+    double pitchDeg = 0.0;  ///< the eye moves up
     double farther = 1.0;   ///< factor of the distance
-    /// Move the eye beside the middle of the screen, which stays in its place: the screen is a window. Shares of the
+    /// Shift of the eye while the middle of the screen stays in place, because the screen is a window. Shares of the
     /// distance.
     double rightShare = 0.0;
     double upShare = 0.0;

@@ -6,15 +6,15 @@
 
 namespace core::tracking {
 
-/// One-Euro filter of one value (Casiez, Roussel and Vogel 2012): a low-pass filter whose cutoff rises with the speed
-/// of the value, so that it is calm at rest and late by little in motion.
+/// A One-Euro filter of one value (Casiez, Roussel and Vogel 2012): a low-pass filter whose cutoff rises with the speed
+/// of the value, for little noise at rest and little delay in motion.
 class OneEuro
 {
 public:
     struct Settings
     {
         double leastHz = 1.0;    ///< cutoff at rest
-        double perSpeed = 0.05;  ///< rise of the cutoff, Hz for one unit a second
+        double perSpeed = 0.05;  ///< rise of the cutoff, Hz for one unit per second
         double speedHz = 1.0;    ///< cutoff of the speed
     };
 
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] double value() const { return m_value; }
     [[nodiscard]] double speed() const { return m_speed; }  ///< units a second
 
-    /// Share of a step by which a first-order low-pass filter moves in a time.
+    /// Returns the share of a step by which a first-order low-pass filter moves in a time.
     [[nodiscard]] static double share(double cutoffHz, double seconds)
     {
         const double turns = 2.0 * std::numbers::pi * cutoffHz * seconds;

@@ -5,8 +5,8 @@
 
 #include "core/tracking/Picture.h"
 
-/// What the library `cusp_pictures` offers. It is loaded when the first camera, video or image is opened: OpenCV's
-/// videoio brings some 220 libraries along, which cost each start of Cusp 0.1 s and 60 MB.
+/// The functions of the library `cusp_pictures`. It is loaded when the first camera, video or image is opened: OpenCV's
+/// videoio loads about 220 libraries, which would cost each start of Cusp 0.1 s and 60 MB.
 namespace core::tracking {
 
 /// A camera or a video file. One thread at a time.
@@ -18,9 +18,9 @@ public:
     PictureReader(const PictureReader&) = delete;
     PictureReader& operator=(const PictureReader&) = delete;
 
-    /// Reads the next picture; false if there is none. Leaves the name alone.
+    /// Reads the next picture; false if there is none. Does not change the name.
     [[nodiscard]] virtual bool read(Picture& picture) = 0;
-    /// Of a video, as its header has it; 0 for what that leaves open.
+    /// Length of a video from its header; 0 for missing values.
     struct Length
     {
         double seconds = 0.0;
@@ -32,11 +32,11 @@ public:
 /// Functions of the library; none throws.
 struct PictureLibrary
 {
-    /// Null if the camera gives no picture.
+    /// Returns null if the camera delivers no picture.
     PictureReader* (*openCamera)(int number, int width, int height, double hz);
-    /// Null if the file is no video.
+    /// Returns null if the file is no video.
     PictureReader* (*openVideo)(const char* path);
-    /// False if the file is no image, or is cut off.
+    /// Returns false if the file is no image, or is truncated.
     bool (*readImage)(const char* path, Picture& picture);
 };
 

@@ -14,13 +14,13 @@ namespace core::tracking {
 struct CameraInfo
 {
     int number = 0;    ///< N of /dev/videoN
-    std::string name;  ///< as its driver has it
+    std::string name;  ///< as reported by its driver
 };
 
-/// Cameras that can take pictures now, by number.
+/// Returns the cameras that can take pictures now, by number.
 [[nodiscard]] std::vector<CameraInfo> cameras();
 
-/// What is asked of a camera; it may choose other values. 0 leaves a value to the camera.
+/// Values requested from a camera, which may choose others. 0 leaves a value to the camera.
 struct CameraWish
 {
     int width = 1280;
@@ -28,7 +28,7 @@ struct CameraWish
     double hz = 30.0;
 };
 
-/// Where pictures come from: a camera, a video file or a folder of images. One thread at a time.
+/// A source of pictures: a camera, a video file or a folder of images. One thread at a time.
 class PictureSource
 {
 public:
@@ -37,15 +37,15 @@ public:
     PictureSource(const PictureSource&) = delete;
     PictureSource& operator=(const PictureSource&) = delete;
 
-    /// Waits for the next picture. False at the end of a file or folder. Errors: ConnectionLost (a camera gives no
-    /// more pictures), FileTruncated (a video ends long before its time), WrongKind (an image that cannot be read; the
-    /// next call goes on with the one after it).
+    /// Waits for the next picture. Returns false at the end of a file or folder. Errors: ConnectionLost (a camera
+    /// delivers no more pictures), FileTruncated (a video ends long before its time), WrongKind (an unreadable image;
+    /// the next call continues with the one after it).
     [[nodiscard]] virtual Result<bool> next(Picture& picture) = 0;
-    /// A video and a folder have pictures with times of their own.
+    /// Returns whether pictures arrive in real time. Those of a video and a folder have times of their own.
     [[nodiscard]] virtual bool isLive() const = 0;
 };
 
-/// Errors of the three: FileMissing (no such camera or file), NotAllowed, Busy (another program uses the camera),
+/// Open a source. Errors: FileMissing (no such camera or file), NotAllowed, Busy (another program uses the camera),
 /// WrongKind (not a video, or no image in the folder), FileUnreadable (the part of Cusp that reads pictures is not
 /// installed).
 [[nodiscard]] Result<std::unique_ptr<PictureSource>> openCamera(int number, const CameraWish& wish);

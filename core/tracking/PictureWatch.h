@@ -7,15 +7,15 @@
 
 namespace core::tracking {
 
-/// What is wrong with the pictures of a camera that works.
+/// Faults in the pictures of a working camera.
 enum class PictureTrouble : std::uint8_t {
     None,
     Dark,    ///< nearly black: a lid, or no light
-    Bright,  ///< nearly white: a lamp or a window before the camera
-    Frozen,  ///< the same picture again and again
+    Bright,  ///< nearly white: a lamp or a window in front of the camera
+    Frozen,  ///< the same picture repeatedly
 };
 
-/// Notices dark, bright and frozen pictures. A few thousand pixels of each are looked at.
+/// Detects dark, bright and frozen pictures from a few thousand pixels of each.
 class PictureWatch
 {
 public:
@@ -23,7 +23,7 @@ public:
 
 private:
     std::uint64_t m_last = 0;  ///< digest of the last picture
-    int m_same = 0;            ///< pictures in a row that are alike to the bit
+    int m_same = 0;            ///< identical pictures in a row
     int m_dark = 0;
     int m_bright = 0;
 };

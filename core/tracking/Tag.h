@@ -21,7 +21,7 @@ struct SeenTag
     int correctedBits = 0;  ///< of its code
     double margin = 0.0;    ///< contrast between its black and white cells, grey levels
 
-    /// Mean length of the four edges.
+    /// Returns the mean length of the four edges.
     [[nodiscard]] double edgePx() const;
     [[nodiscard]] glm::dvec2 centrePx() const;
 };
@@ -32,7 +32,7 @@ struct PosedTag
     SeenTag tag;
     Pose pose;                    ///< the one with the smaller error
     Pose other;                   ///< its mirror image about the line of sight
-    double reprojectionPx = 0.0;  ///< root mean square distance of the corners from where `pose` has them
+    double reprojectionPx = 0.0;  ///< root mean square distance of the corners from their places by `pose`
     double otherPx = 0.0;         ///< the same for `other`
 };
 

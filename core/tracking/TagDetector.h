@@ -10,7 +10,7 @@
 
 namespace core::tracking {
 
-/// Whether this program was built with AprilTag and OpenCV. Without them no tag is ever found.
+/// Returns whether this program was built with AprilTag and OpenCV. Without them no tag is found.
 [[nodiscard]] bool hasTagDetector() noexcept;
 
 /// Finds tags of the family 36h11 in grey pictures, by AprilTag 3. One thread at a time.
@@ -34,13 +34,13 @@ public:
     struct Effort
     {
         /// Only every n-th pixel of every n-th row is searched for squares; the edges of those found are fitted in the
-        /// full picture. Edges from about 12 n pixels on are found.
+        /// full picture. Finds edges from about 12 n pixels on.
         int decimation = 2;
         bool refinesEdges = true;
     };
 
-    /// Tags within a region, corners in pixels of the whole picture. A tag that the border of the
-    /// region cuts is not found, nor one whose white border is mostly beyond it.
+    /// Returns the tags within a region, with corners in pixels of the whole picture. Does not find a tag that the
+    /// border of the region cuts, nor one whose white border is mostly beyond it.
     [[nodiscard]] std::vector<SeenTag> find(const PictureView& picture, const Region& region, const Effort& effort);
     [[nodiscard]] std::vector<SeenTag> find(const PictureView& picture, const Effort& effort)
     {

@@ -8,8 +8,8 @@
 
 namespace core::tracking {
 
-/// Both poses of a tag (Collins and Bartoli 2014, "Infinitesimal plane-based pose estimation", by OpenCV). Empty if the
-/// corners are those of no square before the camera.
+/// Returns both poses of a tag (Collins and Bartoli 2014, "Infinitesimal plane-based pose estimation", by OpenCV).
+/// Empty if the corners are not those of a square in front of the camera.
 /// @param edgeMm  edge of its black square
 [[nodiscard]] std::optional<PosedTag> poseOf(const SeenTag& tag, const CameraModel& camera, double edgeMm);
 

@@ -12,43 +12,43 @@ namespace core::tracking {
 
 struct TrackerSettings
 {
-    /// Of the tag on the head. Empty: all tags are reported, and each picture is searched whole.
+    /// Id of the tag on the head. Empty: all tags are reported, and each picture is searched whole.
     std::optional<int> id = 0;
     double tagMm = 50.0;                        ///< edge of its black square
-    double fovDeg = CameraModel::kUsualFovDeg;  ///< horizontal field of view, if there is no calibration
+    double fovDeg = CameraModel::kUsualFovDeg;  ///< horizontal field of view, used without a calibration
     std::optional<CameraModel> calibration;
     bool refinesEdges = true;
-    bool usesRegion = true;    ///< looks first where the tag was
-    bool isThorough = false;   ///< each whole picture is searched for small tags too; else one of three is
+    bool usesRegion = true;    ///< searches around the last place of the tag first
+    bool isThorough = false;   ///< each whole picture is also searched for small tags; otherwise one in three
     int searchDecimation = 3;  ///< of a whole picture
     int regionDecimation = 2;  ///< around the tag
 };
 
-/// Errors: OutOfRange with one sentence.
+/// Checks the settings. Error OutOfRange with one sentence.
 [[nodiscard]] Status check(const TrackerSettings& settings);
 
-/// What one picture shows, and what finding it cost.
+/// The tags in one picture, and the time that finding them took.
 struct TagFrame
 {
-    /// Of the searched id: the one that is followed is first. Of all ids: the largest.
+    /// With a searched id: the followed tag first. With all ids: the largest first.
     std::vector<PosedTag> tags;
-    int sameTags = 0;      ///< with the searched id, when a whole picture was searched last
+    int sameTags = 0;      ///< number of tags with the searched id, when a whole picture was last searched
     bool isWhole = false;  ///< the whole picture was searched
     double findMs = 0.0;
     double poseMs = 0.0;
 };
 
-/// Finds the tag on the head in picture after picture: around its last place, and in the whole picture if it is not
-/// there. Now and then a whole picture is searched anyway, for a second tag with the same number. One thread at a time.
+/// Finds the tag on the head in successive pictures: around its last place, and in the whole picture if it is not
+/// there. Regularly searches a whole picture anyway, for a second tag with the same number. One thread at a time.
 class TagTracker
 {
 public:
     /// @param settings  valid, see check()
     explicit TagTracker(const TrackerSettings& settings);
 
-    /// Errors: OutOfRange if the calibration is for pictures of another size.
+    /// Searches a picture. Error OutOfRange if the calibration is for pictures of another size.
     [[nodiscard]] Result<TagFrame> look(const PictureView& picture);
-    /// The camera that poses are computed with; for pictures of another size the next look() makes another.
+    /// Returns the camera used for poses; for pictures of another size the next look() creates another.
     [[nodiscard]] const CameraModel& camera() const { return m_camera; }
 
 private:
@@ -60,8 +60,8 @@ private:
     TagDetector m_detector;
     CameraModel m_camera;
     std::optional<SeenTag> m_last;  ///< in the picture before
-    int m_searches = 0;             ///< of whole pictures without a tag, in a row
-    int m_followed = 0;             ///< pictures since a whole one was searched
+    int m_searches = 0;             ///< number of whole pictures searched without a tag, in a row
+    int m_followed = 0;             ///< number of pictures since a whole one was searched
     int m_sameTags = 0;
 };
 

@@ -19,15 +19,15 @@
 
 namespace core::tracking {
 
-/// Takes pictures, finds the tag on the head and publishes where it is. It waits in tick() for its source, so it has a
+/// Reads pictures, finds the tag on the head and publishes its place. Waits in tick() for its source, so it needs a
 /// thread of its own (app/threads/LoopThread).
 class TrackerLoop final : public rt::Loop
 {
 public:
     using Open = std::function<Result<std::unique_ptr<PictureSource>>()>;
 
-    /// @param open      is called in the loop's thread, again if the source is lost
-    /// @param settings  valid
+    /// @param open      called in the loop's thread, and again if the source is lost
+    /// @param settings  must be valid
     TrackerLoop(Open open, const TrackerSettings& settings);
 
     void begin() override;
@@ -35,11 +35,11 @@ public:
     bool waitForBeat(std::chrono::steady_clock::time_point due) override;
     void end() override { m_source.reset(); }
 
-    /// Newest head. One thread, which does not wait.
+    /// Returns the newest place of the head. One thread, which never waits.
     [[nodiscard]] const Head& head() { return m_published.latest(); }
-    /// Any thread.
+    /// Returns the newest report. Any thread.
     [[nodiscard]] TrackerReport report() const;
-    /// Whether reports have the picture. Any thread.
+    /// Sets whether reports contain the picture. Any thread.
     void showPictures(bool shows) { m_showsPictures = shows; }
 
 private:

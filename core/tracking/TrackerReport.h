@@ -8,34 +8,34 @@
 #include "core/tracking/PictureWatch.h"
 #include "core/tracking/Tag.h"
 
-/// What head tracking reports to the ui. Plain values.
+/// The report of head tracking to the ui. Plain values.
 namespace core::tracking {
 
-/// How far head tracking has come.
+/// The state of head tracking.
 enum class TrackerStage : std::uint8_t {
     Opening,   ///< the camera is being opened
-    NoCamera,  ///< it cannot be opened, or gives no pictures any more; TrackerReport::error says why. Tried again
-    NoTag,     ///< pictures come in; the tag is not in them
+    NoCamera,  ///< it cannot be opened, or delivers no more pictures; TrackerReport::error says why. Retried
+    NoTag,     ///< pictures arrive without the tag
     Tracking,
-    Ended,  ///< a video is over
+    Ended,  ///< the video has ended
 };
 
-/// What the page of devices shows of head tracking.
+/// The state of head tracking for the devices page.
 struct TrackerReport
 {
     TrackerStage stage = TrackerStage::Opening;
     Error error{};
     PictureTrouble trouble = PictureTrouble::None;
-    int sameTags = 0;     ///< tags with the searched number that were in a picture lately
-    double hz = 0.0;      ///< pictures a second
+    int sameTags = 0;     ///< tags with the searched number in recent pictures
+    double hz = 0.0;      ///< pictures per second
     double findMs = 0.0;  ///< medians of the last second
     double poseMs = 0.0;
     double latencyMs = 0.0;  ///< from the picture to the pose; 0 for a video
-    double seenShare = 0.0;  ///< of the pictures of the last second
+    double seenShare = 0.0;  ///< share of the pictures of the last second with the tag
     /// Root mean square of the filtered position around its mean, last second. 0 while the head moves.
     double jitterMm = 0.0;
-    PosedTag tag;     ///< as seen last
-    Picture picture;  ///< the last one; empty unless it was asked for
+    PosedTag tag;     ///< as last seen
+    Picture picture;  ///< the last one; empty unless requested
 };
 
 }  // namespace core::tracking
