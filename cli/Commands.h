@@ -8,12 +8,11 @@
 
 #include "cli/parts/ExitCode.h"
 
-/// The program without its window. Commands need no display; figures go to
-/// stdout, errors to stderr in one sentence.
+/// The headless program. Commands need no display; results go to stdout, errors to stderr in one sentence.
 namespace cli {
 
-/// What a command needs to draw: nothing, Qt's widgets for charts but no screen, or a display with OpenGL, if there is
-/// one.
+/// What a command needs for drawing: nothing, Qt's widgets for charts without a screen, or a display with OpenGL, if
+/// there is one.
 enum class Draws { Nothing, Charts, Tooth };
 
 struct Command
@@ -22,14 +21,15 @@ struct Command
     const char* summary;                       ///< one line for `cusp help`
     int (*run)(const QStringList& arguments);  ///< arguments after the command's name; returns an ExitCode
     Draws draws = Draws::Nothing;
-    const char* drawingPart = nullptr;  ///< the only part or option of it that draws; null: all of it
+    const char* drawingPart = nullptr;  ///< the only subcommand or option that draws; null: the whole command
 };
 
-/// All of them, in the order `cusp help` shows. To add one: XCommand.cpp with a function, and a line in Commands.cpp.
+/// Returns all commands, in the order of `cusp help`. To add one: XCommand.cpp with a function, and a line in
+/// Commands.cpp.
 [[nodiscard]] std::span<const Command> commands();
 
-/// Runs the command that the command line names, or prints help or version. Nothing when the window is to open: no
-/// argument, or an option that is the window's.
+/// Runs the command of the command line, or prints help or version. Empty if the window is to be opened: without
+/// arguments, or with an option of the window.
 [[nodiscard]] std::optional<int> run(int& argc, char** argv);
 
 // One function per command, each in its own file.

@@ -8,7 +8,7 @@ namespace cli {
 /// Opens the window and runs until it is closed. Returns the exit code; wrong usage is explained on stderr.
 int runWindow(int& argc, char** argv);
 
-/// The options that runWindow() understands, with what each is for, one a line.
+/// Returns the options that runWindow() accepts, with an explanation, one per line.
 [[nodiscard]] QString windowOptionsHelp();
 
 }  // namespace cli

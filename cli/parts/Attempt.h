@@ -13,34 +13,34 @@
 #include "lessons/PointLossTimeline.h"
 #include "lessons/ScoreSheet.h"
 
-/// What the commands that make or replay an attempt share: the hardness option, and its figures as JSON.
+/// Functions for the commands that make or replay an attempt: the hardness option, and results as JSON.
 namespace cli {
 
-/// How a tooth feels: "natural" or "typodont", a preset's file (lessons/PresetFile.h), or one that the user has kept,
-/// by name. Of a file everything must be known.
+/// Sets the feel of a tooth: "natural" or "typodont", the file of a preset (lessons/PresetFile.h), or the name of a
+/// saved one. All keys of a file must be known.
 [[nodiscard]] core::Status takePreset(const QString& nameOrFile, core::servo::ServoSettings& settings);
 
-/// The preset that an attempt was made with: "natural v1 #1a2b3c4d", and whether it was changed meanwhile.
+/// Returns the preset of an attempt: "natural v1 #1a2b3c4d", and whether it was changed meanwhile.
 [[nodiscard]] QString presetText(const core::recording::Recording& recording);
 
-/// caries, enamel, dentin, pulp.
+/// Returns the values of caries, enamel, dentin and pulp.
 [[nodiscard]] QJsonObject toJson(const core::terrain::PerMaterial& values);
-/// Every measure by its id, null where it was not measured, and what no height map can tell.
+/// Returns every measure by its id, null if it was not measured, and the list of what a height map cannot show.
 [[nodiscard]] QJsonObject toJson(const core::grading::Measured& measured);
-/// Each with what, when and where.
+/// Returns each infraction with its rule, time and place.
 [[nodiscard]] QJsonArray toJson(const std::vector<core::grading::Infraction>& infractions);
 [[nodiscard]] QJsonObject toJsonObject(const lessons::ScoreSheet& sheet);
-/// p50, p99, p999 and max of tick times in microseconds.
+/// Returns p50, p99, p999 and max of tick times in microseconds.
 [[nodiscard]] QJsonObject toJson(const haptics::TickTimes& times);
-/// Sixteen hex digits.
+/// Returns sixteen hex digits.
 [[nodiscard]] QString hashText(std::uint64_t hash);
 
-/// The score as a person reads it, one line a criterion.
+/// Returns the score as text, one line per criterion.
 [[nodiscard]] QString toText(const lessons::ScoreSheet& sheet);
-/// When the points of each criterion were lost: as JSON by the criterion's id, or one line each.
+/// Return the moments at which the points of each criterion were lost: as JSON by the criterion's id, or one line each.
 [[nodiscard]] QJsonObject toJson(const lessons::PointLossTimeline& moments);
 [[nodiscard]] QString toText(const lessons::PointLossTimeline& moments);
-/// One line each; empty for none.
+/// Returns one line per infraction; empty if there are none.
 [[nodiscard]] QString toText(const std::vector<core::grading::Infraction>& infractions);
 
 }  // namespace cli

@@ -5,7 +5,7 @@
 
 namespace cli {
 
-// The parts of `cusp falcon` that are about a device.
+// The subcommands of `cusp falcon` for a device.
 int falconListPart(const QStringList& arguments);
 int falconProbePart(const QStringList& arguments);
 int falconHomePart(const QStringList& arguments);

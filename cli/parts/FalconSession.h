@@ -17,28 +17,28 @@ namespace cli {
 /// Adds --serial, --firmware, --calibration and --wait.
 void addFalconOptions(QCommandLineParser& parser);
 
-/// As parse(), and explains a wrong value of --wait.
+/// Calls parse(), and explains a wrong value of --wait.
 [[nodiscard]] std::optional<int> parseFalcon(QCommandLineParser& parser, const QStringList& arguments,
                                              const QString& usage);
 
-/// A Falcon as the commands use it: opened with the options of the command line, and played by this thread in place of
-/// the servo. Says on stderr what it waits for.
+/// A Falcon for the commands: opened with the options of the command line, and driven by this thread instead of the
+/// servo. Shows on stderr what it waits for.
 class FalconSession
 {
 public:
-    /// Errors: those of the calibration file.
+    /// Opens the device. Errors: those of the calibration file.
     [[nodiscard]] static core::Result<std::unique_ptr<FalconSession>> open(const QCommandLineParser& parser);
 
-    /// Waits until the device has come to a stage, or a later one. Errors: what the device reports when the time of
-    /// --wait is over, or at once if it cannot be used as it is.
+    /// Waits until the device has reached a stage, or a later one. Errors: what the device reports when the time of
+    /// --wait is over, or at once if it is not usable.
     [[nodiscard]] core::Status waitFor(core::session::DeviceStage stage);
 
-    /// Returns an error if the device is not at a stage, or a later one, any more.
+    /// Returns an error if the device is no longer at a stage or a later one.
     [[nodiscard]] core::Status stillAt(core::session::DeviceStage stage) const;
 
-    /// Plays the servo for a time. Stops early if the function returns false, the device is lost or the user presses
+    /// Acts as the servo for a time. Stops early if the function returns empty, the device is lost or the user presses
     /// Ctrl+C.
-    /// @param beat  gets the position, tooth frame, and the seconds since the last call; returns the force
+    /// @param beat  receives the position, tooth frame, and the seconds since the last call; returns the force, N
     void play(std::chrono::milliseconds time,
               const std::function<std::optional<glm::dvec3>(const haptics::DeviceSample&, double)>& beat);
 

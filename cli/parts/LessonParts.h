@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-/// The parts of `cusp lesson`: what each does with the arguments after its name.
+/// The subcommands of `cusp lesson`, with the arguments after their names.
 namespace cli {
 
 int newLessonPart(const QStringList& arguments);

@@ -11,7 +11,7 @@
 #include "database/sql/Database.h"
 #include "database/sql/DatabaseContext.h"
 
-/// What the commands about a school's data share.
+/// Functions for the commands on a school's database.
 namespace cli {
 
 /// An open database with this station's key.
@@ -19,38 +19,38 @@ struct OpenSchool
 {
     std::unique_ptr<database::sql::Database> database;
     std::unique_ptr<database::sql::DatabaseContext> school;
-    bool hasStationKey = true;  ///< else one that is forgotten
+    bool hasStationKey = true;  ///< otherwise a temporary key
 };
 
-/// Adds --db: the user's own file if not given.
+/// Adds --db; the default is the user's own file.
 void addDatabaseOption(QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Address> databaseAddress(const QCommandLineParser& parser);
-/// What a command may do to a database beside its own work.
+/// What a command may do to a database besides its own work.
 enum class Opening {
-    ToLook,   ///< FileMissing where no file is, OlderVersion where an older program wrote it; makes no key there
-    AsItIs,   ///< the same; what is written is signed with the station's key, which is made if need be
-    Migrate,  ///< bring it to the newest schema
-    Create,   ///< where nothing is
-    ToFill    ///< the same, by a copy: until that is whole nothing is there
+    ToLook,   ///< FileMissing if there is no file, OlderVersion for an older schema; creates no key
+    AsItIs,   ///< the same; changes are signed with the station's key, which is created if necessary
+    Migrate,  ///< migrate to the newest schema
+    Create,   ///< create one if there is none
+    ToFill    ///< the same, for a copy: the database stays empty until that is complete
 };
-/// Makes the user's own folder, if the database is to lie there; no other.
+/// Creates the user's own data folder if the database is in it; no other folder.
 void makeDataFolder(const database::Address& address);
 [[nodiscard]] core::Result<OpenSchool> openSchool(const database::Address& address, Opening how);
-/// Of a file, what there is to go back to; empty: nothing.
+/// Returns how to get back to an earlier state of a file; empty: not possible.
 [[nodiscard]] std::string wayBack(const database::Address& address);
-/// The same behind what is the matter, where a file cannot be used any more.
+/// Adds that to an error if a file is not usable.
 [[nodiscard]] core::Error withWayBack(core::Error error, const database::Address& address);
-/// Where the key lies that signs what is written there.
+/// Returns the path of the key that signs changes to a database.
 [[nodiscard]] QString stationKeyOf(const database::Address& address);
 
-/// Adds --as: who does it. His password is asked for, or read from the first line of standard input.
+/// Adds --as: the person who acts. The password is asked for, or read from the first line of standard input.
 void addPersonOption(QCommandLineParser& parser);
-/// Says that somebody has to be named, and gives the exit code, where nobody is.
+/// Prints an error and returns an exit code if no person is named.
 [[nodiscard]] std::optional<int> refuseNobody(const QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Login> logIn(const QCommandLineParser& parser, const OpenSchool& school);
 
-/// Asks on the terminal without showing what is typed; without a terminal, the next line of standard input. FileEmpty:
-/// that ends before there is one, as by Ctrl+D.
+/// Asks for a secret on the terminal without echo; without a terminal, reads the next line of standard input.
+/// FileEmpty: end of input, for example by Ctrl+D.
 [[nodiscard]] core::Result<std::string> askSecret(const char* question);
 
 }  // namespace cli

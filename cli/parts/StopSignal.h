@@ -6,9 +6,10 @@
 
 namespace cli {
 
-/// While it lives, a signal that ends the program (Ctrl-C, kill, a terminal that is closed) is only noted, so that long
-/// work can stop in order and leave nothing half behind; a second one ends it at once. What has come ends the program
-/// when this goes, so it is made before all else that has to be tidied. Of one function at a time, on the main thread.
+/// While it exists, a signal that ends the program (Ctrl-C, kill, a closed terminal) is only recorded, so that long
+/// work can stop in order and leave no partial results; a second signal ends the program at once. A recorded signal
+/// ends the program when this object is destroyed, so create it before all other objects that need cleanup. For one
+/// function at a time, on the main thread.
 class StopSignal
 {
 public:
@@ -17,12 +18,12 @@ public:
     StopSignal(const StopSignal&) = delete;
     StopSignal& operator=(const StopSignal&) = delete;
 
-    /// Whether one has come.
+    /// Returns whether a signal has arrived.
     [[nodiscard]] static bool hasCome() { return s_came != 0; }
 
 private:
     static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
-    static inline volatile std::sig_atomic_t s_came = 0;  ///< for a handler, which is given nothing else
+    static inline volatile std::sig_atomic_t s_came = 0;  ///< static, because a signal handler has no other access
 
     std::array<struct sigaction, kSignals.size()> m_knew{};
 };

@@ -10,22 +10,22 @@
 
 namespace cli {
 
-// What `cusp track` does besides tracking. Each returns an ExitCode.
+// Functions of `cusp track` besides tracking. Each returns an ExitCode.
 
 /// Writes the PDF with the tags, the headband and the board.
 int printTagSheet(const QString& file, int id);
 
 struct CalibrationWish
 {
-    QString file;     ///< to be written
+    QString file;     ///< to write
     qint64 most = 0;  ///< pictures to read
     bool isJson = false;
 };
 
-/// By pictures of the printed board.
+/// Calibrates by pictures of the printed board.
 int calibrateByBoard(core::tracking::PictureSource& source, const CalibrationWish& wish);
 
-/// By the tag at a known distance from the camera: the field of view alone.
+/// Calibrates the field of view by the tag at a known distance from the camera.
 int calibrateByDistance(core::tracking::PictureSource& source, const core::tracking::TrackerSettings& settings,
                         double distanceMm, const CalibrationWish& wish);
 

@@ -15,25 +15,25 @@
 
 namespace cli {
 
-/// What is to be drawn: a tooth whole, prepared, or as an attempt left it, where the bur was then, and what it should
-/// come to.
+/// The subject of a picture: a tooth whole, prepared, or as an attempt left it, with the bur at that time, and the
+/// ideal.
 struct RenderSubject
 {
     core::terrain::Tooth tooth;
     std::optional<core::servo::ServoState> bur;
-    core::grading::IdealTop ideal;  ///< null: nothing is asked for
+    core::grading::IdealTop ideal;  ///< null: no ideal
 };
 
-/// The picture of a tooth that was wished for, any but that of the mouth. Needs a display.
-/// @param view  as ui::tooth::goTo() takes it
+/// Renders a tooth as requested, for all kinds of pictures but the mouth. Needs a display.
+/// @param view  as for ui::tooth::goTo()
 [[nodiscard]] core::Result<QImage> rendered(const RenderSubject& subject, const RenderWishes& wishes,
                                             const QString& view, QSize size);
 
-/// The whole mouth as the page shows it on which a tooth is chosen. Needs a display.
-/// @param chosenFdi  is tinted; 0: none
+/// Renders the whole mouth as the tooth chooser shows it. Needs a display.
+/// @param chosenFdi  this tooth is tinted; 0: none
 [[nodiscard]] core::Result<QImage> renderedArch(int chosenFdi, QSize size);
 
-/// An older file survives any failure.
+/// Writes a PNG file. An existing file is unchanged on failure.
 [[nodiscard]] core::Status savePng(const QImage& picture, const QString& file);
 
 }  // namespace cli

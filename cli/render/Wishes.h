@@ -12,10 +12,10 @@
 
 namespace cli {
 
-/// What the picture is of.
+/// The subject of the picture.
 enum class Picture : std::uint8_t { Tooth, Section, Xray, Bitewing, Arch };
 
-/// What the options ask of the picture, of the look and of the way to the screen.
+/// The options for picture, look and presentation.
 struct RenderWishes
 {
     Picture kind = Picture::Tooth;
@@ -25,19 +25,19 @@ struct RenderWishes
     bool mirror = false;
     bool neighbours = false;
     bool gizmo = false;
-    bool hand = false;      ///< faintly, and an arrow to it where it is outside the picture
-    bool leftHand = false;  ///< works
-    double beamDeg = 0.0;   ///< of an X-ray picture, from square
+    bool hand = false;      ///< shown faintly, with an arrow to it if it is outside the picture
+    bool leftHand = false;  ///< the handpiece is in the left hand
+    double beamDeg = 0.0;   ///< angle of the beam of an X-ray picture, from perpendicular
     double exposure = 1.0;
-    std::string ideal;      ///< preparation, by the name that core/preparation knows; empty: what the tooth asks for
-    bool prepared = false;  ///< cut as that ideal says
-    bool before = false;    ///< the whole tooth beside what is left of it
+    std::string ideal;      ///< id of the preparation (core/preparation); empty: that of the tooth's lesson
+    bool prepared = false;  ///< the tooth is cut to that ideal
+    bool before = false;    ///< the uncut tooth is shown beside the cut one
 };
 
-/// Adds what `cusp render` understands.
+/// Adds the options of `cusp render`.
 void addRenderOptions(QCommandLineParser& parser);
 
-/// What was asked for, with one sentence for what cannot be.
+/// Returns the values of these options, or an error of one sentence.
 [[nodiscard]] core::Result<RenderWishes> renderWishes(const QCommandLineParser& parser);
 
 }  // namespace cli
