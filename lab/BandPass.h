@@ -7,8 +7,8 @@
 
 namespace lab {
 
-/// What of a force a fingertip feels as trembling: Butterworth of 4th order above 20 Hz and of 2nd order below 300 Hz,
-/// each axis by itself. The slow sway of hand and spring, 2 to 17 Hz, is kept out by the steep side.
+/// Filters the part of a force that a fingertip feels as trembling: Butterworth of 4th order above 20 Hz and of 2nd
+/// order below 300 Hz, for each axis. The steep side excludes the slow sway of hand and spring, 2 to 17 Hz.
 class BandPass
 {
 public:

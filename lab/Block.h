@@ -10,20 +10,20 @@
 
 namespace lab {
 
-/// A block under any surface and of any layers, 10.5 mm wide about the origin, for trials.
-/// @param side   columns a side
-/// @param shift  of the lattice under the scene, in cells
+/// Builds a block with any surface and layers, 10.5 mm wide about the origin, for trials.
+/// @param side   columns per side
+/// @param shift  shift of the lattice under the scene, in cells
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy>
 layeredBlock(const std::function<double(glm::dvec2)>& heightMm,
              const std::function<core::terrain::ColumnLayers(glm::dvec2)>& layers,
              int side = core::terrain::kDefaultGridSide, glm::dvec2 shift = {0.0, 0.0});
 
-/// A block of enamel alone.
+/// Builds a block of enamel.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy>
 enamelBlock(const std::function<double(glm::dvec2)>& heightMm, int side = core::terrain::kDefaultGridSide,
             glm::dvec2 shift = {0.0, 0.0});
 
-/// The layers of a column that is one material all through; pulp and caries too.
+/// Returns the layers of a column of one material, also pulp or caries.
 [[nodiscard]] core::terrain::ColumnLayers allOf(core::terrain::Material material);
 
 inline constexpr double kBlockExtentMm = 10.5;

@@ -13,7 +13,7 @@
 
 namespace lab {
 
-/// What answers a device in a trial: our servo loop with any contact method, or the pipeline of 2011. One thread.
+/// A servo in a trial: our servo loop with any contact method, or the 2011 pipeline. One thread.
 class Contestant
 {
 public:
@@ -22,28 +22,28 @@ public:
     Contestant& operator=(const Contestant&) = delete;
     virtual ~Contestant() = default;
 
-    /// One period: reads the device and answers it.
+    /// Runs one period: reads the device and gives it a force.
     virtual void tick() noexcept = 0;
-    /// Takes another tooth in the middle of things, as undo does; from the next tick on.
+    /// Replaces the tooth during the trial, as undo does; from the next tick on.
     virtual void swapTooth(std::unique_ptr<core::contact::LiveTooth> tooth) = 0;
-    /// The hand is to be led home, as far as it knows how; from the next tick on.
+    /// Starts centring, if it is supported; from the next tick on.
     virtual void bringHome() {}
     [[nodiscard]] virtual const core::servo::ServoState& state() const = 0;
     [[nodiscard]] virtual const core::contact::LiveTooth& tooth() const = 0;
 };
 
-/// The method names that trials know: those of core::contact::makeContactMethod(), and kCeds2011.
+/// Returns the method names for trials: those of core::contact::makeContactMethod(), and kCeds2011.
 [[nodiscard]] std::span<const std::string_view> contestants();
 inline constexpr std::string_view kCeds2011 = "ceds 2011";
 
-/// Errors: as of makeServoTick().
-/// @param settings  of kCeds2011 only stiffness, clamp and hardness count
-/// @param device    must outlive it
+/// Creates a contestant. Errors: those of makeServoTick().
+/// @param settings  for kCeds2011 only stiffness, clamp and hardness are used
+/// @param device    must outlive the contestant
 [[nodiscard]] core::Result<std::unique_ptr<Contestant>>
 makeContestant(const core::servo::ServoSettings& settings, const CedsFigures& ceds, haptics::HapticDevice& device,
                std::unique_ptr<core::contact::LiveTooth> tooth, bool drill, std::chrono::microseconds period);
 
-/// OutOfRange or UnknownName for settings that makeContestant() would refuse.
+/// Checks settings. OutOfRange or UnknownName if makeContestant() would refuse them.
 [[nodiscard]] core::Status checkContestant(const core::servo::ServoSettings& settings);
 
 }  // namespace lab

@@ -10,11 +10,11 @@
 namespace lab {
 
 /// A bur that is guided along a straight line through a block and pulled along it with a constant force, the drill on:
-/// whatever the servo does to it, this is how fast it cuts.
+/// its speed is the removal rate, whatever force the servo returns.
 struct PaceTrial
 {
-    int side = core::terrain::kDefaultGridSide;  ///< columns a side, over 10.5 mm
-    double rateHz = 1000.0;                      ///< whole microseconds a tick
+    int side = core::terrain::kDefaultGridSide;  ///< columns per side, over 10.5 mm
+    double rateHz = 1000.0;                      ///< the tick must be whole microseconds
     std::size_t bur = 1;                         ///< index into bur::burs(): 330
     glm::dvec3 towards{0.0, 0.0, -1.0};          ///< unit vector of the feed, z not above 0
     double newtons = 1.0;
@@ -23,17 +23,18 @@ struct PaceTrial
     core::servo::ServoSettings settings;
 };
 
-/// Volume, mm3, that is removed in the trial. Straight down begins on the flat top of the block, any other feed beside
-/// a wall, with the tip 1 mm deep.
+/// Returns the volume that is removed in the trial, mm3. A straight plunge begins on the flat top of the block, any
+/// other feed beside a wall, with the tip 1 mm deep.
 [[nodiscard]] double removedMm3(const PaceTrial& trial);
 
-/// Time, s, in which a bur that is pressed straight down comes so deep; the trial's seconds if it does not.
+/// Returns the time after which a bur that is pressed straight down has this depth, s; the trial's seconds if it does
+/// not.
 [[nodiscard]] double secondsTo(double depthMm, const PaceTrial& trial);
 
-/// Who moves the handpiece while the force is watched.
+/// What moves the handpiece while the force is measured.
 enum class Feeder {
-    Speed,  ///< a slide, as fast as `newtons` cut by the preset's law
-    Force,  ///< a hand that presses with `newtons` and holds the line with a spring: it and the device are one mass
+    Speed,  ///< a slide, at the speed that `newtons` cut by the preset's law
+    Force,  ///< a hand that presses with `newtons` and keeps the line with a spring: it and the device are one mass
 };
 
 struct Ripple
@@ -42,14 +43,15 @@ struct Ripple
     double meanN;  ///< of that force
 };
 
-/// Over the last two of the trial's seconds.
+/// Measures the ripple over the last two of the trial's seconds.
 /// @param trial  sideways or straight down, at least 3 s, at least 1 kHz
 [[nodiscard]] Ripple measureRipple(const PaceTrial& trial, Feeder feeder);
 
-/// Unit vector of a feed: heading about the tooth's axis, and how far down from the horizontal.
+/// Returns the unit vector of a feed: heading about the tooth's axis, and angle below the horizontal.
 [[nodiscard]] glm::dvec3 feed(double headingDegrees, double downDegrees);
 
-/// Pace of a trial by the law, mm3/s: S (F - F0), for the direction of the pull and the speed of the bur under it.
+/// Returns the removal rate of a trial by the law, mm3/s: S (F - F0), for the direction of the pull and the speed of
+/// the bur under it.
 [[nodiscard]] double lawfulMm3PerS(const PaceTrial& trial);
 
 }  // namespace lab

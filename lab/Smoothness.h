@@ -10,16 +10,16 @@
 
 namespace lab {
 
-/// How much the force of a spring of 1 N/mm changes in one tick, N.
+/// The change of the force of a spring of 1 N/mm in one tick, N.
 struct ForceChange
 {
-    double xMm = 0.0;      ///< of the hand
-    double feltN = 0.0;    ///< of the force that the device gets
-    double springN = 0.0;  ///< of the spring alone
+    double xMm = 0.0;      ///< position of the hand
+    double feltN = 0.0;    ///< change of the force that the device gets
+    double springN = 0.0;  ///< change of the spring force alone
 };
 
-/// Where the lines of forceChanges() lie on a molar, y in mm: the middle one runs along its fossa, the others up and
-/// down its cusps.
+/// Positions of the lines of forceChanges() on a molar, y in mm: the middle one runs along its fossa, the others over
+/// its cusps.
 inline constexpr std::array kSmoothnessLinesMm{-1.0, -0.5, 0.0, 0.5, 1.0};
 inline constexpr double kSmoothnessReachMm = 3.0;
 inline constexpr double kSmoothnessDepthMm = 0.3;
@@ -27,14 +27,14 @@ inline constexpr double kSmoothnessMmPerS = 50.0;
 inline constexpr std::size_t kSmoothnessBur = 1;  ///< the pear No. 330
 
 /// Leads a hand along a line of the crown, from x = -kSmoothnessReachMm to +kSmoothnessReachMm with kSmoothnessMmPerS,
-/// and says how the force changes from tick to tick. The hand stays kSmoothnessDepthMm below the height at which the
-/// bur would slide over the tooth; nothing stops it. The drill is off, the device reads exactly. 1 kHz; any thread.
-/// Errors: as of makeServoTick().
+/// and returns the change of the force from tick to tick. The hand is kSmoothnessDepthMm below the height at which the
+/// bur would slide over the tooth; nothing stops it. The drill is off, the device has no quantisation. 1 kHz; any
+/// thread. Errors: those of makeServoTick().
 [[nodiscard]] core::Result<std::vector<ForceChange>>
 forceChanges(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double yMm,
              const core::servo::ServoSettings& settings);
 
-/// The value that 99 of 100 stay under; 0 of none.
+/// Returns the 99th percentile; 0 without values.
 [[nodiscard]] double percentile99(std::vector<double> values);
 
 }  // namespace lab

@@ -10,14 +10,14 @@ namespace lab {
 class Spectrum
 {
 public:
-    /// @param samples  at least two; those beyond the greatest power of two are left out
+    /// @param samples  at least two; those beyond the largest power of two are ignored
     Spectrum(std::span<const float> samples, double rateHz);
 
-    /// Frequency of the strongest line between two frequencies, Hz, to a fraction of a bin.
+    /// Returns the frequency of the strongest line between two frequencies, Hz, to a fraction of a bin.
     [[nodiscard]] double strongestHz(double fromHz, double toHz) const;
-    /// Power between two frequencies; comparable with spectra of the same length and rate only.
+    /// Returns the power between two frequencies; comparable only with spectra of the same length and rate.
     [[nodiscard]] double power(double fromHz, double toHz) const;
-    /// Mean frequency between two, weighted with the power, Hz: how bright a noise is.
+    /// Returns the mean frequency between two, weighted by power, Hz: the brightness of a noise.
     [[nodiscard]] double centroidHz(double fromHz, double toHz) const;
 
 private:

@@ -6,34 +6,36 @@
 
 namespace lab {
 
-/// The ways in which a bur is swept: a straight trench 3 mm long, a half circle of radius 1.2 mm, straight down.
+/// Sweeps of a bur: a straight trench 3 mm long, a half circle of radius 1.2 mm, straight down.
 enum class Sweep { Trench, Arc, Plunge };
 
-/// "trench", "arc" or "plunge".
+/// Returns "trench", "arc" or "plunge".
 [[nodiscard]] std::string_view nameOf(Sweep sweep);
 
-/// What a sweep took away beside what geometry says it takes (docs/facts/haptics.md, section 8.4, item 5).
+/// The removal of a sweep compared with exact geometry (docs/facts/haptics.md, section 8.4, item 5).
 struct SweepErrors
 {
-    double volumePercent;  ///< of the mean over the lies of the lattice, signed
-    double worstPercent;   ///< of any single lie, absolute
-    double depthRmsUm;     ///< of the columns' depths, over what geometry says is lowered
+    double volumePercent;  ///< of the mean over the positions of the lattice, signed
+    double worstPercent;   ///< of any single position, absolute
+    double depthRmsUm;     ///< of the columns' depths, over the area that is lowered exactly
 };
 
-/// As deep as a trench that is felt, and deeper than the rounded end of every bur but the ball.
+/// Depth of the sweeps, mm: that of a trench that can be felt, and deeper than the rounded end of every bur but the
+/// ball.
 inline constexpr double kSweepDepthMm = 0.4;
 
-/// Volume, mm3, that a sweep takes from a flat block: the depth of the underside over every point, integrated. What
-/// begins and ends with half a body of revolution has its whole, the rest is its cross-section times the way of its
-/// axis (Pappus).
+/// Returns the volume that a sweep removes from a flat block, mm3: the depth of the underside over every point,
+/// integrated. The ends of a path are half bodies of revolution, which make a whole one; the rest is its cross-section
+/// times the path of its axis (Pappus).
 [[nodiscard]] double sweptMm3(Sweep sweep, std::size_t bur, double depthMm);
 
-/// Cross-section, mm2, of a straight trench.
+/// Returns the cross-section of a straight trench, mm2.
 [[nodiscard]] double sweptSectionMm2(std::size_t bur, double depthMm);
 
-/// Sweeps a bur through a block of one material with removal that nothing limits and compares with closed form, over
-/// kSweepLies lies of the lattice: shifts that fill the cell evenly, and headings; a quarter of them along the lattice.
-/// @param side  columns a side, over 10.5 mm
+/// Sweeps a bur through a block of one material with unlimited removal and compares the result with closed form, over
+/// kSweepLies positions of the lattice: shifts that fill the cell evenly, and headings; a quarter of them along the
+/// lattice.
+/// @param side  columns per side, over 10.5 mm
 /// @param bur   index into bur::burs()
 [[nodiscard]] SweepErrors measureSweep(Sweep sweep, int side, std::size_t bur, double depthMm = kSweepDepthMm);
 
