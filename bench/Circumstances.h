@@ -6,7 +6,7 @@
 
 namespace bench {
 
-/// Where, when and with what figures are measured: without it they mean little.
+/// The computer, date and build of a measurement, without which its figures mean little.
 struct Circumstances
 {
     QString processor;  ///< model and number of cores
@@ -15,14 +15,14 @@ struct Circumstances
     QString version;
     QString compiler;
     QString buildType;
-    QString kernels;  ///< of contact: "avx2" or "plain"
+    QString kernels;  ///< contact kernels: "avx2" or "plain"
 
     [[nodiscard]] QString line() const;
     [[nodiscard]] QJsonObject json() const;
 };
 [[nodiscard]] Circumstances circumstancesNow();
 
-/// Resident memory of this process, MiB; 0 where the system does not say.
+/// Returns the resident memory of this process, MiB; 0 if the system does not report it.
 [[nodiscard]] double residentMiB();
 
 }  // namespace bench

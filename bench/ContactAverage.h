@@ -8,7 +8,8 @@
 
 namespace bench {
 
-/// The charts keep ground that a height map can follow apart from ground that it can only know to within a cell.
+/// Two kinds of ground for the charts: ground that a height map can represent, and ground that it knows only to within
+/// a cell.
 enum class Ground { Smooth, Edged };
 
 [[nodiscard]] inline Ground groundOf(const std::string& family)
@@ -16,7 +17,7 @@ enum class Ground { Smooth, Edged };
     return family == "wall" || family == "pit corner" || family.starts_with("step") ? Ground::Edged : Ground::Smooth;
 }
 
-/// A mean over families, in which each counts the same however many ticks it has.
+/// A mean over families in which each has the same weight, however many ticks it has.
 class ContactAverage
 {
 public:
@@ -39,7 +40,7 @@ private:
 };
 
 inline constexpr double kChartStiffnessNPerMm = 2.0;
-/// What a hand just notices, 0.1 N, through that spring (docs/facts/haptics.md, section 7).
+/// The displacement that a hand just notices: 0.1 N through that spring (docs/facts/haptics.md, section 7).
 inline constexpr double kNoticedUm = 1000.0 * 0.1 / kChartStiffnessNPerMm;
 
 }  // namespace bench

@@ -11,16 +11,16 @@
 
 namespace bench {
 
-/// Which colour, mark and stroke a method has: the same in every chart.
+/// Index of the colour, mark and stroke of a method: the same in every chart.
 using LookIndex = int;
 
-/// A line that is told from those of other looks by mark and stroke as well.
+/// Returns a line that differs from those of other looks by mark and stroke as well as colour.
 [[nodiscard]] ui::charts::Line lineOf(const QString& name, LookIndex look);
 
-/// A point with what is written beside it.
+/// Returns a point with a note beside it.
 [[nodiscard]] ui::charts::Dot pointAt(double x, double y, const QString& note);
 
-/// Someone who is measured: a servo with its settings.
+/// A servo with its settings that is measured.
 struct Contestant
 {
     std::string name;  ///< in tables and charts
@@ -31,9 +31,9 @@ struct Contestant
     [[nodiscard]] QString key() const;  ///< for keys of figures: snake_case
 };
 
-/// Everyone that lab::contestants() names, in that order, which is that of tables and charts; ours is the first.
+/// Returns one for each of lab::contestants(), in the order of tables and charts; ours is the first.
 [[nodiscard]] std::span<const Contestant> contestants();
-/// Those of them that have a contact method which can be tried without the loop around it.
+/// Returns those with a contact method that can be measured without the loop around it.
 [[nodiscard]] std::span<const Contestant* const> contactMethods();
 
 }  // namespace bench

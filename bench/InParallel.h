@@ -10,8 +10,8 @@
 
 namespace bench {
 
-/// Calls work(0), work(1) ... work(count - 1) on two threads, in any order, each once; and progress(done) now and then
-/// on this one.
+/// Calls work(0) to work(count - 1) once each on two threads, in any order; and progress(done) now and then on this
+/// thread.
 inline void inParallel(std::size_t count, const std::function<void(std::size_t)>& work,
                        const std::function<void(std::size_t)>& progress)
 {

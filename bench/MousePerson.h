@@ -23,7 +23,7 @@ struct MouseHand
     double forceN = 0.6;
 };
 
-/// What a person can see in one picture.
+/// What a person sees in one picture.
 struct Sight
 {
     double seconds = 0.0;
@@ -54,24 +54,24 @@ struct Doing
     double mostForceN = 0.0;    ///< largest force on the hand
 };
 
-/// Runs a task with the program's own camera, PointerControl, PointerDevice and servo, at 60 pictures a second.
+/// Runs a task with the program's own camera, PointerControl, PointerDevice and servo, at 60 pictures per second.
 /// @param decide  called once for each picture; returns what the hand does until the next one
 [[nodiscard]] core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
                                        const core::servo::ServoSettings& settings, std::size_t bur,
                                        const MouseHand& hand, const ui::tooth::Camera& camera, double mostSeconds,
                                        const std::function<Deed(const Sight&)>& decide);
 
-/// Eyes and hand of a person: what is seen is acted on 0.2 to 0.45 s later (0.3 s on average), and the hand trembles by
-/// 2 pixels about where it means to be. Nothing is foreseen.
+/// Eyes and hand of a person: reacts 0.2 to 0.45 s late (0.3 s on average), and the hand trembles by 2 pixels around
+/// its aim. Does not anticipate.
 class Person
 {
 public:
     explicit Person(std::uint64_t seed);
 
-    /// Stores a picture and returns the newest stored picture that is older than the reaction time. Returns null as
-    /// long as there is none.
+    /// Stores a picture and returns the newest stored picture that is older than the reaction time; null if there is
+    /// none.
     [[nodiscard]] const Sight* see(const Sight& sight);
-    /// Returns the position of the pointer when the hand aims at a position: with tremble.
+    /// Returns the position of the pointer for an aim, with trembling.
     [[nodiscard]] glm::dvec2 aim(glm::dvec2 meantPx);
 
 private:

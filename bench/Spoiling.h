@@ -11,21 +11,21 @@
 
 namespace bench {
 
-/// The surface that a hand is to cut, and what students do wrong with it. Every change is exact, so that what is wrong
-/// is known without measuring it. Heights in mm over the anatomy's grid, [side * side]; places in the tooth frame.
+/// A target surface, and typical errors of students. Every change is exact, so that the error is known without
+/// measuring it. Heights in mm over the anatomy's grid, [side * side]; places in the tooth frame.
 class Spoiling
 {
 public:
-    /// @param wanted  what would be right: no higher than the tooth's top
+    /// @param wanted  the right surface: no higher than the tooth's top
     Spoiling(const core::terrain::ToothAnatomy& anatomy, std::vector<float> wanted);
 
     [[nodiscard]] const std::vector<float>& wanted() const { return m_wanted; }
 
-    /// Lowers the floor by so much, or raises it.
+    /// Lowers the floor by this depth, or raises it if negative.
     void lower(double mm);
     /// Moves all walls outwards.
     void widen(double mm);
-    /// Lets the walls lean outwards.
+    /// Makes the walls lean outwards.
     void lean(double degrees);
     /// Tilts the floor along x.
     void tilt(double degrees);
@@ -33,11 +33,11 @@ public:
     void ripple(double mm);
     /// Lowers the half of the floor towards +x.
     void step(double mm);
-    /// Digs a round hole into the middle of the floor, so deep below it.
+    /// Digs a round hole into the middle of the floor, this deep.
     void gouge(double mm);
-    /// Digs a round hole into the highest place away from the cavity, so deep.
+    /// Digs a round hole into the highest place away from the cavity, this deep.
     void hole(double mm);
-    /// Lowers half of the surface by this depth. The cavity stays as it was.
+    /// Lowers half of the surface by this depth. The cavity is not changed.
     void scribble(double mm);
     /// Extends the cavity towards -x until the marginal ridge has only this width.
     void cutRidge(double leftMm);
@@ -46,14 +46,13 @@ public:
     /// Digs a hole above the highest place of the pulp below the cavity, until `leftMm` of tissue is left over the
     /// pulp. A negative value opens the pulp.
     void nearPulp(double leftMm);
-    /// Leaves this share of the volume of the decay: at its outer end, which lies at the enamel-dentin junction, or on
-    /// the floor.
+    /// Leaves this share of the volume of the decay: at its outer end, at the enamel-dentin junction, or on the floor.
     void leaveDecay(double share, bool atJunction);
 
 private:
     template <class Change>
     void eachOfCavity(const Change& change);
-    /// Lowers what is within a distance of a place.
+    /// Lowers the columns within a distance of a place.
     void dig(glm::dvec2 placeMm, double radiusMm, const std::function<double(std::size_t)>& bottomMm);
     [[nodiscard]] bool isCavity(std::size_t k) const { return m_isCavity[k]; }
     void set(std::size_t k, double mm);

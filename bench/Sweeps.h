@@ -5,8 +5,8 @@
 
 namespace bench {
 
-/// Of the suite "cutting": volume of swept cuts against closed form, by grid, with its chart.
-/// @param steps  of the whole suite, of which these are the first kSweepSteps
+/// Adds the sweeps of the suite "cutting": volume of swept cuts against closed form, by grid, with its chart.
+/// @param steps  of the whole suite; the sweeps are the first kSweepSteps
 void addSweeps(Figures& figures, const Context& context, int steps);
 
 inline constexpr int kSweepSteps = 48;

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// Strokes that wander over the whole crown: slow figure of eight in a slowly turning direction, with 1 N.
+/// Returns strokes that cover the whole crown: a slow figure of eight in a slowly turning direction, with 1 N.
 [[nodiscard]] inline core::servo::PointerInput wander(double seconds, double radiusMm)
 {
     core::servo::PointerInput want;
