@@ -8641,6 +8641,53 @@ ungesichert</translation>
     </message>
 </context>
 <context>
+    <name>ui::window::FileDialogs</name>
+    <message>
+        <source>Scans of teeth (%1)</source>
+        <translation>Scans von Zähnen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Aufzeichnungen (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>The picture was saved as %1.</source>
+        <translation>Das Bild wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
+        <translation>Das Bild konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>Captured ideals (%1)</source>
+        <translation>Abgenommene Ideale (%1)</translation>
+    </message>
+    <message>
+        <source>The comparison was saved as %1.</source>
+        <translation>Der Vergleich wurde als %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>Der Vergleich konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>Hardness presets (%1)</source>
+        <translation>Härte-Voreinstellungen (%1)</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tabellen (%1)</translation>
+    </message>
+</context>
+<context>
     <name>ui::window::MainWindow</name>
     <message>
         <source>Cusp</source>
@@ -8669,18 +8716,6 @@ ungesichert</translation>
             <numerusform>%n Hinweis zu diesem Scan</numerusform>
             <numerusform>%n Hinweise zu diesem Scan</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Scans of teeth (%1)</source>
-        <translation>Scans von Zähnen (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Recordings (%1)</source>
-        <translation>Aufzeichnungen (%1)</translation>
     </message>
     <message>
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
@@ -8756,18 +8791,6 @@ ungesichert</translation>
         <translation>Das simulierte Handstück ist aktiv</translation>
     </message>
     <message>
-        <source>Pictures (%1)</source>
-        <translation>Bilder (%1)</translation>
-    </message>
-    <message>
-        <source>The picture was saved as %1.</source>
-        <translation>Das Bild wurde als %1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
-        <translation>Das Bild konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
         <source>Save the X-ray pictures</source>
         <translation>Röntgenbilder speichern</translation>
     </message>
@@ -8790,10 +8813,6 @@ ungesichert</translation>
     <message>
         <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
         <translation>Diese Datei ist keine gültige Lektion, deshalb kann sie nicht bearbeitet werden. Beheben Sie zuerst die genannten Fehler.</translation>
-    </message>
-    <message>
-        <source>Captured ideals (%1)</source>
-        <translation>Abgenommene Ideale (%1)</translation>
     </message>
     <message>
         <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
@@ -8841,14 +8860,6 @@ ungesichert</translation>
         <translation>Den Vergleich sichern</translation>
     </message>
     <message>
-        <source>The comparison was saved as %1.</source>
-        <translation>Der Vergleich wurde als %1 gesichert.</translation>
-    </message>
-    <message>
-        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
-        <translation>Der Vergleich konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
         <source>The hardness preset was saved: %1.</source>
         <translation>Die Härte-Voreinstellung wurde gespeichert: %1.</translation>
     </message>
@@ -8872,14 +8883,6 @@ ungesichert</translation>
     <message>
         <source>This lesson sets its own hardness. Only the forces can be changed.</source>
         <translation>Diese Lektion legt ihre eigene Härte fest. Nur die Kräfte lassen sich ändern.</translation>
-    </message>
-    <message>
-        <source>Hardness presets (%1)</source>
-        <translation>Härte-Voreinstellungen (%1)</translation>
-    </message>
-    <message>
-        <source>Tables (%1)</source>
-        <translation>Tabellen (%1)</translation>
     </message>
     <message>
         <source>The exam would end without a score.</source>

@@ -8641,6 +8641,53 @@ sin guardar</translation>
     </message>
 </context>
 <context>
+    <name>ui::window::FileDialogs</name>
+    <message>
+        <source>Scans of teeth (%1)</source>
+        <translation>Escaneos de dientes (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Grabaciones (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>The picture was saved as %1.</source>
+        <translation>La imagen se guardó como %1.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
+        <translation>La imagen no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>Captured ideals (%1)</source>
+        <translation>Ideales capturados (%1)</translation>
+    </message>
+    <message>
+        <source>The comparison was saved as %1.</source>
+        <translation>La comparación se guardó como %1.</translation>
+    </message>
+    <message>
+        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>La comparación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>Hardness presets (%1)</source>
+        <translation>Ajustes de dureza (%1)</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tablas (%1)</translation>
+    </message>
+</context>
+<context>
     <name>ui::window::MainWindow</name>
     <message>
         <source>Cusp</source>
@@ -8669,18 +8716,6 @@ sin guardar</translation>
             <numerusform>%n nota sobre este escaneo</numerusform>
             <numerusform>%n notas sobre este escaneo</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Scans of teeth (%1)</source>
-        <translation>Escaneos de dientes (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Recordings (%1)</source>
-        <translation>Grabaciones (%1)</translation>
     </message>
     <message>
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
@@ -8756,18 +8791,6 @@ sin guardar</translation>
         <translation>La pieza de mano simulada está activa</translation>
     </message>
     <message>
-        <source>Pictures (%1)</source>
-        <translation>Imágenes (%1)</translation>
-    </message>
-    <message>
-        <source>The picture was saved as %1.</source>
-        <translation>La imagen se guardó como %1.</translation>
-    </message>
-    <message>
-        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
-        <translation>La imagen no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
-    </message>
-    <message>
         <source>Save the X-ray pictures</source>
         <translation>Guardar las radiografías</translation>
     </message>
@@ -8790,10 +8813,6 @@ sin guardar</translation>
     <message>
         <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
         <translation>Este archivo no es una lección válida, así que no se puede editar. Corrija primero los errores indicados.</translation>
-    </message>
-    <message>
-        <source>Captured ideals (%1)</source>
-        <translation>Ideales capturados (%1)</translation>
     </message>
     <message>
         <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
@@ -8841,24 +8860,8 @@ sin guardar</translation>
         <translation>Guardar la comparación</translation>
     </message>
     <message>
-        <source>The comparison was saved as %1.</source>
-        <translation>La comparación se guardó como %1.</translation>
-    </message>
-    <message>
-        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
-        <translation>La comparación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
-    </message>
-    <message>
         <source>The hardness preset was saved: %1.</source>
         <translation>El ajuste de dureza se guardó: %1.</translation>
-    </message>
-    <message>
-        <source>Hardness presets (%1)</source>
-        <translation>Ajustes de dureza (%1)</translation>
-    </message>
-    <message>
-        <source>Tables (%1)</source>
-        <translation>Tablas (%1)</translation>
     </message>
     <message>
         <source>It feels like %1 now.</source>

@@ -8590,6 +8590,53 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::window::FileDialogs</name>
+    <message>
+        <source>The comparison was saved as %1.</source>
+        <translation>比較を%1として保存しました。</translation>
+    </message>
+    <message>
+        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>比較を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>The picture was saved as %1.</source>
+        <translation>画像を%1として保存しました。</translation>
+    </message>
+    <message>
+        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
+        <translation>画像を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>Scans of teeth (%1)</source>
+        <translation>歯のスキャン (%1)</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>記録 (%1)</translation>
+    </message>
+    <message>
+        <source>Captured ideals (%1)</source>
+        <translation>取り込んだ理想形 (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Hardness presets (%1)</source>
+        <translation>硬さのプリセット (%1)</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>表 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
     <name>ui::window::MainWindow</name>
     <message>
         <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
@@ -8636,14 +8683,6 @@ unsaved</source>
         <translation>比較を保存</translation>
     </message>
     <message>
-        <source>The comparison was saved as %1.</source>
-        <translation>比較を%1として保存しました。</translation>
-    </message>
-    <message>
-        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
-        <translation>比較を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
-    </message>
-    <message>
         <source>The hardness preset was saved: %1.</source>
         <translation>硬さのプリセットを保存しました：%1。</translation>
     </message>
@@ -8687,14 +8726,6 @@ unsaved</source>
     <message>
         <source>Only a tooth with decay has an ideal preparation.</source>
         <translation>理想形があるのは、う蝕のある歯だけです。</translation>
-    </message>
-    <message>
-        <source>The picture was saved as %1.</source>
-        <translation>画像を%1として保存しました。</translation>
-    </message>
-    <message>
-        <source>The picture could not be written. Choose another folder, or free some disk space.</source>
-        <translation>画像を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
     </message>
     <message>
         <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
@@ -8796,34 +8827,6 @@ unsaved</source>
     <message>
         <source>&amp;Save the recording …</source>
         <translation>記録を保存(&amp;S) …</translation>
-    </message>
-    <message>
-        <source>Scans of teeth (%1)</source>
-        <translation>歯のスキャン (%1)</translation>
-    </message>
-    <message>
-        <source>Recordings (%1)</source>
-        <translation>記録 (%1)</translation>
-    </message>
-    <message>
-        <source>Captured ideals (%1)</source>
-        <translation>取り込んだ理想形 (%1)</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>画像 (%1)</translation>
-    </message>
-    <message>
-        <source>Hardness presets (%1)</source>
-        <translation>硬さのプリセット (%1)</translation>
-    </message>
-    <message>
-        <source>Tables (%1)</source>
-        <translation>表 (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
     </message>
     <message>
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>

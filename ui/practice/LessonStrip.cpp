@@ -130,7 +130,6 @@ void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
     m_isConcluded = false;
     m_hint->setChecked(false);
     showStep();
-    m_overSaid = false;
     setTime(0.0);
 }
 
@@ -249,8 +248,6 @@ void LessonStrip::setTime(double workedS)
                                     : QChar(0x2212) + text::duration(-leftS));
     m_time->setColour(leftS < 0.0 ? tone.harmText : leftS < kSoonS ? tone.attentionText : QColor());
     m_time->setToolTip(tr("Remaining time of %1").arg(text::timeWords(m_lesson)));
-    if (leftS < 0.0 && !std::exchange(m_overSaid, true))
-        emit timeOver();
 }
 
 }  // namespace ui::practice

@@ -38,6 +38,7 @@ public:
     /// @param wholeMm3, removedMm3  volumes of the uncut tooth, and of what was removed, by material
     /// @param isDeep  the bur is as deep as the lesson asks
     void follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3, bool isDeep);
+    /// Shows the working time, or what is left of the time of the lesson.
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
     /// Sets whether another attempt at the exam is left after its grade.
@@ -52,8 +53,6 @@ public:
 signals:
     /// Emitted when a step is shown: another one, or the same again.
     void stepShown();
-    /// Emitted once for each lesson, when its time is over.
-    void timeOver();
 
 private:
     void goTo(std::size_t step);
@@ -65,7 +64,6 @@ private:
     std::size_t m_step = 0;
     std::array<bool, ::lessons::kReachedCount> m_reached{};  ///< by lessons::Reached
     double m_workedS = 0.0;
-    bool m_overSaid = false;
     bool m_isConcluded = false;
     Ending m_ending = Ending::WithScore;
     bool m_mayBeginAgain = false;

@@ -8,24 +8,18 @@
 #include <glm/geometric.hpp>
 
 #include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAbstractSlider>
 #include <QApplication>
-#include <QComboBox>
 #include <QDateTime>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QIcon>
-#include <QKeyEvent>
-#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QRandomGenerator>
-#include <QSaveFile>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QTimer>
@@ -77,7 +71,10 @@
 #include "ui/tooth/ToothView.h"
 #include "ui/toothchooser/ToothChooser.h"
 #include "ui/window/AccountMenu.h"
+#include "ui/window/FileDialogs.h"
 #include "ui/window/HelpOverlay.h"
+#include "ui/window/IdleLock.h"
+#include "ui/window/KeyFilter.h"
 #include "ui/window/PracticeRoom.h"
 
 namespace ui::window {
@@ -87,7 +84,7 @@ namespace {
 constexpr qint64 kGuideEveryMs = 100;
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
-constexpr int kIdleLooks = 20;  ///< at whether the place was left, in the time after which it was
+constexpr double kSecondsPerMinute = 60.0;
 constexpr int kSessionMs = 100;
 constexpr int kQuestionIconPx = 36;
 constexpr int kConsolePx = 260;
@@ -96,14 +93,6 @@ constexpr QSize kFirstSize{1280, 800};
 constexpr QSize kSmallest{800, 460};
 /// What a title bar and borders take. They are not known before the window is shown.
 constexpr QSize kAroundWindow{8, 40};
-
-QString patternOf(const QStringList& suffixes)
-{
-    QStringList patterns;
-    for (const QString& suffix : suffixes)
-        patterns << "*." + suffix << "*." + suffix.toUpper();
-    return patterns.join(u' ');
-}
 
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kPanel = QStringLiteral("window/panel");
@@ -154,7 +143,9 @@ MainWindow::MainWindow(core::session::UiChannels& links, QWidget* parent)
       m_help(new HelpOverlay(*m_actions, m_pages)),
       m_tour(new Tour(*m_actions, {*m_room, *m_lessonsPage, *m_classes, *m_admin}, m_pages)),
       m_stereoCard(new practice::StereoCard(m_room)), m_infractionCard(new practice::InfractionCard(m_room)),
-      m_exerciseCard(new practice::ExerciseCard(m_actions->grade, m_room))
+      m_exerciseCard(new practice::ExerciseCard(m_actions->grade, m_room)),
+      m_files(new FileDialogs(*this, *m_messages)), m_idle(new IdleLock(IdleLock::steadyClock(), this)),
+      m_clock([this] { return m_session.recordedS; })
 {
     m_behindScore = m_room;
     m_behindHistory = m_room;
@@ -226,39 +217,18 @@ MainWindow::MainWindow(core::session::UiChannels& links, QWidget* parent)
     connect(m_scorePage, &scoring::ScorePage::momentRequested, this, &MainWindow::momentRequested);
     connect(m_scorePage, &scoring::ScorePage::nextRequested, m_lessonsPage, &catalog::LessonsPage::startNext);
     connect(&m_room->lesson(), &practice::LessonStrip::stepShown, this, &MainWindow::markExercise);
-    connect(&m_room->lesson(), &practice::LessonStrip::timeOver, this, [this] {
-        if (isExam()) {
-            endExam();
-            // On whichever page the user is next, until they have seen it.
-            m_messages->say([] {
-                return kit::MessageBar::Message{kit::MessageBar::Kind::Warning,
-                                                tr("The time for this exam is over: cutting is disabled."),
-                                                {},
-                                                {},
-                                                {},
-                                                kit::MessageBar::Topic::Tooth};
-            });
-            emit gradeRequested();
-        } else
-            m_messages->say(
-                {kit::MessageBar::Kind::News,
-                 tr("The time for this lesson is over. Continue as long as you like, or press G for the grade."),
-                 {},
-                 {},
-                 {},
-                 kit::MessageBar::Topic::Lesson});
-    });
     connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
-        askForFile(
-            tr("Save the X-ray pictures"), FileKind::Picture,
-            [this](const QString& path) { savePicture(path, m_xray->bothFilms()); },
-            newFileName(QStringLiteral("png")));
+        m_files->savePicture(tr("Save the X-ray pictures"), newFileName(FileDialogs::Kind::Picture),
+                             [this] { return m_xray->bothFilms(); });
     });
 
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
     pulse->start(kSessionMs);
-    qApp->installEventFilter(this);
+    new KeyFilter(*m_pages, *m_room,
+                  {m_history, m_classes, m_assign, m_admin, m_presets, m_settingsPage, m_editor, m_forecast, m_login,
+                   m_devicesPage},
+                  this);
     recallLayout();
     text::bindTranslation(this, [this] { retranslateUi(); });
     m_room->setHintVisible(m_view->isUsable());
@@ -302,10 +272,7 @@ QSize MainWindow::firstSize(const QSize& available)
     return kFirstSize.boundedTo(available - kAroundWindow).expandedTo(kSmallest);
 }
 
-MainWindow::~MainWindow()
-{
-    qApp->removeEventFilter(this);
-}
+MainWindow::~MainWindow() = default;
 
 void MainWindow::connectActions()
 {
@@ -353,15 +320,14 @@ void MainWindow::connectActions()
         m_chooser->showMouth(flatIsShown);
     });
     on(m_actions->openScan, [this] {
-        askForFile(m_actions->openScan->text(), FileKind::Scan,
-                   [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
+        m_files->open(m_actions->openScan->text(), FileDialogs::Kind::Scan,
+                      [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
     });
     on(m_actions->editLesson, [this] { editChosenLesson(); });
     on(m_actions->saveReference, [this] {
-        askForFile(
-            m_actions->saveReference->text(), FileKind::Reference,
-            [this](const QString& path) { emit referenceSaveRequested(path); },
-            newFileName(QStringLiteral("cuspideal")));
+        m_files->save(m_actions->saveReference->text(), FileDialogs::Kind::Reference,
+                      newFileName(FileDialogs::Kind::Reference),
+                      [this](const QString& path) { emit referenceSaveRequested(path); });
     });
     on(m_actions->saveRecording, [this] {
         if (m_pages->currentWidget() == m_editor) {
@@ -372,13 +338,12 @@ void MainWindow::connectActions()
         askToSave();
     });
     on(m_actions->openRecording, [this] {
-        askForFile(m_actions->openRecording->text(), FileKind::Recording,
-                   [this](const QString& path) { emit recordingOpenRequested(path); });
+        m_files->open(m_actions->openRecording->text(), FileDialogs::Kind::Recording,
+                      [this](const QString& path) { emit recordingOpenRequested(path); });
     });
     on(m_actions->savePicture, [this] {
-        askForFile(
-            m_actions->savePicture->text(), FileKind::Picture,
-            [this](const QString& path) { savePicture(path, m_view->picture()); }, newFileName(QStringLiteral("png")));
+        m_files->savePicture(m_actions->savePicture->text(), newFileName(FileDialogs::Kind::Picture),
+                             [this] { return m_view->picture(); });
     });
     on(m_actions->section, [this](bool visible) {
         m_room->setSectionVisible(visible);
@@ -457,30 +422,50 @@ void MainWindow::setUsedUp(bool usedUp)
     enableActions();
 }
 
-/// It runs while one works: not on other pages, but in an exam, and not once there is a grade.
+/// Practice pauses while another page is read, an exam does not. A graded lesson is over.
 void MainWindow::runClock()
 {
     const bool isOver = m_isGraded && m_assignment->lesson;  // free practice goes on after its grade
-    const bool runs = !isOver && (isExam() || m_pages->currentWidget() == m_room);
-    if (!runs)
-        m_clockRestedS += m_session.recordedS - m_recordedAtS;
-    m_recordedAtS = m_session.recordedS;
-    if (runs)
-        m_room->lesson().setTime(std::max(0.0, m_recordedAtS - m_clockRestedS));
+    const bool isWorking = !isOver && (isExam() || m_pages->currentWidget() == m_room);
+    const bool timeIsOver = m_clock.advance(isWorking);
+    if (isWorking)
+        m_room->lesson().setTime(m_clock.workedS());
+    if (timeIsOver)
+        endTime();
+}
+
+/// The time of the lesson is over: an exam ends and is graded, practice may go on.
+void MainWindow::endTime()
+{
+    if (!isExam()) {
+        m_messages->say(
+            {kit::MessageBar::Kind::News,
+             tr("The time for this lesson is over. Continue as long as you like, or press G for the grade."),
+             {},
+             {},
+             {},
+             kit::MessageBar::Topic::Lesson});
+        return;
+    }
+    endExam();
+    // The message stays on every page until the user has closed it.
+    m_messages->say([] {
+        return kit::MessageBar::Message{
+            kit::MessageBar::Kind::Warning, tr("The time for this exam is over: cutting is disabled."), {}, {}, {},
+            kit::MessageBar::Topic::Tooth};
+    });
+    emit gradeRequested();
 }
 
 void MainWindow::resumeClock(double recordedS, double workedS)
 {
-    m_recordedAtS = recordedS;
-    m_clockRestedS = recordedS - workedS;
+    m_clock.resume(recordedS, workedS);
 }
 
 void MainWindow::connectDoor()
 {
     using people::LoginPage;
-    m_sinceTouch.start();
-    connect(&m_idleWatch, &QTimer::timeout, this, &MainWindow::lockIfIdle);
-    setIdleLimit(m_idleLimit);
+    connect(m_idle, &IdleLock::expired, this, &MainWindow::lockIfIdle);
     connect(m_actions->school, &QAction::triggered, this, [this] {
         goTo(m_admin);
         m_admin->show(m_admin->part());
@@ -549,14 +534,11 @@ void MainWindow::beginTour()
 
 void MainWindow::setIdleLimit(std::chrono::milliseconds limit)
 {
-    m_idleLimit = limit;
-    m_idleWatch.start(limit / kIdleLooks);
+    m_idle->setLimit(limit);
 }
 
 void MainWindow::lockIfIdle()
 {
-    if (!m_sinceTouch.hasExpired(m_idleLimit.count()))
-        return;
     if (!m_who.isGuest() && (!isAtDoor() || m_mayLeaveDoor))
         askWho(people::LoginMode::Locked);
     else if (m_login->keeps())  // whoever logs in after so long is somebody else
@@ -798,17 +780,16 @@ void MainWindow::connectPresets()
     connect(m_presets, &PresetsPage::saveRequested, this, &MainWindow::presetSaveRequested);
     connect(m_presets, &PresetsPage::useRequested, this, &MainWindow::presetUseRequested);
     connect(m_presets, &PresetsPage::importRequested, this, [this] {
-        askForFile(tr("Import a hardness preset"), FileKind::Preset,
-                   [this](const QString& path) { emit presetImportRequested(path); });
+        m_files->open(tr("Import a hardness preset"), FileDialogs::Kind::Preset,
+                      [this](const QString& path) { emit presetImportRequested(path); });
     });
     connect(m_presets, &PresetsPage::exportRequested, this, [this](const core::settings::FeelPreset& preset) {
-        askForFile(
-            tr("Export the hardness preset"), FileKind::Preset,
-            [this, preset](const QString& path) { emit presetExportRequested(preset, path); },
-            QStringLiteral("%1-v%2.%3")
-                .arg(QString::fromStdString(preset.name).replace(u'/', u'-'))
-                .arg(preset.version)
-                .arg(QLatin1String(lessons::kPresetSuffix)));
+        m_files->save(tr("Export the hardness preset"), FileDialogs::Kind::Preset,
+                      QStringLiteral("%1-v%2.%3")
+                          .arg(QString::fromStdString(preset.name).replace(u'/', u'-'))
+                          .arg(preset.version)
+                          .arg(FileDialogs::suffixOf(FileDialogs::Kind::Preset)),
+                      [this, preset](const QString& path) { emit presetExportRequested(preset, path); });
     });
     connect(m_presets, &PresetsPage::tryRequested, this,
             [this](const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset) {
@@ -840,23 +821,7 @@ void MainWindow::connectPresets()
         goTo(m_presets);
     });
     connect(m_trialCard, &TrialCard::csvRequested, this, [this](const QByteArray& csv) {
-        askForFile(
-            tr("Save the comparison"), FileKind::Table,
-            [this, csv](const QString& path) {
-                QSaveFile file(path);
-                if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.flush() && file.commit())
-                    showMessage(tr("The comparison was saved as %1.").arg(QDir::toNativeSeparators(path)));
-                else
-                    m_messages->say({kit::MessageBar::Kind::Error,
-                                     tr("The comparison could not be written. Choose another folder, or make room on "
-                                        "the disk."),
-                                     QFileInfo(path).fileName(),
-                                     {},
-                                     {},
-                                     kit::MessageBar::Topic::General,
-                                     file.errorString()});
-            },
-            newFileName(QStringLiteral("csv")));
+        m_files->saveComparison(tr("Save the comparison"), newFileName(FileDialogs::Kind::Table), csv);
     });
 }
 
@@ -1141,8 +1106,8 @@ void MainWindow::offerBeside(const QList<kit::MessageBar::Choice>& attempts)
     if (!m_replaying || m_pages->currentWidget() != m_room)
         return;
     const auto askForOne = [this] {
-        askForFile(m_actions->beside->text(), FileKind::Recording,
-                   [this](const QString& path) { emit besideRequested(path); });
+        m_files->open(m_actions->beside->text(), FileDialogs::Kind::Recording,
+                      [this](const QString& path) { emit besideRequested(path); });
     };
     if (attempts.isEmpty()) {
         askForOne();
@@ -1384,21 +1349,6 @@ void MainWindow::toggleXray()
     goTo(m_xray);
 }
 
-void MainWindow::savePicture(const QString& path, const QImage& picture)
-{
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.flush() && file.commit())
-        showMessage(tr("The picture was saved as %1.").arg(QDir::toNativeSeparators(path)));
-    else
-        m_messages->say({kit::MessageBar::Kind::Error,
-                         tr("The picture could not be written. Choose another folder, or free some disk space."),
-                         QFileInfo(path).fileName(),
-                         {},
-                         {},
-                         kit::MessageBar::Topic::General,
-                         file.errorString()});
-}
-
 void MainWindow::connectView()
 {
     connect(m_room, &PracticeRoom::viewAreaChanged, this, &MainWindow::placeOverlays);
@@ -1434,7 +1384,7 @@ void MainWindow::connectView()
 void MainWindow::takeFrame(const core::servo::ServoState& servo)
 {
     if (servo.touching)
-        m_sinceTouch.start();
+        m_idle->touch();
     takeSession();
     m_servo = servo;
     m_periods.take(servo);
@@ -2268,8 +2218,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_isGraded = false;
     m_examIsOver = false;
     m_examIsRefused = false;
-    m_recordedAtS = 0.0;
-    m_clockRestedS = 0.0;
+    m_clock.begin(assignment.lesson ? assignment.lesson->minutes * kSecondsPerMinute : 0.0);
     m_messages->withdraw(kit::MessageBar::Topic::Lesson);
     setUsedUp(false);
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
@@ -2402,6 +2351,7 @@ void MainWindow::endExam()
     if (!isExam())
         return;
     m_examIsOver = true;
+    m_clock.stop();
     m_room->lesson().conclude(m_examIsRefused ? practice::LessonStrip::Ending::Refused
                                               : practice::LessonStrip::Ending::WithScore);
     m_room->setHintVisible(false);
@@ -2533,13 +2483,11 @@ void MainWindow::ask(const char* name, const kit::ConfirmOverlay::Question& ques
 
 void MainWindow::askToSave()
 {
-    askForFile(
-        m_actions->saveRecording->text(), FileKind::Recording,
-        [this](const QString& path) {
-            m_workBeingSaved = ownWork();
-            emit recordingSaveRequested(path);
-        },
-        newFileName(recordingSuffix()));
+    m_files->save(m_actions->saveRecording->text(), FileDialogs::Kind::Recording,
+                  newFileName(FileDialogs::Kind::Recording), [this](const QString& path) {
+                      m_workBeingSaved = ownWork();
+                      emit recordingSaveRequested(path);
+                  });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -2557,80 +2505,17 @@ void MainWindow::closeEvent(QCloseEvent* event)
     leaveGrades([this, leave] { leaveWork([this, leave] { leaveUnsaved(leave); }); });
 }
 
-void MainWindow::askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
-                            const QString& newName)
+QString MainWindow::newFileName(FileDialogs::Kind kind) const
 {
-    QString filter;
-    QString key;
-    QString suffix;
-    switch (kind) {
-    case FileKind::Scan:
-        filter = tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes()));
-        key = QStringLiteral("folders/scan");
-        break;
-    case FileKind::Recording:
-        suffix = recordingSuffix();
-        filter = tr("Recordings (%1)").arg(patternOf({suffix}));
-        key = QStringLiteral("folders/recording");
-        break;
-    case FileKind::Reference:
-        suffix = QStringLiteral("cuspideal");
-        filter = tr("Captured ideals (%1)").arg(patternOf({suffix}));
-        key = QStringLiteral("folders/reference");
-        break;
-    case FileKind::Picture:
-        suffix = QStringLiteral("png");
-        filter = tr("Pictures (%1)").arg(patternOf({suffix}));
-        key = QStringLiteral("folders/picture");
-        break;
-    case FileKind::Preset:
-        suffix = QLatin1String(lessons::kPresetSuffix);
-        filter = tr("Hardness presets (%1)").arg(patternOf({suffix}));
-        key = QStringLiteral("folders/preset");
-        break;
-    case FileKind::Table:
-        suffix = QStringLiteral("csv");
-        filter = tr("Tables (%1)").arg(patternOf({suffix}));
-        key = QStringLiteral("folders/table");
-        break;
-    }
-    QString folder = kit::memory().value(key).toString();
-    // An ideal is named by lessons that lie beside it.
-    if (kind == FileKind::Reference && folder.isEmpty() && QDir().mkpath(lessons::teachersFolder()))
-        folder = lessons::teachersFolder();
-    if (!QFileInfo(folder).isDir())
-        folder = kit::documentsFolder();
-    auto* dialog = new kit::FileDialog(this, title, folder);
-    if (newName.isEmpty()) {
-        dialog->setFileMode(QFileDialog::ExistingFile);
-        dialog->setNameFilters({filter, tr("All files (*)")});
-    } else {
-        dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setDefaultSuffix(suffix);
-        dialog->setNameFilter(filter);
-        dialog->selectFile(newName);
-    }
-    connect(dialog, &QFileDialog::fileSelected, this, [key, chosen](const QString& path) {
-        kit::memory().setValue(key, QFileInfo(path).absolutePath());
-        chosen(path);
-    });
-    dialog->open();  // beside the window's own events: nothing stops meanwhile
-}
-
-QString MainWindow::newFileName(const QString& suffix) const
-{
-    // A block is called "block:line": a colon is no part of a file's name everywhere.
-    const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName().replace(u':', u'-');
-    const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
-    return QStringLiteral("%1-%2.%3").arg(tooth, now, suffix);
+    return FileDialogs::newFileName(m_tooth->name, kind);
 }
 
 void MainWindow::openFile(const QString& path)
 {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix == recordingSuffix())
+    if (suffix == FileDialogs::suffixOf(FileDialogs::Kind::Recording))
         emit recordingOpenRequested(path);
-    else if (scanSuffixes().contains(suffix))
+    else if (FileDialogs::scanSuffixes().contains(suffix))
         leaveWork([this, path] { emit scanChosen(path); });
     else
         m_messages->say({kit::MessageBar::Kind::Error,
@@ -2656,67 +2541,6 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
     openFile(droppedFile(event->mimeData()));
-}
-
-/// Where people, classes and settings are looked after a letter is none of the tooth's keys, which would lead away from
-/// there and begin the work anew; in a list it goes to what begins with it.
-bool MainWindow::isNoKeyOfTheTooth(const QKeyEvent& key, const QWidget& focused) const
-{
-    const bool isPlain = !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) &&
-                         !key.text().isEmpty() && (key.text().at(0).isLetterOrNumber() || key.text().at(0) == u' ');
-    const QWidget* const page = m_pages->currentWidget();
-    const QList<const QWidget*> offices{m_history,      m_classes, m_assign,   m_admin, m_presets,
-                                        m_settingsPage, m_editor,  m_forecast, m_login, m_devicesPage};
-    // In the room the history is a list, too, and the keys drill.
-    return isPlain &&
-           (offices.contains(page) || (page != m_room && qobject_cast<const QAbstractItemView*>(&focused) != nullptr) ||
-            qobject_cast<const QComboBox*>(&focused) != nullptr);
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event)
-{
-    switch (event->type()) {
-    case QEvent::KeyPress:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonPress:
-    case QEvent::Wheel:
-    case QEvent::TabletMove:
-    case QEvent::TouchUpdate:
-        m_sinceTouch.start();
-        break;
-    default:
-        break;
-    }
-    // Who has walked to a button may press it with Enter, too. Qt gives that to buttons of dialogs only.
-    if (auto* button = qobject_cast<QPushButton*>(watched); button != nullptr && event->type() == QEvent::FocusIn)
-        button->setAutoDefault(true);
-    // An open list is closed, and not the page it stands on.
-    if (event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget() != nullptr &&
-        dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        event->accept();
-        return true;
-    }
-    // Who has walked to a button with Tab presses it with Space; only elsewhere Space switches the drill.
-    if (event->type() == QEvent::ShortcutOverride && qobject_cast<QAbstractButton*>(watched) != nullptr &&
-        dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
-        event->accept();
-        return true;
-    }
-    if (event->type() == QEvent::ShortcutOverride && watched->isWidgetType() &&
-        isNoKeyOfTheTooth(*dynamic_cast<QKeyEvent*>(event), *static_cast<QWidget*>(watched))) {
-        event->accept();
-        return true;
-    }
-    if (auto* search = qobject_cast<QLineEdit*>(watched);
-        search != nullptr && search->isClearButtonEnabled() && !search->text().isEmpty() &&
-        (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) &&
-        dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        if (event->type() == QEvent::KeyPress)
-            search->clear();
-        event->accept();
-        return true;
-    }
-    return QMainWindow::eventFilter(watched, event);
 }
 
 }  // namespace ui::window

@@ -42,6 +42,8 @@
 #include "ui/text/Texts.h"
 #include "ui/tooth/ExerciseMarks.h"
 #include "ui/tooth/SightNotes.h"
+#include "ui/window/ExamClock.h"
+#include "ui/window/FileDialogs.h"
 #include "ui/window/Tour.h"
 
 class QStackedWidget;
@@ -107,6 +109,7 @@ class TrialCard;
 namespace ui::window {
 
 class HelpOverlay;
+class IdleLock;
 class PracticeRoom;
 class AccountMenu;
 
@@ -118,10 +121,6 @@ class MainWindow : public QMainWindow
 {
     Q_OBJECT
 public:
-    /// Name filters of the file dialogs, and what is taken when a file is dropped.
-    static QStringList scanSuffixes() { return {"obj", "stl", "ply"}; }
-    static QString recordingSuffix() { return "cusprec"; }
-
     /// Sends a command to the session loop. If its queue is full, shows that nothing was done, and returns false.
     bool send(core::session::SessionCommand command);
     /// Whether send() will succeed so many times in a row. Otherwise shows that nothing was done.
@@ -443,12 +442,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    [[nodiscard]] bool isNoKeyOfTheTooth(const QKeyEvent& key, const QWidget& focused) const;
-    /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
-    enum class FileKind { Scan, Recording, Picture, Reference, Preset, Table };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.
     struct Wish
     {
@@ -520,6 +515,7 @@ private:
     void restBur();
     void startAgain();
     void runClock();
+    void endTime();
     [[nodiscard]] bool isExam() const;
     [[nodiscard]] replay::AttemptTimeline asMayBeTold(replay::AttemptTimeline course) const;
     [[nodiscard]] std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> replayedPoints() const;
@@ -529,13 +525,7 @@ private:
     void connectConsole();
     void registerParameters();
     [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& wanted);
-    void savePicture(const QString& path, const QImage& picture);
-    /// @param chosen   what is done with the path
-    /// @param newName  what a new file may be called; empty: an existing one is wanted
-    void askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
-                    const QString& newName = {});
-    /// Tooth, day and time.
-    [[nodiscard]] QString newFileName(const QString& suffix) const;
+    [[nodiscard]] QString newFileName(FileDialogs::Kind kind) const;
     void openFile(const QString& path);
 
     core::session::UiChannels& m_links;
@@ -584,6 +574,9 @@ private:
     practice::StereoCard* m_stereoCard;
     practice::InfractionCard* m_infractionCard;
     practice::ExerciseCard* m_exerciseCard;
+    FileDialogs* m_files;
+    IdleLock* m_idle;
+    ExamClock m_clock;  ///< of the student's attempt
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
@@ -625,8 +618,6 @@ private:
     QElapsedTimer m_sinceDiscard;        ///< of an unfinished attempt
     bool m_isUnfinishedExam = false;     ///< that offerUnfinished() has offered
     std::function<kit::MessageBar::Message()> m_offerUnfinished;
-    double m_recordedAtS = 0.0;            ///< of the attempt, when its clock was looked at last
-    double m_clockRestedS = 0.0;           ///< of it, in which the clock did not run
     bool m_burRests = false;               ///< while another page is read
     const QWidget* m_askedFrom = nullptr;  ///< the page on which work was begun that is waited for
     bool m_standsIn = false;               ///< the next tooth is not the one that was wanted
@@ -636,9 +627,6 @@ private:
     tooth::ToothView* m_beside = nullptr;  ///< while there is another attempt beside
     glm::dmat4 m_sharedLook{1.0};          ///< from where both looked last
     bool m_selfDrilling = false;
-    QElapsedTimer m_sinceTouch;  ///< keys, mouse, pen, or the bur on the tooth
-    std::chrono::milliseconds m_idleLimit = std::chrono::minutes(10);
-    QTimer m_idleWatch;
     QWidget* m_behindScore = nullptr;    ///< the page from which the score card was opened
     QWidget* m_behindHistory = nullptr;  ///< the same of the attempts
     QWidget* m_behindDoor = nullptr;     ///< the page to go on with
