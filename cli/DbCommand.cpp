@@ -134,7 +134,7 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     std::vector<std::string> witnesses;
     for (const QString& code : parser.values(QStringLiteral("witness"))) {
         witnesses.push_back(code.toStdString());
-        if (!database::sql::isAuditCode(witnesses.back()))
+        if (!database::readAuditCode(witnesses.back()))
             return wrongUsage(QStringLiteral("\"%1\" is no audit code; a report shows one such as 412-9f3ac07be1d2")
                                   .arg(printable(code)));
     }

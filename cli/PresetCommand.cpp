@@ -91,11 +91,11 @@ core::Result<Shelf> schoolsShelf(const QCommandLineParser& parser)
     for (const database::sql::KeptPreset& one : *kept)
         read.push_back(lessons::readPresetText(QByteArray::fromStdString(one.json), QString::fromStdString(one.name)));
     Shelf shelf{lessons::shelved(std::move(read))};
-    const QStringList retired = QString::fromStdString((*settings)[database::sql::kRetiredPresets]).split(u'\n');
+    const QStringList retired = QString::fromStdString((*settings)[database::kRetiredPresets]).split(u'\n');
     for (lessons::ReadPreset& one : shelf.presets)
         one.isRetired = one.preset && retired.contains(QString::fromStdString(one.preset->name));
     const auto inUse =
-        lessons::findPreset(shelf.presets, QString::fromStdString((*settings)[database::sql::kPresetInUse]));
+        lessons::findPreset(shelf.presets, QString::fromStdString((*settings)[database::kPresetInUse]));
     shelf.inUse = inUse ? *inUse : lessons::usualPreset(shelf.presets);
     return shelf;
 }

@@ -60,7 +60,15 @@ struct AttemptRecord
     [[nodiscard]] bool countsAsPassed() const { return givenTenths ? *givenTenths >= passMarkTenths : passed; }
 };
 
-/// An exam that was begun: tissue was cut, or a question was answered.
+/// Selects attempts of a person.
+struct HistoryQuery
+{
+    std::string lessonId;  ///< empty: of any lesson
+    std::string tooth;     ///< not empty: practice without a lesson, at this tooth
+    int limit = 0;         ///< at most so many; 0: all
+};
+
+/// An exam that was begun: something was cut, or answered.
 struct ExamStart
 {
     std::string uid;  ///< 32 hex digits, assigned when it began

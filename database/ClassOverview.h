@@ -125,6 +125,14 @@ struct AttemptComment
     bool operator==(const AttemptComment&) const = default;
 };
 
+/// A comment that is to be added.
+struct NewComment
+{
+    std::string words;
+    std::optional<std::array<double, 3>> placeMm;  ///< in the tooth's frame
+    std::optional<std::int64_t> momentMs;          ///< since the attempt began
+};
+
 struct AttemptOverride
 {
     std::string author;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +41,14 @@ struct Person
     }
 };
 
+/// A person who cannot log in by password yet, and the one-time code with which they can. The code is stored as a hash
+/// only: show it now.
+struct Entered
+{
+    Person person;
+    std::string code;
+};
+
 struct SchoolClass
 {
     ClassId id;
@@ -60,7 +69,10 @@ struct ClassAssignment
     bool operator==(const ClassAssignment&) const = default;
 };
 
-/// A fault in a class list.
+/// The most lines of a class list, the line that names the columns included.
+inline constexpr std::size_t kMostRosterLines = 20'000;
+
+/// What an import of a class list found, or did.
 struct RosterFault
 {
     enum class Kind {

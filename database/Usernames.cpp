@@ -6,6 +6,8 @@
 #include <QList>
 #include <QString>
 
+#include "database/Passwords.h"
+
 namespace database {
 
 core::Result<std::string> normalUsername(const std::string& typed)
@@ -25,6 +27,18 @@ core::Result<std::string> normalUsername(const std::string& typed)
         return core::unexpected(core::ErrorCode::OutOfRange,
                                 "a username has the letters a to z, digits and . _ - @ only; correct it");
     return name.toStdString();
+}
+
+std::string nameHash(const std::string& typed)
+{
+    const auto name = normalUsername(typed);
+    return digestOf(name ? *name : typed);
+}
+
+std::string nameInAudit(const std::string& hash)
+{
+    constexpr std::size_t kDigits = 16;
+    return hash.substr(0, kDigits);
 }
 
 bool canBeSeen(const std::string& name)

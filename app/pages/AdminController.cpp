@@ -14,7 +14,9 @@
 #include "app/school/DailyBackup.h"
 #include "app/school/SchoolSettings.h"
 #include "app/threads/Background.h"
+#include "database/AuditHead.h"
 #include "database/Outbox.h"
+#include "database/Usernames.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
@@ -204,7 +206,7 @@ void AdminController::tellPeople(const std::function<void()>& then)
                                          ? QString::fromStdString(person.username)
                                          : QString::fromStdString(person.fullName() + " (" + person.username + ")");
                 names[person.uid] = name;
-                names[database::sql::Logins::nameInAudit(person.username)] = name;
+                names[database::nameInAudit(database::nameHash(person.username))] = name;
             }
             for (const database::SchoolClass& one : found->classes)
                 names["class:" + std::to_string(one.id.value)] = QString::fromStdString(one.name);
@@ -487,7 +489,7 @@ void AdminController::connectBackups()
             });
     });
     connect(&part, &BackupPart::checkRequested, this, [this](const QString& code) {
-        if (code.isEmpty() || database::sql::isAuditCode(code.toStdString()))
+        if (code.isEmpty() || database::readAuditCode(code.toStdString()))
             check(code);
         else
             m_window.adminPage().backups().refuseCode();

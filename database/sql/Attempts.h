@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,25 +9,22 @@
 #include <QByteArray>
 
 #include "database/AttemptRecord.h"
+#include "database/ClassOverview.h"
 #include "database/sql/DatabaseContext.h"
 #include "lessons/ClassStanding.h"
 
 namespace database::sql {
 
-/// Stores an attempt with its recording (empty: none); both are on the disk when this returns. An attempt whose uid is
-/// stored already is not stored again; its id is returned. Attempts come from this station's outbox, which is trusted
-/// for the person (record.personUid): that person may have logged out, or been disabled, meanwhile.
+using database::HistoryQuery;
+using database::NewComment;
+
+/// Keeps an attempt with its recording (empty: none), on the disk when this returns. Exactly once: one with a uid that
+/// is kept already is that one, and its id is returned. It comes from this station's outbox, which vouches for whose it
+/// is (record.personUid): he may have logged out, or been disabled, meanwhile.
 [[nodiscard]] core::Result<AttemptId> deliverAttempt(const DatabaseContext& school, const AttemptRecord& attempt,
                                                      const QByteArray& recording);
 
-/// Selects the last attempts of a person. `limit` 0: all.
-struct HistoryQuery
-{
-    std::string lessonId;  ///< empty: of any lesson
-    std::string tooth;     ///< not empty: practice without a lesson, at this tooth
-    int limit = 0;
-};
-/// Returns attempts of a person, newest first, without their score sheets.
+/// The last attempts of a person, newest first, without their score sheets.
 [[nodiscard]] core::Result<std::vector<AttemptRecord>> history(const DatabaseContext& school, const Login& session,
                                                                PersonId person, const HistoryQuery& query);
 
@@ -73,12 +69,6 @@ standingAmongClassmates(const DatabaseContext& school, const Login& session, con
                                          std::optional<int> tenths, const std::string& reason,
                                          std::optional<std::size_t> before = {});
 
-struct NewComment
-{
-    std::string words;
-    std::optional<std::array<double, 3>> placeMm;  ///< tooth frame
-    std::optional<std::int64_t> momentMs;          ///< from the start of the attempt
-};
 [[nodiscard]] core::Result<std::int64_t> addComment(const DatabaseContext& school, const Login& session, AttemptId id,
                                                     const NewComment& comment);
 /// Withdraws the user's own comment: it is no longer shown, but stays in the database. ChangedSince: it is withdrawn

@@ -50,13 +50,6 @@ std::string wordsOf(const AuditHead& head)
     return "cusp audit " + std::to_string(head.seq) + ' ' + head.hash;
 }
 
-/// Of an audit code: its row, and the beginning of that one's hash.
-QRegularExpressionMatch matchCode(const std::string& typed)
-{
-    static const QRegularExpression kCode(QStringLiteral("^([1-9][0-9]{0,17})-([0-9a-f]{12,64})$"));
-    return kCode.match(QString::fromStdString(typed).trimmed().toLower());
-}
-
 IntegrityIssue about(const AuditRow& row, const char* words)
 {
     return {words, {std::to_string(row.seq), row.atUtc, row.action, row.object}};
@@ -151,16 +144,6 @@ std::string hashOf(const AuditRow& row, const std::string& hashBefore)
     for (const std::string* part : {&row.atUtc, &row.actor, &row.action, &row.object, &row.detail})
         bytes.putText(*part);
     return digestOf(bytes.bytes());
-}
-
-bool isAuditCode(const std::string& typed)
-{
-    return matchCode(typed).hasMatch();
-}
-
-std::string AuditHead::code() const
-{
-    return seq == 0 ? std::string("0") : std::to_string(seq) + '-' + hash.substr(0, kCodeDigits);
 }
 
 core::Status AuditBatch::begin()
@@ -297,12 +280,12 @@ core::Result<std::vector<IntegrityIssue>> checkAudit(const QSqlDatabase& db, con
 {
     std::vector<AuditHead> witnesses;
     for (const std::string& code : codes) {
-        const auto found = matchCode(code);
-        if (!found.hasMatch())
+        const auto found = readAuditCode(code);
+        if (!found)
             return std::vector{IntegrityIssue{
                 QT_TRANSLATE_NOOP("Finding", "\"%1\" is no audit code; a report shows one such as 412-9f3ac07be1d2"),
                 {code}}};
-        witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
+        witnesses.push_back(*found);
     }
     auto seal = run(db, "SELECT seq, hash, signature, station_key FROM audit_seal WHERE id = 1", kRead);
     if (!seal)

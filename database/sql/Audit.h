@@ -12,6 +12,7 @@
 
 #include "core/base/Result.h"
 #include "database/AttemptRecord.h"
+#include "database/AuditHead.h"
 #include "database/IntegrityIssue.h"
 #include "database/sql/DatabaseContext.h"
 #include "database/sql/Statement.h"
@@ -68,28 +69,15 @@ auto inTurn(const DatabaseContext& school, const std::string& doing, Work work) 
     });
 }
 
-/// Number and hash of the newest row; 0 and empty if there is none.
-struct AuditHead
-{
-    std::int64_t seq = 0;
-    std::string hash;
-    bool operator==(const AuditHead&) const = default;
+using database::AuditHead;
+using database::AuditRows;
 
-    /// Returns the audit code on reports: "412-9f3ac07be1d2", which `cusp db check --witness` accepts.
-    [[nodiscard]] std::string code() const;
-};
 [[nodiscard]] core::Result<AuditHead> auditHead(const QSqlDatabase& db);
 [[nodiscard]] inline core::Result<AuditHead> auditHead(const DatabaseContext& school)
 {
     return auditHead(school.db);
 }
-/// Returns whether a text is an audit code: in any case, with more digits of the hash than are shown if the user likes.
-[[nodiscard]] bool isAuditCode(const std::string& typed);
-
-/// In a school that practises, nearly every row is about an attempt that was begun or stored.
-enum class AuditRows { All, WithoutAttempts };
-
-/// Returns the newest rows, newest first, at most `limit`, before row `beforeSeq` if that is not 0. Admins.
+/// The newest rows of these, newest first, at most `limit`, those before row `beforeSeq` if that is not 0. Admins.
 [[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, const Login& session,
                                                             int limit, std::int64_t beforeSeq = 0,
                                                             AuditRows rows = AuditRows::All);

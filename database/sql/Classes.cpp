@@ -150,6 +150,20 @@ core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std
     return audit.note(actor, "class.enrol", objectOf(id), {{"person", uid->toString()}});
 }
 
+core::Status takeOutOf(const DatabaseContext& school, AuditBatch& audit, const std::string& actor, ClassId id,
+                       PersonId person)
+{
+    const auto uid = ask(school.db,
+                         "DELETE FROM enrolments WHERE class_id = ? AND person_id = ? RETURNING "
+                         "(SELECT uid FROM people WHERE people.id = person_id)",
+                         kChange, {number(id.value), number(person.value)});
+    if (!uid)
+        return tl::unexpected(uid.error());
+    if (uid->isNull())
+        return {};
+    return audit.note(actor, "class.leave", objectOf(id), {{"person", uid->toString()}});
+}
+
 core::Result<ClassId> addClass(const DatabaseContext& school, const Login& session, const std::string& name)
 {
     if (auto who = authorize(school, session, Operation::ChangeClasses); !who)
@@ -193,21 +207,11 @@ core::Status enrol(const DatabaseContext& school, const Login& session, ClassId 
     if (auto who = authorize(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
     return inTurn(school, kChange, [&]() -> core::Status {
-        if (belongs) {
-            AuditBatch audit(school);
-            if (auto put = putInto(school, audit, session.uid(), id, person); !put)
-                return put;
-            return audit.seal();
-        }
-        const auto uid = ask(school.db,
-                             "DELETE FROM enrolments WHERE class_id = ? AND person_id = ? RETURNING "
-                             "(SELECT uid FROM people WHERE people.id = person_id)",
-                             kChange, {number(id.value), number(person.value)});
-        if (!uid)
-            return tl::unexpected(uid.error());
-        if (uid->isNull())
-            return {};
-        return note(school, session.uid(), "class.leave", objectOf(id), {{"person", uid->toString()}});
+        AuditBatch audit(school);
+        const auto change = belongs ? putInto : takeOutOf;
+        if (auto done = change(school, audit, session.uid(), id, person); !done)
+            return done;
+        return audit.seal();
     });
 }
 

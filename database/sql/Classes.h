@@ -47,5 +47,8 @@ class AuditBatch;
                                                const std::string& actor, const std::string& name);
 [[nodiscard]] core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
                                    ClassId id, PersonId person);
+/// As putInto(): removes a person from a class.
+[[nodiscard]] core::Status takeOutOf(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
+                                     ClassId id, PersonId person);
 
 }  // namespace database::sql

@@ -41,15 +41,6 @@ core::Error wrongLogin()
     return {ErrorCode::WrongLogin, "name or password is wrong; try again, or ask an admin for a one-time code"};
 }
 
-/// Under this the failures of a name are kept, whatever was typed.
-std::string nameHash(const std::string& typed)
-{
-    const auto name = normalUsername(typed);
-    return digestOf(name ? *name : typed);
-}
-
-constexpr std::size_t kNameInAudit = 16;  ///< digits of that hash
-
 qlonglong nowMs(const DatabaseContext& school)
 {
     return school.nowUtc().toMSecsSinceEpoch();
@@ -190,7 +181,7 @@ core::Status noteFailure(const DatabaseContext& school, const std::string& hash)
     return inTurn(school, kLogIn, [&]() -> core::Status {
         if (auto ended = endTry(school, hash); !ended)
             return ended;
-        return note(school, "", "login.failed", "name:" + hash.substr(0, kNameInAudit));
+        return note(school, "", "login.failed", "name:" + nameInAudit(hash));
     });
 }
 
@@ -421,11 +412,6 @@ core::Status raisePasswordCost(const DatabaseContext& school, const Login& sessi
     if (!decoy)
         return tl::unexpected(decoy.error());
     return inTurn(school, "raise what passwords cost", [&] { return keepCost(school, session.uid(), cost, *decoy); });
-}
-
-std::string Logins::nameInAudit(const std::string& username)
-{
-    return nameHash(username).substr(0, kNameInAudit);
 }
 
 core::Status Logins::checkNewPassword(const std::string& password, const std::string& username)

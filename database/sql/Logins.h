@@ -24,11 +24,7 @@ public:
     /// Validity of a one-time code.
     static constexpr std::chrono::hours kCodeLife = std::chrono::hours(72);
 
-    /// Returns the hash that the audit stores for the name of a failed login, after "name:": the text that was typed is
-    /// stored nowhere.
-    [[nodiscard]] static std::string nameInAudit(const std::string& username);
-
-    /// Returns whether no person has been entered yet: the first may become the admin.
+    /// Whether nobody has been entered yet: the first may make himself the admin.
     [[nodiscard]] static core::Result<bool> isNew(const DatabaseContext& school);
 
     /// Checks a new password: checkPassword(), and that it does not look like a one-time code.

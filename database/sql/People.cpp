@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/People.h"
 
+#include <algorithm>
 #include <map>
 
 #include "core/base/Bytes.h"
 #include "database/Passwords.h"
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
 #include "database/sql/Statement.h"
 
@@ -87,6 +89,75 @@ core::Result<Person> personBy(const DatabaseContext& school, const QString& colu
                                                             "\"; \"cusp user list\" "
                                                             "lists who there is");
     return *found;
+}
+
+/// The wanted person, except for fields that the user has not changed: those keep their value in the database.
+core::Result<Person> merged(const Person& wanted, const Person& before, const std::optional<Person>& asItWas)
+{
+    Person person = wanted;
+    bool isOverruled = false;
+    const auto keepOthers = [&](auto field) {
+        if (!asItWas)
+            return;
+        if (wanted.*field == (*asItWas).*field)
+            person.*field = before.*field;
+        else if (before.*field != (*asItWas).*field && before.*field != wanted.*field)
+            isOverruled = true;
+    };
+    keepOthers(&Person::givenName);
+    keepOthers(&Person::familyName);
+    keepOthers(&Person::role);
+    keepOthers(&Person::disabled);
+    if (isOverruled)
+        return core::unexpected(core::ErrorCode::ChangedSince, "the person has been changed by somebody else");
+    return person;
+}
+
+/// Inside a transaction: stores what differs from `before`.
+core::Status storeChange(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
+                         const Person& before, const Person& person)
+{
+    if (person.givenName == before.givenName && person.familyName == before.familyName && person.role == before.role &&
+        person.disabled == before.disabled)
+        return {};
+    if (before.role == Role::Admin && (person.disabled || person.role != Role::Admin))
+        if (auto left = expectAnotherAdmin(school, person.id); !left)
+            return left;
+    if (auto changed =
+            execute(school.db, "UPDATE people SET given_name = ?, family_name = ?, role = ?, disabled = ? WHERE id = ?",
+                    "change the person",
+                    {text(person.givenName), text(person.familyName), roleText(person.role), person.disabled ? 1 : 0,
+                     number(person.id.value)});
+        !changed)
+        return changed;
+    // Names stay out of the audit, which cannot forget.
+    QJsonObject detail;
+    if (before.role != person.role)
+        detail["role"] = QString::fromUtf8(roleName(person.role).data());
+    if (before.disabled != person.disabled)
+        detail["disabled"] = person.disabled;
+    if (before.givenName != person.givenName || before.familyName != person.familyName)
+        detail["names_digest"] = QString::fromStdString(digestOfNames(person));
+    return audit.note(actor, "person.change", "person:" + before.uid, detail);
+}
+
+/// Inside a transaction: puts a person into the classes that only `wanted` names, and removes them from those that only
+/// `present` names.
+core::Status moveClasses(const DatabaseContext& school, AuditBatch& audit, const std::string& actor, PersonId person,
+                         const std::vector<ClassId>& wanted, const std::vector<ClassId>& present)
+{
+    const auto isIn = [](const std::vector<ClassId>& classes, ClassId id) {
+        return std::find(classes.begin(), classes.end(), id) != classes.end();
+    };
+    for (const ClassId id : wanted)
+        if (!isIn(present, id))
+            if (auto put = putInto(school, audit, actor, id, person); !put)
+                return put;
+    for (const ClassId id : present)
+        if (!isIn(wanted, id))
+            if (auto out = takeOutOf(school, audit, actor, id, person); !out)
+                return out;
+    return {};
 }
 
 }  // namespace
@@ -211,16 +282,23 @@ core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, con
     return person;
 }
 
-core::Result<Entered> addPerson(const DatabaseContext& school, const Login& session, const NewPerson& who)
+core::Result<Entered> addPerson(const DatabaseContext& school, const Login& session, const NewPerson& who,
+                                const std::vector<ClassId>& classes)
 {
     if (auto may = authorize(school, session, Operation::AddPerson); !may)
         return tl::unexpected(may.error());
+    if (!classes.empty())
+        if (auto may = authorize(school, session, Operation::ChangeClasses); !may)
+            return tl::unexpected(may.error());
     return inTurn(school, "enter the person", [&]() -> core::Result<Entered> {
         AuditBatch audit(school);
         const std::string code = newCode();
         auto person = enter(school, audit, session.uid(), who, {{}, code});
         if (!person)
             return tl::unexpected(person.error());
+        if (auto moved = moveClasses(school, audit, session.uid(), person->id, classes, {}); !moved)
+            return tl::unexpected(moved.error());
+        person->classes = classes;
         if (auto sealed = audit.seal(); !sealed)
             return tl::unexpected(sealed.error());
         return Entered{std::move(*person), code};
@@ -232,51 +310,27 @@ core::Result<Person> changePerson(const DatabaseContext& school, const Login& se
 {
     if (auto may = authorize(school, session, Operation::ChangePerson); !may)
         return tl::unexpected(may.error());
+    if (asItWas && asItWas->classes != wanted.classes)
+        if (auto may = authorize(school, session, Operation::ChangeClasses); !may)
+            return tl::unexpected(may.error());
     if (auto fit = checkNames({wanted.username, wanted.givenName, wanted.familyName, wanted.role}); !fit)
         return tl::unexpected(fit.error());
-    const qlonglong id = wanted.id.value;
     return inTurn(school, "change the person", [&]() -> core::Result<Person> {
-        const auto before = personBy(school, QStringLiteral("id"), id);
+        const auto before = personBy(school, QStringLiteral("id"), number(wanted.id.value));
         if (!before)
             return tl::unexpected(before.error());
-        Person person = wanted;
-        bool isOverruled = false;
-        const auto keepOthers = [&](auto field) {
-            if (!asItWas)
-                return;
-            if (wanted.*field == (*asItWas).*field)
-                person.*field = (*before).*field;
-            else if ((*before).*field != (*asItWas).*field && (*before).*field != wanted.*field)
-                isOverruled = true;
-        };
-        keepOthers(&Person::givenName);
-        keepOthers(&Person::familyName);
-        keepOthers(&Person::role);
-        keepOthers(&Person::disabled);
-        if (isOverruled)
-            return core::unexpected(core::ErrorCode::ChangedSince, "the person has been changed by somebody else");
-        if (person.givenName == before->givenName && person.familyName == before->familyName &&
-            person.role == before->role && person.disabled == before->disabled)
+        auto person = merged(wanted, *before, asItWas);
+        if (!person)
             return person;
-        if (before->role == Role::Admin && (person.disabled || person.role != Role::Admin))
-            if (auto left = expectAnotherAdmin(school, person.id); !left)
-                return tl::unexpected(left.error());
-        if (auto changed = execute(
-                school.db, "UPDATE people SET given_name = ?, family_name = ?, role = ?, disabled = ? WHERE id = ?",
-                "change the person",
-                {text(person.givenName), text(person.familyName), roleText(person.role), person.disabled ? 1 : 0, id});
-            !changed)
-            return tl::unexpected(changed.error());
-        // Names stay out of the audit, which cannot forget.
-        QJsonObject detail;
-        if (before->role != person.role)
-            detail["role"] = QString::fromUtf8(roleName(person.role).data());
-        if (before->disabled != person.disabled)
-            detail["disabled"] = person.disabled;
-        if (before->givenName != person.givenName || before->familyName != person.familyName)
-            detail["names_digest"] = QString::fromStdString(digestOfNames(person));
-        if (auto noted = note(school, session.uid(), "person.change", "person:" + before->uid, detail); !noted)
-            return tl::unexpected(noted.error());
+        AuditBatch audit(school);
+        if (auto stored = storeChange(school, audit, session.uid(), *before, *person); !stored)
+            return tl::unexpected(stored.error());
+        if (asItWas)
+            if (auto moved = moveClasses(school, audit, session.uid(), person->id, wanted.classes, asItWas->classes);
+                !moved)
+                return tl::unexpected(moved.error());
+        if (auto sealed = audit.seal(); !sealed)
+            return tl::unexpected(sealed.error());
         return person;
     });
 }

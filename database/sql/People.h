@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
+
+using database::Entered;
 
 class AuditBatch;
 
@@ -17,21 +20,16 @@ class AuditBatch;
 /// Checks a given or family name. OutOfRange if it is too long or has invisible characters.
 [[nodiscard]] core::Status checkPersonName(const std::string& name);
 
-/// A person who was entered, or whose password was reset, with the one-time code for the login. The code is not stored
-/// in clear, so the caller must show it.
-struct Entered
-{
-    Person person;
-    std::string code;
-};
-[[nodiscard]] core::Result<Entered> addPerson(const DatabaseContext& school, const Login& session,
-                                              const NewPerson& who);
+/// Creates a person and puts them into these classes, in one transaction. Admins.
+[[nodiscard]] core::Result<Entered> addPerson(const DatabaseContext& school, const Login& session, const NewPerson& who,
+                                              const std::vector<ClassId>& classes = {});
 
-/// Changes names, role and whether the account is disabled; uid and username stay. NobodyLeft: the last admin who can
-/// log in cannot be disabled or get another role. ChangedSince: others have set the same field to another value; the
-/// database is not changed.
-/// @param asItWas  the person as the user saw it: fields that the user did not change keep their current value
-/// @returns  the person after the change
+/// Changes names, role, whether the person is disabled, and classes, in one transaction; the uid and the username stay.
+/// Admins. NobodyLeft: the last admin who can log in cannot be disabled or get another role. ChangedSince: another user
+/// has changed the same field to another value; nothing is changed.
+/// @param asItWas  the person as shown to the user: a field that is equal to it keeps its value in the database, and a
+/// class that is in both lists or in neither stays as it is. Empty: all fields are set, and classes stay.
+/// @returns  the person after the change, with the wanted classes
 [[nodiscard]] core::Result<Person> changePerson(const DatabaseContext& school, const Login& session,
                                                 const Person& person, const std::optional<Person>& asItWas = {});
 

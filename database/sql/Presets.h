@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "database/SchoolSettings.h"
 #include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
-/// Names of school settings: "name v2" of the preset in use, if it is not the shipped one; and the names of retired
-/// presets, one per line.
-inline const std::string kPresetInUse = "preset.in_use";
-inline const std::string kRetiredPresets = "preset.retired";
-
-/// A stored version of a hardness preset, with the contents of its file.
-struct KeptPreset
-{
-    std::string name;
-    int version = 0;
-    std::string hash;
-    std::string json;
-    bool operator==(const KeptPreset&) const = default;
-};
+using database::KeptPreset;
 
 /// Returns all versions of all presets, by name, the newest version of each first. Everybody.
 [[nodiscard]] core::Result<std::vector<KeptPreset>> listPresets(const DatabaseContext& school, const Login& session);

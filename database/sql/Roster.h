@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <string_view>
 
 #include "database/Person.h"
@@ -9,8 +8,7 @@
 
 namespace database::sql {
 
-/// Largest number of lines of a class list, including the header.
-constexpr std::size_t kMostRosterLines = 20'000;
+using database::kMostRosterLines;
 
 /// A class list is CSV whose first line names the columns username, given_name, family_name, role and class, in any
 /// order; role is optional (student), and several classes are separated by "|".

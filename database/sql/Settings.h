@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 
 #include "core/base/Result.h"
+#include "database/SchoolSettings.h"
 #include "database/sql/DatabaseContext.h"
 
 namespace database::sql {
 
-/// Names and values as text; the callers define their meaning.
-using SettingsMap = std::map<std::string, std::string>;
+using database::ReplacedSetting;
+using database::SettingsMap;
 
 /// Returns the user's own settings and the school's, which a user cannot override.
 [[nodiscard]] core::Result<SettingsMap> readSettings(const DatabaseContext& school, const Login& session);
@@ -19,13 +19,8 @@ using SettingsMap = std::map<std::string, std::string>;
 [[nodiscard]] core::Status changeSetting(const DatabaseContext& school, const Login& session, const std::string& name,
                                          const std::string& value);
 
-struct ReplacedSetting
-{
-    bool isDone = false;
-    std::string before;  ///< the value before; empty: none
-};
-/// Changes a setting of the school and returns the value before.
-/// @param of  changes it only if this is the current value; empty: in any case
+/// The same, and tells in the place of what.
+/// @param of  only where that is still what is there; nothing: whatever is
 [[nodiscard]] core::Result<ReplacedSetting> replaceSetting(const DatabaseContext& school, const Login& session,
                                                            const std::string& name, const std::string& value,
                                                            const std::optional<std::string>& of = {});

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+/// Settings and hardness presets as a school stores them.
+namespace database {
+
+/// Settings by name. Names and values are text; their users interpret them.
+using SettingsMap = std::map<std::string, std::string>;
+
+/// The outcome of replacing a setting.
+struct ReplacedSetting
+{
+    bool isDone = false;
+    std::string before;  ///< the value until then; empty: there was none
+};
+
+/// The school's setting for the preset in use, as "name v2". Empty: the preset that is shipped.
+inline const std::string kPresetInUse = "preset.in_use";
+/// The school's setting for the names of the presets that are no longer offered, one per line.
+inline const std::string kRetiredPresets = "preset.retired";
+
+/// A version of a hardness preset, with the content of its file.
+struct KeptPreset
+{
+    std::string name;
+    int version = 0;
+    std::string hash;
+    std::string json;
+    bool operator==(const KeptPreset&) const = default;
+};
+
+}  // namespace database
