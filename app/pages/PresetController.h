@@ -8,7 +8,8 @@
 #include <QObject>
 #include <QString>
 
-#include "app/school/SchoolService.h"
+#include "app/SchoolPresets.h"
+#include "app/school/SchoolAccess.h"
 #include "core/settings/FeelPreset.h"
 #include "database/Login.h"
 #include "lessons/PresetShelf.h"
@@ -16,8 +17,8 @@
 
 namespace app {
 
-/// Hardness presets: what there is, which of them teeth feel like, and keeping another. A school's are in its database,
-/// where admins keep them and say which is in use; who practises without a login keeps his own in a folder. Ui thread.
+/// Lists, saves and retires hardness presets, and knows the one in use. The presets of a school are in its database:
+/// admins save them and choose the one in use. A guest's own presets are files in a folder. Ui thread.
 class PresetController final : public QObject
 {
     Q_OBJECT
@@ -25,46 +26,48 @@ class PresetController final : public QObject
 public:
     PresetController(ui::window::MainWindow& window, std::function<database::Login()> who);
 
-    /// The school's data can be asked from now on; null: not any more.
-    void setSchool(SchoolService* school);
-    /// Somebody else works here now, or what is kept may have changed.
+    /// @param school  whose presets are used from now on, outlives its use here; null: there is no school
+    void setSchool(SchoolAccess* school);
+    /// Reads the presets again: another user has logged in, or the presets may have changed.
     void refresh();
-    /// A tooth is to begin, and another station may have said otherwise meanwhile. Where that cannot be read, what is
-    /// known holds, and nothing is told.
+    /// As refresh(), before a tooth is loaded: another station may have changed the presets. If they cannot be read,
+    /// keeps those that are known, and shows no error.
     void readAgain();
-    /// Goes on when what was asked for is there, or after a moment without it.
+    /// Calls `goOn` when all pending reads have ended, or after 1.5 seconds.
     void whenRead(const std::function<void()>& goOn);
 
-    /// What teeth feel like, unless a lesson says otherwise.
+    /// The preset of new teeth, unless their lesson names another.
     [[nodiscard]] const core::settings::FeelPreset& inUse() const { return m_inUse; }
 
 signals:
-    /// Teeth that are begun from now on feel otherwise.
+    /// Emitted when another preset is used for new teeth.
     void inUseChanged();
-    /// Nothing is being asked for any more.
+    /// Emitted when the last pending read has ended.
     void isRead();
 
 private:
     void connectPage();
-    void read(bool tellsFault);
-    void take(std::vector<lessons::ReadPreset> all, const QString& inUse);
+    void read(bool showsError);
+    /// @param who  the user who asked
+    void apply(const database::Login& who, SchoolPresets found);
     void use(const QString& name, const std::optional<QString>& insteadOf);
-    void tellUsed(const QString& name, const QString& before, const QString& said);
+    void showChoice(const QString& name, const ChosenPreset& choice);
+    void showUsed(const QString& name, const QString& before, const QString& said);
     void retire(const QString& name, bool isRetired);
-    /// @param note  what its file deserves a look for; may be empty
-    void keep(const core::settings::FeelPreset& preset, const QString& note);
-    void tellKept(const core::Result<core::settings::FeelPreset>& kept, const QString& note);
+    /// @param note  warnings about the file it comes from; may be empty
+    void save(const core::settings::FeelPreset& preset, const QString& note);
+    void showSaved(const core::Result<core::settings::FeelPreset>& saved, const QString& note);
     void import(const QString& path);
     void exportTo(const core::settings::FeelPreset& preset, const QString& path);
 
     ui::window::MainWindow& m_window;
     std::function<database::Login()> m_who;
-    SchoolService* m_school = nullptr;
+    SchoolAccess* m_school = nullptr;
     lessons::PresetFolder m_folder;
     std::vector<lessons::ReadPreset> m_all;  ///< as shelved()
     core::settings::FeelPreset m_inUse;
-    bool m_isUnread = false;  ///< as was told last
-    int m_asked = 0;          ///< how often the school was asked what there is, and has not answered yet
+    bool m_showsReadError = false;
+    int m_pendingReads = 0;
 };
 
 }  // namespace app

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/TourController.h"
 
-#include "database/sql/Settings.h"
+#include "database/SchoolSettings.h"
 
 namespace app {
 namespace {
 
-using database::sql::DatabaseContext;
+using database::Repositories;
 
 const std::string kSeen = "tour.seen";
 
@@ -17,34 +17,29 @@ TourController::TourController(ui::window::MainWindow& window) : m_window(window
     connect(&m_window, &ui::window::MainWindow::tourEnded, this, &TourController::keep);
 }
 
-void TourController::welcome(SchoolService* desk, const database::Login& who)
+void TourController::welcome(SchoolAccess* school, const database::Login& who)
 {
-    m_desk = desk;
+    m_school = school;
     m_who = who;
     if (who.isGuest())  // "Practise now" leads to the tooth at once
         return;
-    m_desk->ask(
-        this, [who](const DatabaseContext& school) { return database::sql::readSettings(school, who); },
-        [this, who](const core::Result<database::sql::SettingsMap>& settings) {
-            // Where it cannot be known, nobody is kept from his work.
+    m_school->ask(
+        this, [who](const Repositories& data) { return data.settings.read(who); },
+        [this, who](const core::Result<database::SettingsMap>& settings) {
+            // If the settings cannot be read, the user starts to work without the tour.
             if (settings && settings->count(kSeen) == 0 && m_who == who)
                 m_window.beginTour();
         });
 }
 
-/// Not told if it fails: then the tour is offered once more.
+/// Stores that the user has seen the tour. If that fails, the tour is offered again at the next login.
 void TourController::keep()
 {
     if (m_who.isGuest())
         return;
-    m_desk->ask(
-        this,
-        [who = m_who](const DatabaseContext& school) -> core::Result<bool> {
-            if (auto kept = database::sql::changeOwnSetting(school, who, kSeen, "yes"); !kept)
-                return tl::unexpected(kept.error());
-            return true;
-        },
-        [](const core::Result<bool>&) {});
+    m_school->ask(
+        this, [who = m_who](const Repositories& school) { return school.settings.changeOwn(who, kSeen, "yes"); },
+        [](const core::Status&) {});
 }
 
 }  // namespace app

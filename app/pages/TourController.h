@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "app/school/SchoolService.h"
+#include "app/school/SchoolAccess.h"
 #include "database/Login.h"
 #include "ui/window/MainWindow.h"
 
@@ -19,14 +19,14 @@ public:
     explicit TourController(ui::window::MainWindow& window);
 
     /// A user has logged in, or a guest begins.
-    /// @param desk  reads and keeps the user's settings, outlives this; null for a guest
-    void welcome(SchoolService* desk, const database::Login& who);
+    /// @param school  reads and stores the user's settings, outlives this; null for a guest
+    void welcome(SchoolAccess* school, const database::Login& who);
 
 private:
     void keep();
 
     ui::window::MainWindow& m_window;
-    SchoolService* m_desk = nullptr;
+    SchoolAccess* m_school = nullptr;
     database::Login m_who;
 };
 

@@ -7,16 +7,20 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QScopeGuard>
 
+#include "app/threads/Background.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
+#include "database/sql/Repositories.h"
 #include "database/sql/StartedExams.h"
 
 namespace app {
 namespace {
 
 using core::ErrorCode;
+using database::sql::DatabaseContext;
 
 constexpr int kPatienceMs = 5000;  ///< until it is told that there is no answer
 
@@ -37,7 +41,6 @@ bool isDamage(ErrorCode code)
 
 core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file)
 {
-    using database::sql::DatabaseContext;
     if (database::Outbox::isExam(file)) {
         auto exam = letters.readExam(file);
         if (!exam)
@@ -88,6 +91,83 @@ SchoolService::~SchoolService()
 void SchoolService::post(std::function<void()> job)
 {
     QMetaObject::invokeMethod(&m_there, std::move(job), Qt::QueuedConnection);
+}
+
+void SchoolService::runOnDatabase(DatabaseJob job)
+{
+    if (m_asked++ == 0)
+        m_patience.start();
+    post([this, job = std::move(job)]() mutable {
+        const core::Status connected = connect();
+        const core::Status status = job.work(connected ? core::Result<const DatabaseContext*>(m_school.get())
+                                                       : tl::unexpected(connected.error()));
+        if (!status)
+            notice(status.error());
+        QMetaObject::invokeMethod(
+            this,
+            [this, job = std::move(job), status] {
+                takeAnswer(status ? std::nullopt : std::optional(status.error().code));
+                if (job.owner)
+                    job.done();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void SchoolService::runOnDatabaseBeside(DatabaseJob job)
+{
+    if (!m_allowsOthers) {
+        runOnDatabase(std::move(job));
+        return;
+    }
+    ++*m_besides;
+    inBackground(
+        job.owner,
+        [address = m_address, folder = m_folder, options = m_options, besides = m_besides,
+         work = std::move(job.work)]() mutable -> core::Status {
+            const auto ended = qScopeGuard([besides] { --*besides; });
+            options.mayMigrate = false;
+            const auto open = database::sql::Database::open(address, options);
+            if (!open)
+                return work(tl::unexpected(open.error()));
+            const auto key = keyOf(folder);
+            if (!key)
+                return work(tl::unexpected(key.error()));
+            const QSqlDatabase db = (*open)->handle();
+            const DatabaseContext school{db, *key, database::sql::clockOf(db)};
+            return work(&school);
+        },
+        [service = QPointer<SchoolService>(this), done = std::move(job.done)](const core::Status& status) {
+            if (service && !status && status.error().code == ErrorCode::Disabled)
+                emit service->disabled();
+            if (service && !status && status.error().code == ErrorCode::NotAllowed)
+                emit service->refused();
+            done();
+        });
+}
+
+void SchoolService::run(Job job)
+{
+    runOnDatabase(overRepositories(std::move(job)));
+}
+
+void SchoolService::runBeside(Job job)
+{
+    runOnDatabaseBeside(overRepositories(std::move(job)));
+}
+
+SchoolService::DatabaseJob SchoolService::overRepositories(Job job)
+{
+    return {job.owner,
+            [work = std::move(job.work)](const core::Result<const DatabaseContext*>& school) -> core::Status {
+                if (!school)
+                    return work(tl::unexpected(school.error()));
+                core::Status status;
+                database::sql::withRepositories(
+                    **school, [&](const database::Repositories& repositories) { status = work(&repositories); });
+                return status;
+            },
+            std::move(job.done)};
 }
 
 core::Result<database::StationKey> SchoolService::keyOf(const QString& folder)
@@ -343,8 +423,8 @@ void SchoolService::tryAgain()
     deliver();
     if (m_wasAway)
         ask(
-            this, [](const database::sql::DatabaseContext&) -> core::Result<bool> { return true; },
-            [this](const core::Result<bool>& there) {
+            this, [](const database::Repositories&) { return core::Status(); },
+            [this](const core::Status& there) {
                 if (there)
                     emit isBack();
             });

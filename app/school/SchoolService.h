@@ -7,16 +7,17 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include <QHash>
 #include <QObject>
 #include <QPointer>
-#include <QScopeGuard>
 #include <QSet>
+#include <QString>
 #include <QThread>
 #include <QTimer>
 
-#include "app/threads/Background.h"
+#include "app/school/SchoolAccess.h"
 #include "core/base/Result.h"
 #include "core/recording/Recording.h"
 #include "database/Outbox.h"
@@ -34,9 +35,13 @@ struct LetterDelivery
 };
 [[nodiscard]] core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file);
 
+/// Work that is done on the functions of database::sql.
+template <class Work>
+concept DatabaseWork = std::is_invocable_v<Work&, const database::sql::DatabaseContext&>;
+
 /// The school's data, on a thread of its own: a server that is slow or away, a disk that sleeps and the hashing of a
 /// password hold up no window. What is asked is done in the order of asking; answers come back on the ui thread.
-class SchoolService final : public QObject
+class SchoolService final : public QObject, public SchoolAccess
 {
     Q_OBJECT
 
@@ -68,65 +73,22 @@ public:
     /// backup was made are delivered again. Where a school is open, admins only.
     void restore(QObject* owner, const database::Login& session, const QString& backup, const Opened& done);
 
-    /// Whether this person could restore now: nobody else has the file open, and nothing goes on with it here.
     void expectAlone(QObject* owner, const database::Login& session,
-                     const std::function<void(const core::Status&)>& done);
+                     const std::function<void(const core::Status&)>& done) override;
 
-    /// Does `work` with the school on the desk's thread and gives its result to `done` on the ui thread, unless `owner`
-    /// has gone meanwhile. Where there is no connection, the error of that is the result.
-    /// @param work  takes `const database::sql::DatabaseContext&` and returns a core::Result
-    template <class Work, class Done>
+    using SchoolAccess::ask;
+    using SchoolAccess::askBeside;
+
+    /// The same for work on the functions of database::sql.
+    template <DatabaseWork Work, class Done>
     void ask(QObject* owner, Work work, Done done)
     {
-        using Answer = decltype(work(std::declval<const database::sql::DatabaseContext&>()));
-        if (m_asked++ == 0)
-            m_patience.start();
-        post([this, guard = QPointer<QObject>(owner), work = std::move(work), done = std::move(done)]() mutable {
-            auto answer = std::make_shared<Answer>(tl::unexpected(core::Error{}));
-            if (const core::Status connected = connect(); connected)
-                *answer = work(*m_school);
-            else
-                *answer = tl::unexpected(connected.error());
-            if (!*answer)
-                notice(answer->error());
-            QMetaObject::invokeMethod(
-                this,
-                [this, guard, answer, done = std::move(done)]() mutable {
-                    takeAnswer(*answer ? std::nullopt : std::optional(answer->error().code));
-                    if (guard)
-                        done(*answer);
-                },
-                Qt::QueuedConnection);
-        });
+        runOnDatabase(jobOf<database::sql::DatabaseContext>(owner, std::move(work), std::move(done)));
     }
-
-    /// The same for long work, which holds up nobody: on a connection and a thread of its own. Only where the file
-    /// allows no second connection (on a network drive) it takes its turn.
-    template <class Work, class Done>
+    template <DatabaseWork Work, class Done>
     void askBeside(QObject* owner, Work work, Done done)
     {
-        using Answer = decltype(work(std::declval<const database::sql::DatabaseContext&>()));
-        if (!m_allowsOthers) {
-            ask(owner, std::move(work), std::move(done));
-            return;
-        }
-        ++*m_besides;
-        inBackground(
-            owner,
-            [address = m_address, folder = m_folder, options = m_options, besides = m_besides,
-             work = std::move(work)]() mutable -> Answer {
-                const auto ended = qScopeGuard([besides] { --*besides; });
-                options.mayMigrate = false;
-                const auto open = database::sql::Database::open(address, options);
-                if (!open)
-                    return tl::unexpected(open.error());
-                const auto key = keyOf(folder);
-                if (!key)
-                    return tl::unexpected(key.error());
-                const QSqlDatabase db = (*open)->handle();
-                return work(database::sql::DatabaseContext{db, *key, database::sql::clockOf(db)});
-            },
-            std::move(done));
+        runOnDatabaseBeside(jobOf<database::sql::DatabaseContext>(owner, std::move(work), std::move(done)));
     }
 
     /// Puts a graded attempt into the outbox; `kept` hears whether it is on the disk. delivered() follows when the
@@ -138,10 +100,9 @@ public:
     void keep(QObject* owner, const database::Login& session, const database::ExamStart& start,
               const std::function<void(const core::Status&)>& kept);
 
-    /// How many attempts of the session's person wait here.
-    void countWaiting(QObject* owner, const database::Login& session, const std::function<void(int)>& done);
+    void countWaiting(QObject* owner, const database::Login& session, const std::function<void(int)>& done) override;
 
-    [[nodiscard]] int retryMs() const { return m_retry.interval(); }
+    [[nodiscard]] int retryMs() const override { return m_retry.interval(); }
 
     /// Tries to deliver what waits.
     void deliver();
@@ -173,6 +134,14 @@ signals:
     void isBack();
 
 private:
+    using DatabaseJob = JobOn<database::sql::DatabaseContext>;
+    void run(Job job) override;
+    void runBeside(Job job) override;
+    /// On the school's thread, in the order of the calls.
+    void runOnDatabase(DatabaseJob job);
+    /// On a connection and a thread of its own, if the file allows a second connection (not on a network drive).
+    void runOnDatabaseBeside(DatabaseJob job);
+    [[nodiscard]] static DatabaseJob overRepositories(Job job);
     /// On the ui thread.
     void takeAnswer(const std::optional<core::ErrorCode>& fault);
     void tryAgain();

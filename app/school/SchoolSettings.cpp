@@ -5,7 +5,7 @@
 
 namespace app {
 
-int idleMinutesOf(const database::sql::SettingsMap& settings)
+int idleMinutesOf(const database::SettingsMap& settings)
 {
     const auto found = settings.find(kIdleMinutes);
     const int minutes = found == settings.end() ? 0 : QString::fromStdString(found->second).toInt();

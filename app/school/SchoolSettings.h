@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "database/sql/Settings.h"
+#include "database/SchoolSettings.h"
 
 /// What a school sets for everybody, as it is kept.
 namespace app {
@@ -12,6 +12,6 @@ inline const std::string kIdleMinutes = "idle.minutes";
 inline constexpr int kUsualIdleMinutes = 10;
 
 /// After how many minutes a place that was left is locked.
-[[nodiscard]] int idleMinutesOf(const database::sql::SettingsMap& settings);
+[[nodiscard]] int idleMinutesOf(const database::SettingsMap& settings);
 
 }  // namespace app
