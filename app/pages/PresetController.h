@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/SchoolPresets.h"
+#include "app/pages/SchoolPresets.h"
 #include "app/school/SchoolAccess.h"
 #include "core/settings/FeelPreset.h"
 #include "database/Login.h"

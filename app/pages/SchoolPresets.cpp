@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/SchoolPresets.h"
+#include "app/pages/SchoolPresets.h"
 
 #include <utility>
 
