@@ -4,6 +4,7 @@
 #include "core/servo/ServoState.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -46,6 +47,8 @@ ServoLoop::ServoLoop(HapticDevice& device, std::unique_ptr<ServoTick> tick, Serv
     : m_device(device), m_tick(std::move(tick)), m_links(links), m_stateOut(state), m_period(period),
       m_isDirty(kMaxTiles, 0)
 {
+    assert(m_tick != nullptr);
+    assert(period > std::chrono::microseconds::zero() && period <= std::chrono::milliseconds(50));
     m_dirty.reserve(kMaxTiles);
 }
 
@@ -306,6 +309,7 @@ void ServoLoop::markDirty(const core::cutting::CutRect& rect) noexcept
             if (m_isDirty[tile] != 0)
                 continue;
             m_isDirty[tile] = 1;
+            assert(m_dirty.size() < m_dirty.capacity());
             m_dirty.push_back(tile);  // within the reserved capacity: at most one entry a tile
         }
     }

@@ -2,6 +2,7 @@
 #include "core/contact/LiveTooth.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -86,6 +87,8 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
     : m_tooth(std::move(tooth)), m_sides(*m_tooth.anatomy), m_floorMm(bur::lowestTipMm(*m_tooth.anatomy)),
       m_kernels(contact::kernels())
 {
+    assert(m_tooth.top.size() == grid().count() && m_tooth.bottom.size() == grid().count());
+    assert(m_tooth.anatomy->layers.size() == grid().count());
     for (const bur::Bur& bur : bur::burs())
         m_masks.emplace_back(bur, grid().cellMm);
     std::size_t widest = 0;

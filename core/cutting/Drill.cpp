@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -134,6 +135,7 @@ contact::RemovalTimes Drill::removalTimes(const contact::LiveTooth& tooth, const
 Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
                double seconds) noexcept
 {
+    assert(forceN >= 0.0 && seconds >= 0.0);
     Cut done;
     done.tipMm = anchor;
     const glm::dvec3 pull = device - anchor;

@@ -2,6 +2,7 @@
 #include "core/history/TiledHeights.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace core::history {
 namespace {
@@ -13,6 +14,7 @@ using servo::kTileSide;
 TiledHeights::TiledHeights(const terrain::Grid& grid, std::span<const float> heights)
     : m_grid(grid), m_tilesPerSide((grid.side + kTileSide - 1) / kTileSide)
 {
+    assert(heights.size() == grid.count());
     m_tiles.reserve(static_cast<std::size_t>(m_tilesPerSide) * static_cast<std::size_t>(m_tilesPerSide));
     for (int y = 0; y < m_tilesPerSide; ++y)
         for (int x = 0; x < m_tilesPerSide; ++x)
@@ -71,6 +73,7 @@ std::vector<float> TiledHeights::flat() const
 std::vector<servo::TilePatch> patchesBetween(const TiledHeights& from, const TiledHeights& to, std::uint64_t tick,
                                              std::uint64_t generation)
 {
+    assert(from.tilesPerSide() == to.tilesPerSide());
     std::vector<servo::TilePatch> group;
     for (int y = 0; y < to.tilesPerSide(); ++y) {
         for (int x = 0; x < to.tilesPerSide(); ++x) {

@@ -2,6 +2,7 @@
 #include "core/history/UndoTree.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace core::history {
 namespace {
@@ -32,6 +33,9 @@ UndoTree::Node& UndoTree::add(ToothMoment moment, Node* parent)
 /// A moment that nothing follows from, or the first one, if but one follows from it.
 void UndoTree::remove(Node& node)
 {
+    // A moment that others came from stays, unless it is the first and has one way on.
+    assert(&node != m_at);
+    assert(node.parent != nullptr ? node.children.empty() : node.children.size() == 1);
     m_bytes -= listBytes(node.moment.top);
     for (const std::shared_ptr<const Tile>& tile : node.moment.top.tiles()) {
         if (const auto uses = m_uses.find(tile.get()); --uses->second == 0) {
@@ -80,12 +84,14 @@ void UndoTree::restart(ToothMoment first)
 
 void UndoTree::push(ToothMoment moment)
 {
+    assert(m_at != nullptr);
     arriveAt(add(std::move(moment), m_at));
     keepToLimit();
 }
 
 bool UndoTree::undo()
 {
+    assert(m_at != nullptr);
     if (m_at->parent == nullptr)
         return false;
     arriveAt(*m_at->parent);
@@ -94,6 +100,7 @@ bool UndoTree::undo()
 
 bool UndoTree::redo()
 {
+    assert(m_at != nullptr);
     if (m_at->visited == nullptr)
         return false;
     arriveAt(*m_at->visited);

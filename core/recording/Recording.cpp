@@ -176,6 +176,7 @@ Recording::Recording(servo::ServoSettings settings, std::shared_ptr<const terrai
 
 void Recording::append(const ServoEvent& event)
 {
+    assert(m_tail.size() < kChunkEvents);
     m_tail.push_back(event);
     m_isRetuned = m_isRetuned || event.kind == ServoEvent::Kind::Number;
     m_version = std::max(m_version, versionWith(event));

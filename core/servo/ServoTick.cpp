@@ -2,6 +2,7 @@
 #include "core/servo/ServoTick.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -94,6 +95,7 @@ Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
 
 contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew, std::uint64_t tick) noexcept
 {
+    assert(tooth != nullptr);
     contact::LiveTooth* old = m_tooth;
     m_tooth = tooth;
     m_tooth->selectBur(m_state.burIndex);
@@ -121,6 +123,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew, s
 
 void ServoTick::setBur(std::size_t index) noexcept
 {
+    assert(index < bur::burs().size());
     m_state.burIndex = static_cast<std::uint8_t>(index);
     m_method->toothChanged();
     m_drill.rest();
@@ -159,6 +162,7 @@ void ServoTick::beginAs(const ServoState& left) noexcept
 
 void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noexcept
 {
+    assert(m_tooth != nullptr && dt.count() >= 0);
     ++m_state.tick;
     m_changed = {};
     m_state.cutting = false;

@@ -61,7 +61,8 @@ public:
     /// Leads the hand to its start over the tooth, if the device has a work area (contact::WorkArea).
     void bringHome() noexcept { m_workArea.bringHome(); }
 
-    /// Computes one tick. There must be a tooth.
+    /// Computes one tick. There must be a tooth. The work is bounded: it neither allocates, locks nor throws, looks at
+    /// no more columns than LiveTooth::columnsRoom() holds, and tries a limited number of advances (Drill).
     /// @param device  null: no reading in this tick. A position that is not finite, is more than a metre away or is
     ///                farther from the last than a hand can move is treated as null. For less than 10 ms the hand is
     ///                assumed to rest. After that, or if there was no reading before, the device is lost: no force, and

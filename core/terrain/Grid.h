@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 
 #include <glm/vec2.hpp>
@@ -22,6 +23,7 @@ struct Grid
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(side) * static_cast<std::size_t>(side); }
     [[nodiscard]] std::size_t index(int i, int j) const
     {
+        assert(contains(i, j));
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(side) + static_cast<std::size_t>(i);
     }
     [[nodiscard]] bool contains(int i, int j) const { return i >= 0 && j >= 0 && i < side && j < side; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -28,6 +29,7 @@ void forEachNeighbour(const Grid& grid, int i, int j, Visit visit)
 std::size_t sewRim(const Grid& grid, std::span<const float> top, std::span<const float> bottom, const NodeRect& rect,
                    std::vector<float>& sewn)
 {
+    assert(top.size() == grid.count() && bottom.size() == grid.count());
     sewn.resize(grid.count(), kEmptyTop);
     const NodeRect area = grown(rect, 1, grid);
     std::size_t count = 0;
@@ -56,6 +58,7 @@ std::size_t sewRim(const Grid& grid, std::span<const float> top, std::span<const
 void calmSteepNormals(const Grid& grid, std::span<const glm::vec3> normals, const NodeRect& rect,
                       std::span<glm::vec3> calm)
 {
+    assert(normals.size() == grid.count() && calm.size() == grid.count());
     constexpr float kBlendIn = 0.2F;  ///< of z, from where steep begins
     constexpr float kFade = 0.1F;     ///< of the weight with the square of the distance, in nodes
     std::array<float, 2 * kCalmReach * kCalmReach + 1> fades{};

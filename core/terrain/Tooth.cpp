@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace core::terrain {
 namespace {
@@ -45,6 +46,7 @@ bool hasDecay(const ToothAnatomy& anatomy)
 
 Tooth restored(std::shared_ptr<const ToothAnatomy> anatomy, std::vector<float> top)
 {
+    assert(anatomy != nullptr && top.size() == anatomy->grid.count());
     Tooth tooth(std::move(anatomy));
     tooth.top = std::move(top);
     for (std::size_t k = 0; k < tooth.top.size(); ++k)
