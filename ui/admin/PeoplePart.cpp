@@ -404,7 +404,7 @@ QString PeoplePart::stateOf(const Person& person, const std::string& nowUtc) con
 void PeoplePart::fill()
 {
     const QSignalBlocker quiet(m_table->selectionModel());
-    // What is read once more stays where it was, and who is chosen in sight, unless he was out of it.
+    // Keeps the scroll position. Scrolls the chosen person into view only if their row was visible before.
     const int scrolled = m_table->verticalScrollBar()->value();
     const QModelIndex before = rowOf(m_chosen);
     const bool wasSeen = !before.isValid() || m_table->viewport()->rect().intersects(m_table->visualRect(before));
@@ -444,15 +444,15 @@ QModelIndex PeoplePart::rowOf(qint64 person) const
 void PeoplePart::filter()
 {
     showFound();
-    m_table->doItemsLayout();  // else it does not know yet where he lies
+    m_table->doItemsLayout();  // scrollTo() needs the new layout
     if (const QModelIndex chosen = rowOf(m_chosen); chosen.isValid())
         m_table->scrollTo(chosen);
 }
 
 void PeoplePart::showFound()
 {
-    // Whom the form shows stays there: of a row that is hidden the table chooses the neighbour. When the search no
-    // longer hides him he is marked again.
+    // Keeps the selection on the person whose form is open. When the search hides their row, the table would select a
+    // neighbouring row. When the row is visible again, it is selected again.
     const QSignalBlocker quiet(m_table->selectionModel());
     m_shown->setWords(m_search->text());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
@@ -572,7 +572,7 @@ void PeoplePart::write(const Typed& typed)
 {
     m_inForm = typed.asItWas;
     const auto put = [](QLineEdit* field, const QString& words) {
-        if (field->text() != words)  // or else who is typing would lose his place
+        if (field->text() != words)  // setText() would move the cursor of whoever is typing
             field->setText(words);
     };
     put(m_username, typed.username);
@@ -881,7 +881,7 @@ void PeoplePart::refuse(const Words& sentence)
 
 void PeoplePart::confirmClass(const QString& name)
 {
-    // Whoever adds a class while he enters or changes somebody means him to be in it.
+    // When an admin adds a class while the form is being edited, the person in the form shall be in it.
     m_isTouched = m_isTouched || !m_classAdded.empty();
     if (m_className->text().trimmed() == name)  // and not the next already
         m_className->clear();

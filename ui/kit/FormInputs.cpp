@@ -97,7 +97,7 @@ protected:
     void hideEvent(QHideEvent* event) override
     {
         if (m_note)
-            m_note->deleteLater();  // whoever hides the whole window has it on his list
+            m_note->deleteLater();  // not at once: QWidget may be iterating over its children
         QDoubleSpinBox::hideEvent(event);
     }
 

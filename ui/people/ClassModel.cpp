@@ -42,7 +42,7 @@ QColor mixed(const QColor& below, const QColor& above, double share)
 
 Need needOf(const MatrixStudent& student, bool hasNoneLeft, bool isLate)
 {
-    if (hasNoneLeft)  // before all else: only the teacher can let him go on
+    if (hasNoneLeft)  // comes first: only the teacher can help here
         return Need::NoneLeft;
     std::vector<::lessons::AttemptOutcome> tries;
     for (std::size_t k = 0; k < std::min(student.recentTenths.size(), student.recentPassed.size()); ++k)

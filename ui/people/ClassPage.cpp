@@ -73,7 +73,8 @@ ClassPage::ClassPage(const Actions& actions, QWidget* parent)
     retell();
 }
 
-/// Which class, who needs the teacher, and what he can do for all.
+/// Builds the top of the page: the choice of the class, the students who need help, and the actions for the whole
+/// class.
 QWidget* ClassPage::makeHead()
 {
     auto* part = new QWidget(this);

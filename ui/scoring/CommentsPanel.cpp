@@ -364,7 +364,7 @@ void CommentsPanel::setMoment(std::optional<std::int64_t> ms)
 
 void CommentsPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment)
 {
-    // Who only looks at another place does not mean his comment.
+    // A place that was only looked at must not replace the place of a comment that is being written.
     if (placeMm && !forComment && m_atPlace->isChecked() && !m_words->toPlainText().trimmed().isEmpty())
         return;
     m_place = placeMm;
@@ -700,8 +700,8 @@ void CommentsPanel::changeEvent(QEvent* event)
         retell();
 }
 
-/// Who went from what he was writing to a moment of the replay, and is back, means that one; not who only looked at
-/// what another is pinned to.
+/// Ticks "at this moment" when the teacher returns to a comment after playing the replay, but not after only opening
+/// the moment of another comment.
 void CommentsPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);

@@ -245,8 +245,8 @@ public slots:
     void setFeedback(const std::vector<database::Feedback>& feedback);
     /// What is on the shelf of hardness presets, and which of it teeth feel like.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
-    /// Who works here now, and whether he may keep presets and say which is in use; else he looks at them and tries
-    /// them.
+    /// Sets who works here, and whether they may save presets and choose which is in use. Otherwise they can only view
+    /// and try them.
     void setMayKeepPresets(const database::Login& who, bool may);
     /// presetSaveRequested(), or a file that was imported, has become this version: shown on the page, and said.
     /// @param note  what deserves a look all the same; may be empty
@@ -295,7 +295,7 @@ public slots:
     void askWho(people::LoginMode door);
     /// Somebody is to log in; where nobody is entered yet, to create the school.
     void askLogin() { askWho(m_isNewSchool ? people::LoginMode::Welcome : people::LoginMode::Login); }
-    /// The same where a guest's grade waits for who it is: he is told so, and may say that it is not his.
+    /// Asks for a login to keep a guest's grade. The person may also say that the grade is not theirs.
     void askLoginToKeep();
     [[nodiscard]] bool keepsOnLogin() const;
     void setNewSchool(bool isNew) { m_isNewSchool = isNew; }
