@@ -24,7 +24,7 @@ core::Status within(const DatabaseContext& school, const QString& question, cons
     return {};
 }
 
-/// Nobody comments on his own work or gives himself a score; and a score is given to students only.
+/// Fails if a teacher would mark their own work, or if the score of anyone but a student would be overridden.
 core::Status expectToMark(const DatabaseContext& school, const Login& session, Operation operation, PersonId owner)
 {
     if (operation != Operation::Comment && operation != Operation::Override)

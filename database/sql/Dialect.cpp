@@ -117,7 +117,7 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (is("53"))
         return {ErrorCode::ServerRefuses,
                 head + "the server has no room left (" + said + "); free some disk there and try again"};
-    // By a limit of its administrator's, or by his hand.
+    // The server's administrator cancelled the query, or a time limit did.
     if (is("57014"))
         return {ErrorCode::Busy,
                 head + "the server has stopped it (" + said + "); try again, or let its administrator allow more time"};

@@ -33,7 +33,7 @@ struct Account
     std::string passwordHash;
     std::string codeHash;
     std::string codeUntilUtc;
-    bool isByCode = false;  ///< he has shown his one-time code, not his password
+    bool isByCode = false;  ///< the person gave the one-time code, not the password
 };
 
 core::Error wrongLogin()
@@ -75,7 +75,7 @@ core::Result<Tries> triesOf(const DatabaseContext& school, const std::string& ha
     const auto read =
         forEach(school.db, "SELECT name_hash, failures, last_ms FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn,
                 {text(hash), tryOf(hash)}, [&](const QSqlQuery& row) {
-                    // A clock that was put back must neither lock anybody out for long nor let him in at once.
+                    // If the clock was put back, a person must neither be locked out for long nor be let in at once.
                     const qlonglong goneMs = nowMs(school) - row.value(2).toLongLong();
                     tries.isAhead = tries.isAhead || goneMs < 0;
                     const std::chrono::milliseconds gone(std::max(0LL, goneMs));
@@ -137,8 +137,7 @@ core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& 
     });
 }
 
-/// Who has to wait only because others of his name are being compared waits here for how that ends: one who logs in at
-/// many places at once guesses nothing.
+/// Waits while other tries for the same name are being compared. So many logins in parallel guess no faster than one.
 core::Status beginTry(const DatabaseContext& school, const std::string& hash)
 {
     constexpr int kMostLooks = 100;
@@ -246,9 +245,9 @@ std::string codeOf(const std::string& typed)
     return code.toStdString();
 }
 
-/// What is compared with where nobody is called so, or he has no password: that of somebody else, the same for a name
-/// until people come or go. So it takes as long as it takes with those who are here, also while some passwords are
-/// still kept at the cost of an older computer.
+/// Returns the password hash to compare with when the name is unknown or has no password. It is the hash of another
+/// person, and stays the same for a name until people are added or removed. So a try takes as long as for a known name,
+/// even while some hashes still have the lower cost of an older computer.
 core::Result<std::string> otherPassword(const DatabaseContext& school, const std::string& nameHash)
 {
     constexpr const char* kHaving = "FROM people WHERE password_hash <> ''";
@@ -271,9 +270,10 @@ core::Result<std::string> otherPassword(const DatabaseContext& school, const std
 
 enum class Secret { Password, Code, Either };
 
-/// A password is compared once, whoever it is: with his, or with another's. A code is compared quickly, whoever it is.
+/// Compares a secret with the account of a name. A password is compared exactly once, whether or not the account
+/// exists. A code is always compared quickly.
 /// @param hash  of the name
-/// @return nothing: it is wrong
+/// @return empty if the secret is wrong or the person is disabled
 core::Result<std::optional<Account>> compare(const DatabaseContext& school, const std::string& username,
                                              const std::string& hash, const std::string& secret, Secret kind)
 {
@@ -349,7 +349,7 @@ core::Status keepDearer(const DatabaseContext& school, const Person& person, con
     return raised->isNull() ? core::Status() : noteLogin(school, person.uid, "password.rehash", person.uid);
 }
 
-/// Whether what somebody has shown still lets him in: another station or an admin may have been quicker.
+/// Fails if another station or an admin has changed the secret meanwhile.
 core::Status expectStill(const DatabaseContext& school, const Person& person, const char* column,
                          const std::string& hash)
 {

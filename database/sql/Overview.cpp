@@ -206,8 +206,8 @@ LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair
     return difficulty;
 }
 
-/// ", and of these": what a band adds to a query over the attempts a of students p. A class of fewer people tells
-/// nothing of them, however many others its students meet in their other classes; and who teaches is told of his own.
+/// Returns the SQL condition, beginning with AND, that limits a band to attempts of classmates. A class below the
+/// minimum size adds nobody, whatever other classes its students are in. A teacher sees only their own classes.
 QString amongThem(const AuthorizedUser& who)
 {
     return QStringLiteral(
