@@ -20,7 +20,7 @@ namespace app {
 /// What a school says of a person's attempts.
 struct KnownAttempts
 {
-    std::set<std::string> usedUp = {};  ///< lessons at which he has no attempt left
+    std::set<std::string> usedUp = {};  ///< lessons in which the person has no attempt left
     /// Uids of those that are kept; nothing: it does not say.
     std::optional<std::set<std::string>> kept = {};
 };

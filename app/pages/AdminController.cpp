@@ -190,7 +190,7 @@ void AdminController::tellPeople(const std::function<void()>& then)
             return Found{std::move(*people), std::move(*classes)};
         },
         [this, then](const core::Result<Found>& found) {
-            if (m_who().role() != database::Role::Admin)  // he has left
+            if (m_who().role() != database::Role::Admin)  // the admin has left
                 return;
             if (!found) {
                 refuse(found.error());
@@ -401,7 +401,7 @@ void AdminController::beside(const QString& what, Job job, Done done)
             return job(school, [isStopped] { return !*isStopped; });
         },
         [this, who = m_who(), done = std::move(done)](auto& answer) mutable {
-            if (!answer && m_who() == who) {  // as where he asks for anything else
+            if (!answer && m_who() == who) {  // as for any other request
                 if (answer.error().code == core::ErrorCode::Disabled)
                     emit m_desk.disabled();
                 if (answer.error().code == core::ErrorCode::NotAllowed)
@@ -499,7 +499,7 @@ void AdminController::connectBackups()
         inBackground(
             this, [backup] { return database::sql::verifyBackup(backup); },
             [this, &part, backup, who = m_who()](const core::Status& sound) {
-                if (m_who() != who) {  // nobody else is thrown out of his work
+                if (m_who() != who) {  // another person must not lose their work
                     part.finish([] { return QString(); }, {});
                     return;
                 }

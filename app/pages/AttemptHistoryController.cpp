@@ -258,7 +258,7 @@ void AttemptHistoryController::forget()
     m_reads = {};
 }
 
-/// Who has gone to another page since he asked for one is not torn away from there.
+/// Returns a check that the page has not changed since: an answer must not pull a person from another page.
 std::function<bool()> AttemptHistoryController::isStillThere() const
 {
     return [this, page = m_window.page()] { return m_window.page() == page; };
@@ -373,7 +373,7 @@ void AttemptHistoryController::sayInTalk(Work work)
         });
 }
 
-/// Who teaches may say something of every student of his: where he is refused, it is one no longer.
+/// A teacher may comment on each of their students. So a refusal means that the student has left their classes.
 QString AttemptHistoryController::whyNotDone(const core::Error& error) const
 {
     if (!isOfAnotherNow(error))
@@ -387,7 +387,7 @@ bool AttemptHistoryController::isOfAnotherNow(const core::Error& error) const
     return error.code == core::ErrorCode::NotAllowed && m_who().role() == database::Role::Instructor;
 }
 
-/// What stands at the attempt, to whoever has left that: where he is now.
+/// Shows a refusal on the page where the person now is, if they have left the attempt.
 void AttemptHistoryController::tellRefused(qint64 attempt, const QString& whose, const QString& sentence)
 {
     ui::scoring::ScorePage& page = m_window.scorePage();
@@ -548,7 +548,7 @@ void AttemptHistoryController::tellRemarks()
           });
 }
 
-/// His home and his list tell him no longer that it is new.
+/// Marks feedback as seen. The home page and the list then show it as new no longer.
 void AttemptHistoryController::noteSeen(const database::AttemptRecord& attempt)
 {
     askAs(
@@ -895,7 +895,7 @@ void AttemptHistoryController::tellOverview(database::ClassId ofClass)
 void AttemptHistoryController::tellUnread(database::ClassId ofClass, const core::Error& error)
 {
     ClassPage& page = m_window.classPage();
-    if (error.code == core::ErrorCode::NotAllowed) {  // it is his no longer
+    if (error.code == core::ErrorCode::NotAllowed) {  // the class is no longer theirs
         refuse(error);
         tellClasses();
         return;

@@ -64,7 +64,7 @@ signals:
                         const std::function<QString()>& work);
 
 private:
-    /// As SchoolService::ask(); whoever works here when the answer comes hears only what he asked himself.
+    /// Like SchoolService::ask(), but drops the answer if another person works here by then.
     template <class Work, class Done>
     void askAs(Work work, Done done)
     {

@@ -14,7 +14,7 @@ struct GradedMarker
 {
     std::string uid;                         ///< of the attempt
     std::uint64_t events = 0;                ///< of the recording, when it was graded
-    std::optional<int> expectedTenths = {};  ///< of a point, what its maker had expected before he saw the score
+    std::optional<int> expectedTenths = {};  ///< of a point: the forecast, made before the score was seen
 };
 
 /// In place of an earlier one. No end of the program undoes it; where it cannot be written there is none.

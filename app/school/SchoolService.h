@@ -115,9 +115,9 @@ signals:
     void delivered(const QString& uid);
     /// An attempt on its way is damaged; its file is kept.
     void damaged(const core::Error& error);
-    /// Who asked has been disabled since he logged in.
+    /// Emitted when the person who asked has been disabled since they logged in.
     void disabled();
-    /// Something is not allowed to who asked, whose role may have been changed since he logged in.
+    /// Emitted when the person who asked is not allowed to; their role may have changed since they logged in.
     void refused();
     /// The file of another school has been put into the place of this one's; it is not opened.
     void otherSchool();
