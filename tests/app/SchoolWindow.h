@@ -121,7 +121,7 @@ protected:
     [[nodiscard]] int studentsShown() const { return child<QTableView>("matrix")->model()->rowCount(); }
     /// Saves the score card as a PDF, and waits until that is confirmed.
     void savePdf(const QString& path) const;
-    /// Sam's journals are in a folder named by his uid.
+    /// Returns the uid of a person. The person's journals are in a folder of that name.
     [[nodiscard]] QString uidOf(const QString& name) const;
     [[nodiscard]] bool isUnfinishedOffered() const;
 

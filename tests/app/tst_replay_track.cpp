@@ -216,7 +216,7 @@ private slots:
             kinds << mark.kind;
         QCOMPARE(kinds, (QList<Mark::Kind>{Mark::Kind::Aids, Mark::Kind::Undo, Mark::Kind::Redo, Mark::Kind::Note,
                                            Mark::Kind::Bur, Mark::Kind::StartAgain}));
-        // Where he was elsewhere is told, and is no mark.
+        // A time spent elsewhere is listed as a rest, and has no mark.
         QCOMPARE(course.rests.size(), 1U);
         const auto [restFromS, restToS] = course.rests.front();
         QVERIFY2(std::abs(restToS - restFromS - 0.05) < 0.02, qPrintable(QString::number(restToS - restFromS)));

@@ -261,7 +261,8 @@ private slots:
         const auto standing = [&](const Login& who, const char* device = "mouse") {
             return standingAmongClassmates(rig.school(), who, "class1-36", rubric, device, 800).value();
         };
-        // Of fewer than five nobody learns how the others did; a teacher practises among his students, and is not one.
+        // In a class of fewer than five nobody sees how the others did. A teacher practises in the class, but is no
+        // student.
         for (const auto& [who, people] :
              {std::pair(rig.student, 2), std::pair(rig.stranger, 1), std::pair(rig.instructor, 3)}) {
             QCOMPARE(standing(who).people, people);
@@ -298,7 +299,7 @@ private slots:
         COPY_OF(support::populatedSchool, rig);
         const std::string lesson = "class1-36";
         const std::vector<Login> six = sixStudents(rig);
-        // What the machine gave: a row for each student, from his first attempt on.
+        // The graded scores: a row for each student, in the order of their attempts.
         const std::vector<std::vector<int>> given{{400, 500, 800}, {300, 540, 450}, {610, 520, 740, 770},
                                                   {700, 700},      {900, 810},      {760}};
         std::map<std::pair<std::size_t, std::size_t>, AttemptId> kept;
@@ -337,7 +338,7 @@ private slots:
         const LessonResults results = lessonResults(rig.school(), rig.instructor, rig.first, lesson).value();
         QVERIFY(results.curve == curve);
         QCOMPARE(results.bestTenths, (std::vector<int>{205, 640, 755, 770, 800, 900}));
-        // Passed: one with his third attempt, one with his fourth, two with their first.
+        // Four students passed: one with the third attempt, one with the fourth, two with the first.
         QCOMPARE(results.difficulty.lessonId, lesson);
         QCOMPARE(results.difficulty.people, 6);
         QCOMPARE(results.difficulty.passed, 4);
@@ -433,7 +434,7 @@ private slots:
         QCOMPARE(people(rig.instructor), 0);
         QCOMPARE(people(rig.otherInstructor), 7);
         QCOMPARE(people(rig.student), 7);  // without Sue, of whose class there are but two
-        // As soon as there are five in it, her class counts.
+        // When her class has five students, it counts.
         for (int k = 0; k < 3; ++k)
             VERIFY_DONE(enrol(school, rig.admin, rig.first, others[static_cast<std::size_t>(k)].person(), true));
         QCOMPARE(people(rig.instructor), 5);
@@ -445,7 +446,7 @@ private slots:
         QCOMPARE(people(rig.otherInstructor), 6);
     }
 
-    /// At the lesson he tried last, by the scores that count.
+    /// The last attempts at the lesson tried last count, with overridden scores.
     void whoIsStuckIsToldByTheLastAttempts_data() { support::addEngines(); }
     void whoIsStuckIsToldByTheLastAttempts()
     {
@@ -460,7 +461,7 @@ private slots:
         const auto work = [&](const Login& who, const char* lesson, int tenths, std::size_t day) {
             sams.push_back(rig.add(who, lesson, tenths, dayOf(day)).value());
         };
-        // Sam, by day: passed once; then another lesson; then five times more. What he practised freely is no lesson.
+        // Sam passed once, then tried another lesson, then the first one five times more. Free practice is no lesson.
         for (const auto& [lesson, tenths, day] :
              {std::tuple("class1-36", 800, 0), std::tuple("decay-21", 700, 2), std::tuple("class1-36", 510, 1),
               std::tuple("class1-36", 520, 3), std::tuple("class1-36", 530, 4), std::tuple("class1-36", 760, 5),
@@ -482,9 +483,9 @@ private slots:
         QCOMPARE(overview.students[1].recentLesson, std::string("decay-21"));
         QCOMPARE(overview.students[1].recentTenths, (std::vector<int>{100}));
         QVERIFY(!needsHelp(overview.students[0]) && !needsHelp(overview.students[1]));
-        // The one that freed him is worth less: none of the last three is passed, and none better by five points.
+        // The pass that cleared him is overridden: none of the last three is passed, and none is better by five points.
         VERIFY_DONE(overrideScore(rig.school(), rig.instructor, sams[5], 535, "The floor was not seen."));
-        // And Sue went back to where she was.
+        // Sue returns to the first lesson.
         work(rig.classmate, "class1-36", 410, 4);
         overview = read();
         QCOMPARE(overview.students[0].recentTenths, (std::vector<int>{545, 540, 535, 530, 520}));
@@ -634,7 +635,7 @@ private slots:
             VERIFY_DONE(deliverExam(school, rig.student.uid(), {newUid(), "twins", "2026-11-20T12:00:00Z"}));
         VERIFY_DONE(rig.add(rig.student, "twins", 900, "2026-11-20T12:10:00Z"));
         QCOMPARE(without().size(), std::size_t{2});
-        // Whoever takes a start away to have his attempt back is found out.
+        // When somebody removes a start to regain an attempt, checkDatabase() finds it.
         QVERIFY(checkDatabase(school.db, {})->findings.empty());
         rig.run(onServer ? QStringList{"DROP TRIGGER exam_starts_no_change ON exam_starts"}
                          : QStringList{"DROP TRIGGER exam_starts_no_update", "DROP TRIGGER exam_starts_no_delete"});
@@ -667,7 +668,7 @@ private slots:
         const auto beyond = rig.add(rig.student, lesson, 900, dayOf(1), "a recording");
         VERIFY_DONE(beyond);
         QCOMPARE(left().value(), 0);
-        // In his history, in that which his teacher reads, and in the overview of the class, as any other.
+        // The student's history, the teacher's view of it and the class overview list the attempt like any other.
         for (const Login* reader : {&rig.student, &rig.instructor}) {
             const auto listed = history(school, *reader, rig.student.person(), {lesson, "", 0});
             VERIFY_DONE(listed);
@@ -691,7 +692,7 @@ private slots:
         const AttemptId two = rig.add(rig.student, "decay-21", 600).value();
         const auto feedback = [&](const Login& who) { return feedbackFor(school, who, rig.student.person()).value(); };
         QVERIFY(feedback(rig.student).empty());
-        // What he says himself, and what is said of others, is no news to him.
+        // What students say themselves, and what is said of others, is no news to them.
         VERIFY_DONE(addComment(school, rig.instructor, one, {"too deep", {}, {}}));
         const AttemptId others = rig.add(rig.classmate, "class1-36", 100).value();
         VERIFY_DONE(addComment(school, rig.instructor, others, {"deeper", {}, {}}));

@@ -412,7 +412,7 @@ private slots:
         const int before = studentsOfHis();
         VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
         QCOMPARE(studentsOfHis(), before - 1);
-        // Two admins at one person: what only the other has changed stays as he set it.
+        // Two admins change one person: a field that only the other admin changed keeps their value.
         Person asItWas = sam;
         asItWas.disabled = false;
         Person renamed = asItWas;

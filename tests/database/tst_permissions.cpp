@@ -258,7 +258,7 @@ private slots:
                     if (role == 0 && target == Mine && call.hasTarget)
                         continue;  // a guest has nothing of their own
                     const char may = kAllowed.at(call.operation)[role];
-                    // One's own class is what its students are in, too. Nobody marks himself.
+                    // Students of a teacher's class belong to the teacher too. Nobody marks their own work.
                     const bool marks = call.operation == Operation::Comment || call.operation == Operation::Override;
                     const bool expected = may == 'a' || (may != '-' && !call.hasTarget) ||
                                           (may == 'o' && target == Mine) ||

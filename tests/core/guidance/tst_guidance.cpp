@@ -156,7 +156,7 @@ private slots:
         QCOMPARE(fixture.forceN({0.0, 0.0, 0.0}, 99), glm::dvec3(0.0));
     }
 
-    /// Whoever goes round at one height comes back with what he left with: no energy is to be had from a fixture.
+    /// A closed path at one height gains no energy from a fixture.
     void fixtureComesFromAPotential()
     {
         const Trench trench;
