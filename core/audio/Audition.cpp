@@ -9,7 +9,7 @@ constexpr double kEnamelToS = 2.4;
 constexpr double kDentinFromS = 2.8;
 constexpr double kDentinToS = 4.0;
 constexpr double kStopS = 4.4;
-// As a 330 pressed with 1 N cuts.
+// A 330 bur at 1 N cuts like this.
 constexpr float kLoadedShare = 0.85F;
 constexpr float kEnamelMm3PerS = 0.4F;
 constexpr float kDentinMm3PerS = 1.6F;

@@ -28,7 +28,7 @@ constexpr double kWobbleS = 0.01;
 /// Frequency of each line over the fundamental: the shaft of a motor with a 1:5 gear, the bur and its harmonics, and
 /// the mesh of a gear with twelve teeth.
 constexpr std::array<double, 5> kLineRatios{0.2, 1.0, 2.0, 3.0, 12.0};
-/// Their strengths by drive. The bur is the strongest in each.
+/// Level of each line for each drive. The bur is the loudest line of every drive.
 constexpr std::array<std::array<float, 5>, kDriveCount> kLineLevels{
     {{0.0F, 1.0F, 0.3F, 0.12F, 0.0F}, {0.3F, 0.75F, 0.2F, 0.1F, 0.0F}, {0.0F, 0.9F, 0.5F, 0.3F, 0.45F}}};
 constexpr std::array<float, kDriveCount> kBearingShares{1.0F, 0.5F, 0.4F};
@@ -39,21 +39,21 @@ struct CutNoise
     double centreHz;
     double sharpness;
     float level;
-    float mm3PerS;  ///< what about 1 N removes: as loud as `level` says
+    float mm3PerS;  ///< removed by about 1 N: as loud as `level`
     float clickHz;
 };
 constexpr std::array<CutNoise, terrain::kMaterialCount> kCutNoises{{{900.0, 0.9, 0.6F, 4.0F, 900.0F},
                                                                     {7'200.0, 2.5, 1.0F, 0.4F, 3'200.0F},
                                                                     {2'300.0, 1.2, 0.9F, 1.6F, 1'700.0F},
                                                                     {500.0, 0.8, 0.4F, 4.0F, 600.0F}}};
-/// A bur that turns on the tooth and removes nothing still rubs.
+/// A bur that turns on the tooth without removing anything still rubs.
 constexpr float kRub = 0.12F;
 constexpr float kLoudestCut = 1.6F;
 constexpr double kChatterHz = 55.0;
 constexpr float kFastContactMmPerS = 20.0F;
 constexpr float kLeastClick = 0.15F;
 
-constexpr double kFadeFrom = 0.40;  ///< lines are faded out from here to kFadeTo, in sample rates: no aliases
+constexpr double kFadeFrom = 0.40;  ///< lines fade out from here to kFadeTo, in sample rates, against aliasing
 constexpr double kFadeTo = 0.46;
 constexpr double kHighestCentre = 0.4;
 
@@ -67,7 +67,7 @@ float shareASample(double timeS, double rateHz)
     return static_cast<float>(1.0 - std::exp(-1.0 / (timeS * rateHz)));
 }
 
-/// Within limits; a value that is not finite is the lower limit.
+/// Returns a value limited to a range. A value that is not finite becomes the lower limit.
 float bounded(float value, float low, float high) noexcept
 {
     return std::isfinite(value) ? std::clamp(value, low, high) : low;
@@ -81,7 +81,8 @@ float limited(float value) noexcept
     return std::copysign(kLimitFrom + kLimitRoom * std::tanh((size - kLimitFrom) / kLimitRoom), value);
 }
 
-/// Sine of a share of a turn from 0 to 1, to 4 millionths: the library's would take half of the synthesiser's time.
+/// Returns the sine of a share of a turn from 0 to 1, with an error of 4e-6. The library's sine would take half of the
+/// synthesiser's time.
 float sineOfTurn(double turn) noexcept
 {
     double away = 0.5 - turn;
@@ -95,7 +96,7 @@ float sineOfTurn(double turn) noexcept
     return static_cast<float>(angle * series);
 }
 
-/// Moves a phase on by less than a turn and returns its sine.
+/// Advances a phase by less than a turn and returns its sine.
 float turned(double& phase, double cyclesPerSample) noexcept
 {
     phase += cyclesPerSample;
@@ -137,7 +138,7 @@ NoiseBand::NoiseBand(double centreHz, double sharpness, double rateHz) noexcept
     const double damping = 1.0 / sharpness;
     m_g = static_cast<float>(g);
     m_a1 = static_cast<float>(1.0 / (1.0 + g * (g + damping)));
-    // The effective value of filtered white noise is that of the impulse response, times the noise's own.
+    // The effective value of filtered white noise is the energy of the impulse response times the level of the noise.
     constexpr double kImpulseS = 0.05;
     double energy = 0.0;
     m_scale = 1.0F;
@@ -183,13 +184,13 @@ void Synthesizer::setVolumes(const Volumes& volumes) noexcept
         m_volumes[part].target = bounded(volumes.parts[part], 0.0F, 1.0F);
 }
 
-/// Sets where everything goes from here.
+/// Sets the targets of all smoothed values.
 void Synthesizer::aim(const SoundState& state) noexcept
 {
     const float freeRpm = bounded(state.freeRpm, 1.0F, kMostRpm);
     m_spin.target = state.turns ? 1.0F : 0.0F;
     if (state.turns) {
-        // A handpiece that is switched off runs down with its last pitch: see handpiece().
+        // A handpiece that is switched off runs down at its last pitch: see handpiece().
         m_rpm.target = bounded(state.burRpm, 0.0F, freeRpm);
         if (m_spin.now == 0.0F)
             m_rpm.now = m_rpm.target;
@@ -298,7 +299,7 @@ void Synthesizer::render(const SoundState& state, std::span<float> samples, int 
     const auto width = static_cast<std::size_t>(channels);
     const std::size_t frames = samples.size() / width;
     if (isSilent()) {
-        // Nothing is heard: what has to follow is there at once.
+        // At silence, the values need no smoothing: they jump to their targets.
         m_click.target = 0.0F;
         m_click.now = 0.0F;
         std::fill_n(samples.begin(), frames * width, 0.0F);

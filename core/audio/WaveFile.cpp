@@ -9,7 +9,7 @@ namespace core::audio {
 namespace {
 
 constexpr std::uint32_t kHeaderBytes = 44;
-constexpr std::uint32_t kRiffBytes = 8;  ///< of the header, that are not counted in it
+constexpr std::uint32_t kRiffBytes = 8;  ///< header bytes that are not counted in the size
 constexpr float kFullScale = 32767.0F;
 
 /// Appends a number, lowest byte first.
@@ -30,13 +30,13 @@ std::string waveFile(std::span<const float> samples, int rateHz)
     bytes.reserve(kHeaderBytes + dataBytes);
     append(bytes, kHeaderBytes - kRiffBytes + dataBytes, 4);
     bytes += "WAVEfmt ";
-    append(bytes, 16, 4);  // bytes of what describes the samples
-    append(bytes, 1, 2);   // whole numbers
+    append(bytes, 16, 4);  // size of the format chunk
+    append(bytes, 1, 2);   // PCM
     append(bytes, 1, 2);   // channels
     append(bytes, rate, 4);
-    append(bytes, 2 * rate, 4);  // bytes a second
-    append(bytes, 2, 2);         // bytes a frame
-    append(bytes, 16, 2);        // bits a sample
+    append(bytes, 2 * rate, 4);  // bytes per second
+    append(bytes, 2, 2);         // bytes per frame
+    append(bytes, 16, 2);        // bits per sample
     bytes += "data";
     append(bytes, dataBytes, 4);
     for (const float sample : samples) {

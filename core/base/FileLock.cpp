@@ -9,7 +9,7 @@
 namespace core {
 namespace {
 
-/// Whether the name still leads to the open file: who held it before may have removed it meanwhile.
+/// Returns whether the name still belongs to the open file: the previous holder may have removed it.
 bool isStillCalled(const std::filesystem::path& name, int file)
 {
     struct stat open
@@ -37,7 +37,7 @@ FileLock::~FileLock()
 {
     if (m_file < 0)
         return;
-    unlink(m_name.c_str());  // while it is held
+    unlink(m_name.c_str());  // while the lock is held
     close(m_file);
 }
 

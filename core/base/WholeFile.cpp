@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that was not there before, named after its later place; null, and errno says why, if none can be made.
+/// Creates a new file beside a path, named after it. Returns null, with errno set, if none can be made.
 std::FILE* openBeside(const fs::path& path, fs::path& beside)
 {
     constexpr int kMostNames = 100;

@@ -36,7 +36,7 @@ double heightOn(const Bur::Point& a, const Bur::Point& b, double radiusMm)
     return span == 0.0 ? a.heightMm : a.heightMm + (b.heightMm - a.heightMm) * (radiusMm - a.radiusMm) / span;
 }
 
-/// The burs that are compiled in. An entry that cannot be read ends the program with a sentence that names its line.
+/// Returns the built-in burs. An entry that cannot be read ends the program with a message that names its line.
 std::vector<Bur> compiledIn()
 {
     auto burs = parseBurs(kBurTable);
@@ -77,7 +77,7 @@ bool Bur::isCrosscut() const
 
 std::string Bur::isoSize() const
 {
-    constexpr long kFourDigits = 1000;  // of which the first is dropped
+    constexpr long kFourDigits = 1000;  // the first digit is dropped
     return std::to_string(kFourDigits + std::lround(20.0 * headRadiusMm)).substr(1);
 }
 
@@ -102,7 +102,7 @@ double Bur::upperSideMm(double radiusMm) const
     for (std::size_t k = outline.size() - 1; k > 0; --k)
         if (outline[k - 1].radiusMm >= radiusMm && outline[k].radiusMm < outline[k - 1].radiusMm)
             return heightOn(outline[k - 1], outline[k], radiusMm);
-    // A straight side: the head is as high there as it is long.
+    // With straight sides the head is as high there as it is long.
     return headLengthMm;
 }
 

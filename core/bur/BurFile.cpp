@@ -17,8 +17,8 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestId = 24;
 constexpr std::size_t kMostElements = 16;
 constexpr double kThinnestNeckMm = 0.05;
-constexpr double kOffMm = 0.002;      ///< farthest that an end may lie off the arc that it belongs to
-constexpr double kOffTangent = 0.01;  ///< sine of the largest angle between an arc and the line it goes on as
+constexpr double kOffMm = 0.002;      ///< farthest that an end may be off its arc
+constexpr double kOffTangent = 0.01;  ///< sine of the largest angle between an arc and the line that continues it
 constexpr double kSameMm = 1.0e-9;
 
 /// Chords that a quarter circle is cut into. 32 chords of a 0.5 mm ball leave 0.15 um.
@@ -26,8 +26,8 @@ constexpr int kArcSteps = 32;
 
 using Point = Bur::Point;
 
-/// Unit quarter circle from (0, -1) to (1, 0) in equal steps of the half-angle tangent: rational points, so that the
-/// outline needs no library transcendental and is the same with every compiler.
+/// Returns a point of the unit quarter circle from (0, -1) to (1, 0), in equal steps of the half-angle tangent. The
+/// points are rational, so that the outline is the same with every compiler and needs no library function.
 Point unitArc(int step)
 {
     // Two octants, each with t = tan(angle / 2) running to tan(22.5 degrees).
@@ -40,7 +40,7 @@ Point unitArc(int step)
     return second ? Point{cosine, -sine} : Point{sine, -cosine};
 }
 
-/// One piece of a profile: where it ends, and of an arc its radius.
+/// One element of a profile: its end, and the radius if it is an arc.
 struct Element
 {
     enum class Kind { Flat, Arc, Line };
@@ -66,13 +66,13 @@ double cross(const Point& a, const Point& b, const Point& c)
            (b.heightMm - a.heightMm) * (c.radiusMm - a.radiusMm);
 }
 
-/// True if two chords of a profile cross, each from one point to the next.
+/// Returns whether two chords of a profile cross.
 bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
 {
     return cross(a, b, c) * cross(a, b, d) < 0.0 && cross(c, d, a) * cross(c, d, b) < 0.0;
 }
 
-/// Takes a profile, element by element, and makes the geometry of a bur of it.
+/// Builds the geometry of a bur from a profile, element by element.
 class Profile
 {
 public:
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    /// What holds for every point: it is in the room that a bur has, and the chords to it cross no others.
+    /// Checks every point: it is in the space that a bur has, and the chords to it cross no others.
     [[nodiscard]] Status checkPoints() const
     {
         std::vector<Point> points{{0.0, 0.0}};
@@ -115,7 +115,7 @@ private:
         return {};
     }
 
-    /// The flat disc, the arc beside it and the cone.
+    /// Makes the flat disc, the arc beside it and the cone.
     [[nodiscard]] Status makeEnd()
     {
         double flat = 0.0;
@@ -182,7 +182,7 @@ private:
         return {};
     }
 
-    /// One element more of the side and the upper side.
+    /// Appends an element of the side or the upper side.
     [[nodiscard]] Status goOn(const Element& element)
     {
         const Point& end = element.end;
@@ -193,7 +193,7 @@ private:
         if (end.heightMm < m_at.heightMm - kOffMm)
             return wrong(element, "past the largest radius the profile never goes down again.");
         if (element.kind == Element::Kind::Arc) {
-            const double left = m_at.radiusMm - element.radiusMm;  // of the circle, whose middle is as high as m_at
+            const double left = m_at.radiusMm - element.radiusMm;  // of the circle; its middle is at the height of m_at
             const double out = end.radiusMm - left;
             const double up = end.heightMm - m_at.heightMm;
             if (!(end.radiusMm < m_at.radiusMm) || out < 0.0 ||
@@ -216,7 +216,7 @@ private:
     const std::vector<Element>& m_elements;
     Bur& m_bur;
     std::size_t m_next = 0;
-    Point m_at{0.0, 0.0};  ///< where the profile has got to
+    Point m_at{0.0, 0.0};  ///< the end of the profile so far
 };
 
 bool isBlank(char c)
@@ -224,7 +224,7 @@ bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// Takes the first word off a line; empty if there is none.
+/// Removes the first word from a line and returns it; empty if the line has none.
 std::string_view takeWord(std::string_view& line)
 {
     while (!line.empty() && isBlank(line.front()))
@@ -260,7 +260,7 @@ public:
     {
         if (text.find('\0') != std::string_view::npos)
             return unexpected(ErrorCode::WrongKind, "The bur file is not plain text.");
-        if (text.starts_with(kByteOrderMark))  // as some editors write it
+        if (text.starts_with(kByteOrderMark))  // some editors write it
             text.remove_prefix(kByteOrderMark.size());
         while (!text.empty()) {
             const std::size_t end = text.find('\n');

@@ -7,11 +7,11 @@ namespace core::contact {
 namespace {
 
 constexpr double kDrawS = 0.001;
-constexpr int kDrawsPerAim = 80;  ///< so often the strength gets another aim
+constexpr int kDrawsPerAim = 80;  ///< the strength gets a new aim after so many draws
 constexpr double kWeakest = 0.6;
 constexpr double kStrongest = 1.4;
-constexpr double kLevelS = 0.03;  ///< over which the strength follows
-constexpr double kStopS = 0.01;   ///< over which it goes when the bur stops
+constexpr double kLevelS = 0.03;  ///< time constant of the strength
+constexpr double kStopS = 0.01;   ///< the same when the bur stops
 constexpr double kNothing = 0.01;
 /// Two axes, each of variance 2/3, together 1: n is uniform in [-1, 1) times this.
 constexpr double kScale = 0.8660254037844386;
@@ -44,8 +44,8 @@ glm::dvec3 BurVibration::update(bool running, double seconds) noexcept
         m_level = 0.0;
     if (!(m_level > 0.0))
         return glm::dvec3(0.0);
-    // Half a nanosecond of slack: a millisecond is not a sum of binary fractions. One draw a tick at most: of the last
-    // of several the sum would not be that of the newest.
+    // Half a nanosecond of slack, because a millisecond is no sum of binary fractions. At most one draw a tick: with
+    // several, the sum would not be that of the newest.
     m_sinceDrawnS += seconds;
     if (m_sinceDrawnS >= kDrawS - 5.0e-10) {
         draw();

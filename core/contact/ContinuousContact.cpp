@@ -13,35 +13,36 @@
 namespace core::contact {
 namespace {
 
-constexpr int kMaxSlides = 3;        ///< places looked at in a tick; the next tick goes on from there
-constexpr double kAskMm = 0.15;      ///< that the hand goes before the search is asked, and again before the next time
-constexpr double kStuckClimb = 0.5;  ///< cells a cell: out of a pocket there is no way
-constexpr double kBehindMm = 0.1;    ///< a bur this near to the hand is not stuck
-constexpr int kPatienceTicks = 2;    ///< without a way: then the search that knows no planes finds one
-constexpr int kMaxSideSlides = 5;    ///< the same along upright sides, whose planes are forgotten after each move
-constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: it ends inside whatever it would pass through
-/// Farthest that the bur slides in a tick: a bur that slips off a cusp under a hand that presses far into the tooth
-/// takes ten ticks for a millimetre, and the force with it. In mm, and per mm that the hand moved.
+constexpr int kMaxSlides = 3;          ///< places tried in a tick; the next tick continues from there
+constexpr double kAskMm = 0.15;        ///< motion of the hand before the search is tried, and before it is tried again
+constexpr double kStuckClimb = 0.5;    ///< cells a cell: no way leads out of a pocket
+constexpr double kBehindMm = 0.1;      ///< a bur this near to the hand is not stuck
+constexpr int kPatienceTicks = 2;      ///< ticks without progress before the pattern search, which needs no planes, is
+                                       ///< tried
+constexpr int kMaxSideSlides = 5;      ///< the same along upright sides, whose planes are dropped after each move
+constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: so the end of the move is inside any obstacle
+/// Farthest that the bur slides in a tick. A bur that slips off a cusp under a hand that presses far into the tooth
+/// takes ten ticks for a millimetre, and so does its force. In mm, and per mm that the hand moved.
 constexpr double kSlipMm = 0.1;
 constexpr double kSlipShare = 4.0;
 constexpr double kRounding = 1.0e-6;    ///< mm: heights are floats
-constexpr double kStillMm = 3.0e-4;     ///< a move shorter than that is none
-constexpr double kSlackMm = 1.0e-5;     ///< a bur this far above the ground stands on it
-constexpr double kNearMm = 0.002;       ///< ground this near is what stops a bur that moves on
-constexpr double kSteepest = 20.0;      ///< ground steeper than that is an upright side
-constexpr double kSmoothShare = 0.001;  ///< of a move, by which a tangent plane may cut off the place it began at
-constexpr double kLiftShare = 0.1;      ///< of a move, by which its end is lifted onto the ground at most
+constexpr double kStillMm = 3.0e-4;     ///< a shorter move counts as none
+constexpr double kSlackMm = 1.0e-5;     ///< a bur at most this far above the ground rests on it
+constexpr double kNearMm = 0.002;       ///< ground this near stops a bur that moves on
+constexpr double kSteepest = 20.0;      ///< steeper ground is an upright side
+constexpr double kSmoothShare = 0.001;  ///< of a move: a tangent plane may cut off its start by so much
+constexpr double kLiftShare = 0.1;      ///< of a move: its end is raised onto the ground by at most so much
 constexpr double kNearerMm2 = 1.0e-9;
-constexpr int kHalvings = 10;           ///< in looking for the place where the bur met the tooth
-constexpr double kGrazedMm = 0.005;     ///< depth in an upright side that is put right and no more
-constexpr double kStrayedCells = 1.0;   ///< the same where nothing is cut: so far behind a side its columns may stand
-constexpr double kShorterShare = 0.25;  ///< of a way that led nowhere, so far is looked next
-constexpr int kCornerLooks = 4;         ///< at nearer and nearer places, for what stops the bur at a corner
+constexpr int kHalvings = 10;           ///< steps of the bisection for the place where the bur met the tooth
+constexpr double kGrazedMm = 0.005;     ///< depth in an upright side that is corrected without further moves
+constexpr double kStrayedCells = 1.0;   ///< the same where no cut is made: the columns may reach so far beyond a side
+constexpr double kShorterShare = 0.25;  ///< share of a blocked way that is tried next
+constexpr int kCornerLooks = 4;         ///< nearer and nearer places tried for what stops the bur at a corner
 constexpr double kCornerShare = 0.25;   ///< of the way, to the next of them
-constexpr double kCornerMm = 0.002;     ///< what stands behind a side by less stands before it
-constexpr double kTouchedMm = 0.02;     ///< ground that came up by no more was touched, not entered
-constexpr double kMostSettledMm = 0.3;  ///< most that a bur in a notch is lifted or lowered to fit
-constexpr int kMaxFreeSamples = 128;    ///< points looked at along a move through the air
+constexpr double kCornerMm = 0.002;     ///< a side is reached if the bur is behind it by no more
+constexpr double kTouchedMm = 0.02;     ///< ground that rose by no more was touched, not entered
+constexpr double kMostSettledMm = 0.3;  ///< a bur in a notch is raised or lowered by at most so much to fit
+constexpr int kMaxFreeSamples = 128;    ///< points checked along a move through the air
 
 HalfSpace through(const glm::dvec3& point, const glm::dvec3& upwards)
 {
@@ -49,20 +50,20 @@ HalfSpace through(const glm::dvec3& point, const glm::dvec3& upwards)
     return {normal, glm::dot(normal, point)};
 }
 
-/// What the ground over a point lets the tip have, as its tangent plane.
+/// Returns the half-space of free tip positions above the tangent plane of the ground.
 HalfSpace tangentAt(glm::dvec2 at, const Touch& touch)
 {
     return through({at, touch.heightMm}, {-touch.slope, 1.0});
 }
 
-/// True if a bur on its way meets a side with its own upright one, not with its end.
+/// Returns whether a bur meets a side with its own upright side and not with its end.
 bool isBeside(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& side)
 {
     return side.onMm.z - std::max(from.z, to.z) >= mask.sideMm;
 }
 
-/// The plane that keeps a tip at `from`, which is free, out of what it would enter on its straight way to `to`: the
-/// tangent at `to` where the ground is smooth, else where the bur meets the point that carries it.
+/// Returns the plane that keeps a tip out of the tooth on its straight way from a free place `from` to `to`. On smooth
+/// ground it is the tangent plane at `to`, otherwise the plane where the bur meets the point that carries it.
 HalfSpace planeBetween(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
     const auto radiusMm = static_cast<double>(mask.radiusMm);
@@ -101,8 +102,8 @@ HalfSpace planeBetween(const bur::BurMask& mask, const glm::dvec3& from, const g
     return through(entry, {outwards * slope - along, 1.0});
 }
 
-/// True if a tip at `to` is stopped by a side that the tip at `from` already stands behind: the side goes round a
-/// corner between them, and it is the corner that stops the tip first.
+/// Returns whether a tip at `to` is stopped by a side that the tip at `from` is already behind. Then the side turns a
+/// corner between them, and the corner stops the tip first.
 bool isRoundCorner(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
     if (!touch.isSide() || !(touch.heightMm > to.z + kRounding))
@@ -111,13 +112,13 @@ bool isRoundCorner(const bur::BurMask& mask, const glm::dvec3& from, const glm::
     return glm::dot(glm::dvec2(from) - glm::dvec2(touch.onMm), touch.outwards) < needs - kCornerMm;
 }
 
-/// True if a tip that is below what carries it is free beneath.
+/// Returns whether a tip below the ground that carries it is free beneath.
 bool isFreeBeneath(LiveTooth& tooth, const Touch& touch, const glm::dvec3& tip) noexcept
 {
     return !(touch.isSide() && touch.roofMm < tip.z) && tooth.undersideAt(glm::dvec2(tip), tip.z) >= tip.z;
 }
 
-/// True if the straight way from the anchor to a free device meets nothing.
+/// Returns whether the straight way from the anchor to a free device is free.
 bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm::dvec3& to) noexcept
 {
     const glm::dvec2 flat(to.x - from.x, to.y - from.y);
@@ -134,14 +135,14 @@ bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm:
     return true;
 }
 
-/// Slides an anchor that has no tooth above it to the nearest place to the device (god-object, Zilles & Salisbury
-/// 1995, over the clearance field): ask for the nearest point in the half-spaces known so far, go there; if the tooth
-/// is in the way, what it is met by is one half-space more.
+/// Moves an anchor that has no tooth above it to the nearest free place to the device (god-object, Zilles & Salisbury
+/// 1995, over the clearance field). The nearest point in the half-spaces known so far is tried. If the tooth is in the
+/// way, the obstacle adds another half-space.
 ///
-/// @param left    how far it may get in this tick, mm
-/// @param ground  touchAt() the anchor, and so again in the end
-/// @return false if it got nowhere because every place that it looked at was taken: on rugged ground the half-spaces
-/// may leave no way where there is one
+/// @param left    farthest motion in this tick, mm
+/// @param ground  touchAt() the anchor; updated
+/// @return false if every place tried was taken: on rugged ground the half-spaces may leave no way although there is
+/// one
 bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, Touch& ground,
            glm::dvec3& anchor) noexcept
 {
@@ -153,7 +154,7 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
     double best = distance2(anchor, device);
     bool metSide = false;
     bool hasMoved = false;
-    // A hand that goes far in a tick, at a slow rate, is followed by more moves.
+    // If the hand moves far in a tick, at a slow rate, more moves follow it.
     const int more = static_cast<int>(left / (kSlipShare * longest));
     int most = kMaxSlides + more;
     for (int looks = 0; looks < most; ++looks) {
@@ -172,7 +173,7 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
         Touch met = touch;
         if (edges == Edges::Sides && touch.heightMm > next.z + kRounding) {
-            // Far in, the columns behind a side and its other parts stand higher: the nearest part is met first.
+            // Deep inside, the columns behind a side and its other parts are higher. The nearest part is met first.
             const Touch side = tooth.sideAt(glm::dvec2(next), std::max(anchor.z, next.z));
             if (side.isSide())
                 met = side;
@@ -182,7 +183,7 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
             met = touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
         }
         const glm::dvec2 at(next);
-        // A move cut short ends a little inside ground that bends: up onto it, if that is still nearer.
+        // A move cut short ends a little inside curved ground. It is raised onto the ground if that is still nearer.
         if (touch.heightMm > next.z && touch.heightMm - next.z <= kLiftShare * std::min(length, reach) &&
             distance2({at, touch.heightMm}, device) < best - kNearerMm2)
             next.z = touch.heightMm;
@@ -199,8 +200,8 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
             }
             continue;
         }
-        // Planes that hold the tip off the ground are tangents of a hump that it has left: they cut off what is free.
-        // So does a side that it may have come to the end of.
+        // Planes that hold the tip off the ground are tangents of a hump that it has left, and cut off free space. So
+        // do planes of a side whose end the tip may have reached.
         if (next.z > touch.heightMm + kSlackMm || metSide)
             planes.clear();
         metSide = false;
@@ -235,10 +236,10 @@ void ContinuousContact::restart(const glm::dvec3& device) noexcept
     m_blockedTicks = 0;
 }
 
-/// Puts an anchor right that grazes an upright side, as where two chords meet, or has strayed into one by a way that
-/// went by the columns. One that is in it by more, or cuts, or came from beneath: for this tick the side is its
-/// columns.
-/// @param ground  at the anchor, sides included; brought up to date
+/// Moves an anchor out of an upright side that it grazes, for example where two chords meet, or that it entered through
+/// the columns. An anchor that is deeper inside, cuts, or came from below meets only the columns of the side in this
+/// tick.
+/// @param ground  at the anchor, sides included; updated
 Edges ContinuousContact::standClear(LiveTooth& tooth, Touch& ground) noexcept
 {
     if (!ground.isSide() || ground.heightMm <= m_anchor.z + kRounding)
@@ -283,10 +284,10 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         if (underRoof) {
             m_anchor.z = std::min(device.z, roof);
         } else if (m_mayBeInside || ground.heightMm <= m_anchor.z + kTouchedMm) {
-            // Undo, or another bur: out by the way that is always open.
+            // After an undo or a change of the bur: out upwards, which is always free.
             m_anchor.z = std::max(device.z, ground.heightMm);
         } else {
-            // It was free a tick ago and still is, column by column, or all but a rim that cutting will take.
+            // The anchor was free a tick ago and still is, column by column, except for a rim that cutting will remove.
             inNotch = true;
             const Room room = tooth.roomAt({m_anchor.x, m_anchor.y}, m_anchor.z);
             const double z = std::clamp(m_anchor.z, room.floorMm, std::max(room.floorMm, room.roofMm));
@@ -299,7 +300,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_anchor.z = z;
     }
     m_mayBeInside = false;
-    // A bur that cuts is where it is because it cuts.
+    // While the bur cuts, cutting decides its place.
     if (m_revision != tooth.revision())
         m_blockedTicks = 0;
     m_revision = tooth.revision();
@@ -315,7 +316,8 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
     }
-    // Far inside the tooth nothing is learnt of the way along it, and too near one does not see over an edge: by turns.
+    // Planes deep inside the tooth do not help along the way, and planes too near do not reach past an edge. So both
+    // are tried in turn.
     if (m_blockedTicks % 2 == 1)
         left *= kShorterShare;
     const bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);

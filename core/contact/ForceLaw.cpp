@@ -12,21 +12,21 @@ namespace core::contact {
 namespace {
 
 constexpr double kTouchMm = 1.0e-6;  ///< a nanometre is rounding, not touch
-/// Fastest that the held end of the spring goes of itself; and what it may go in addition, per mm that the hand moves.
+/// Fastest that the held end of the spring moves by itself, and how much faster it may move per mm that the hand moves.
 /// The nearest point of a convex hump moves at most 2.5 / 1.5 times as fast as a hand 1 mm inside it.
 constexpr double kSlipMmPerS = 100.0;
 constexpr double kSlideShare = 2.0;
-constexpr double kGoneS =
-    0.006;  ///< and from far away it comes as by a first-order lag: no hand is dragged through air
+constexpr double kGoneS = 0.006;  ///< time constant of the approach from far away: no hand is dragged through air
 constexpr double kBrakeNSPerMm = 0.03;
-constexpr double kPaceGrowth = 1.5;  ///< most in a tick; even an impact is known by its second one
+constexpr double kPaceGrowth = 1.5;  ///< most growth in a tick; the second tick shows even an impact
 /// Fastest change of the damper's force across the spring: in 1 ms a fifth of what a hand notices. A swing of 0.15 mm
-/// with 20 Hz needs 7 N/s. From 15 to 25 N/s hold 508 to 510 of the lab's 516 trials, in no order; 21 misses no bar.
+/// at 20 Hz needs 7 N/s. With 15 to 25 N/s, 508 to 510 of the lab's 516 trials pass, in no order. With 21 none of the
+/// limits is missed.
 constexpr double kAcrossNPerS = 21.0;
 
-/// Up to this stiffness the damper above does with the device's dry friction. What a stiffer spring feeds by sampling
-/// and delay grows beyond them in proportion, and so does the damper it gets; but not so far that it would stop the
-/// Falcon's 0.25 kg faster than any force arrives, in 1.4 ms.
+/// Up to this stiffness the damper above and the device's dry friction suffice. A stiffer spring gains energy by
+/// sampling and delay in proportion to its stiffness, and its damper grows likewise. The limit is where the damper
+/// would stop the Falcon's 0.25 kg faster than a force arrives, in 1.4 ms.
 constexpr double kGentleNPerMm = 2.5;
 constexpr double kMostPrompt = 6.0;
 
@@ -62,8 +62,8 @@ Status check(const ForceSettings& settings)
     return {};
 }
 
-/// Lets the held end go to the anchor. What moves it faster than a hand that slides on a tooth is ground that appeared
-/// or went in a tick, by undo, by another bur, by a column that broke off: that is felt over some milliseconds.
+/// Moves the held end to the anchor. Ground that appears or vanishes in a tick, by an undo, another bur or a column
+/// that broke off, moves the anchor faster than a sliding hand does. That motion is spread over some milliseconds.
 void ForceLaw::follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept
 {
     const glm::dvec3 way = anchor - m_held;
@@ -72,8 +72,8 @@ void ForceLaw::follow(const glm::dvec3& anchor, double movedMm, double seconds) 
     m_held = m_begins || length <= most ? anchor : m_held + way * (most / length);
 }
 
-/// The pace at which the hand stretches the spring, mm/s: what of the stretching is its own doing. An anchor that slips
-/// by itself is no motion to be damped.
+/// Returns the speed, mm/s, at which the hand itself stretches the spring. An anchor that slips by itself must not be
+/// damped.
 glm::dvec3 ForceLaw::handsPace() const noexcept
 {
     const glm::dvec3& stretching = m_stretching.mmPerS();
@@ -83,8 +83,8 @@ glm::dvec3 ForceLaw::handsPace() const noexcept
     return shortened(stretching, lengthOf(moving));
 }
 
-/// What of handsPace() is more than the start of something: an anchor that hangs on an edge for a tick, while the hand
-/// goes on, would be damped as hard as a wall is.
+/// Returns handsPace() with its growth per tick limited. Otherwise an anchor that catches on an edge for a tick, while
+/// the hand moves on, would be damped like a wall.
 glm::dvec3 ForceLaw::lastingPace() noexcept
 {
     const double most = kPaceGrowth * lengthOf(m_pace);
@@ -92,9 +92,8 @@ glm::dvec3 ForceLaw::lastingPace() noexcept
     return shortened(m_pace, most);
 }
 
-/// The pace at which the hand makes the spring longer, mm/s, with the rules of handsPace() and lastingPace(). It is
-/// taken from the length of the spring and not from its vector: in a groove the spring turns, and no part of the
-/// turning is an impact.
+/// Returns the speed, mm/s, at which the hand lengthens the spring, by the rules of handsPace() and lastingPace(). It
+/// is taken from the length of the spring, not from its vector: in a groove the spring turns, and turning is no impact.
 /// @param normal  from the hand to the held end, of length 1
 double ForceLaw::lengthening(const glm::dvec3& normal) noexcept
 {
@@ -105,13 +104,13 @@ double ForceLaw::lengthening(const glm::dvec3& normal) noexcept
     return std::clamp(m_lengthening, -most, most);
 }
 
-/// The damper's force, N. How hard it damps depends on the lengthening of the spring, since only that can be an impact.
-/// Across the spring its force changes gradually.
+/// Returns the damper's force, N. The damping depends on the lengthening of the spring, because only that can be an
+/// impact. Across the spring the force changes gradually.
 glm::dvec3 ForceLaw::damper(const glm::dvec3& pace, const glm::dvec3& normal, double seconds) noexcept
 {
     const double along = lengthening(normal);
     const double fast = along * along / (along * along + kFastMmPerS * kFastMmPerS);
-    // The stiffer the spring, the more this pace comes too late for it: the prompt damper does the work.
+    // The stiffer the spring, the more this speed lags behind: the prompt damper takes over.
     const double share = 1.0 / timesStiff();
     const double nSPerMm = 0.001 * (m_settings.dampingNSPerM + m_settings.fastDampingNSPerM * share * fast);
     const glm::dvec3 across = pace - normal * glm::dot(pace, normal);
@@ -119,9 +118,9 @@ glm::dvec3 ForceLaw::damper(const glm::dvec3& pace, const glm::dvec3& normal, do
     return normal * (nSPerMm * along) + m_acrossN;
 }
 
-/// What a stiff spring is damped by in addition, N: on what the counts prove of the hand's pace, which is known some
-/// milliseconds sooner than how fast the spring is stretched, and in the air before the touch already. Straight in or
-/// out only: a hand that slides along the tooth feels none.
+/// Returns the additional damping force of a stiff spring, N. It uses the speed that the encoder counts prove, which is
+/// known some milliseconds sooner than the stretching of the spring, and in the air before the touch. It acts only
+/// straight in or out: a hand that slides along the tooth does not feel it.
 /// @param normal  from the hand to the held end, of length 1
 glm::dvec3 ForceLaw::promptDamper(const glm::dvec3& normal, double seconds) const noexcept
 {
@@ -131,7 +130,7 @@ glm::dvec3 ForceLaw::promptDamper(const glm::dvec3& normal, double seconds) cons
     return normal * (-0.001 * nSPerM * glm::dot(m_moving.provenMmPerS(seconds), normal));
 }
 
-/// What of a force the hand is given, along x, y and z.
+/// Returns the share of a force that the hand gets, along x, y and z.
 glm::dvec3 ForceLaw::gain() const noexcept
 {
     return glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
@@ -142,16 +141,16 @@ double ForceLaw::springN(const glm::dvec3& stretchMm) const noexcept
     return std::min(lengthOf(stretchMm * gain()) * stiffnessNPerMm(), m_settings.clampN);
 }
 
-/// How many times as stiff as the stiffest gentle spring; 1 for those.
+/// Returns the stiffness as a multiple of the stiffest gentle spring; at least 1.
 double ForceLaw::timesStiff() const noexcept
 {
     return std::max(1.0, stiffnessNPerMm() / kGentleNPerMm);
 }
 
-/// Passivity control (Hannaford & Ryu 2002) in its strict form: what the spring holds must have come from the hand.
-/// What it holds beyond that, by sampling or by a jump of the anchor, is taken out of the motion; what the hand gave
-/// beyond that has been cut or rubbed away and is no credit. Slow motion is left to dry friction: there the brake would
-/// answer to single counts.
+/// Limits the energy by passivity control (Hannaford & Ryu 2002) in its strict form: the energy in the spring must have
+/// come from the hand. Energy beyond that, from sampling or from a jump of the anchor, is taken out of the motion.
+/// Energy that the hand gave beyond that was cut or rubbed away and is no credit. Slow motion is left to dry friction,
+/// because the brake would react to single counts.
 glm::dvec3 ForceLaw::brake(const glm::dvec3& pace, double springMj, double seconds) noexcept
 {
     m_takenMj = std::min(m_takenMj, springMj);
@@ -205,7 +204,7 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
         wanted += brake(pace, 0.5 * stiffness * glm::dot(stretch * gain(), stretch), seconds);
         const double pull = glm::dot(wanted, normal);
         if (pull < 0.0)
-            wanted -= normal * pull;  // what would pull the hand into the tooth lets go
+            wanted -= normal * pull;  // no force pulls the hand into the tooth
         wanted *= gain();
     } else {
         m_takenMj = 0.0;

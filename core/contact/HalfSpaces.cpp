@@ -33,8 +33,8 @@ bool HalfSpaces::holds(const glm::dvec3& point) const noexcept
     return true;
 }
 
-/// The nearest point lies on none, one, two or three of the planes: the nearest of those of their foot points that lie
-/// in all half-spaces.
+/// The nearest point is on none, one, two or three of the planes. Of the foot points on them that are in all
+/// half-spaces, it is the nearest.
 bool HalfSpaces::nearest(const glm::dvec3& to, glm::dvec3& point) const noexcept
 {
     if (holds(to)) {

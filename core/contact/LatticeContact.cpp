@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kHeightRoundingMm = 1.0e-5;  ///< mm: heights are floats
 
-/// The bur collides where its underside is below the top and its upper side above the bottom.
-/// @param fromAbove  the anchor is above everything: no neighbour of it is in a notch
+/// Returns whether the bur is free. It collides where its underside is below the top and its upper side is above the
+/// bottom.
+/// @param fromAbove  the anchor is above everything, so none of its neighbours is in a notch
 bool isFree(LiveTooth& tooth, const glm::dvec3& place, bool fromAbove) noexcept
 {
     const glm::dvec2 at(place);
@@ -23,11 +24,11 @@ bool isFree(LiveTooth& tooth, const glm::dvec3& place, bool fromAbove) noexcept
         return true;
     if (fromAbove)
         return false;
-    const Room room = tooth.roomAt(at, place.z);  // a notch: some columns beneath the bur, others above
+    const Room room = tooth.roomAt(at, place.z);  // a notch: some columns are below the bur, others above
     return place.z >= room.floorMm - kHeightRoundingMm && place.z <= room.roofMm + kHeightRoundingMm;
 }
 
-/// The nearest to `device` of the neighbours that `isAllowed(place)`; the anchor itself if there is none.
+/// Returns the nearest neighbour to `device` for which isAllowed(place) is true, or the anchor itself if there is none.
 template <class IsAllowed>
 glm::dvec3 nearestNeighbour(const glm::dvec3& anchor, double cell, const glm::dvec3& device,
                             IsAllowed&& isAllowed) noexcept
@@ -63,7 +64,7 @@ glm::dvec3 LatticeContact::update(LiveTooth& tooth, const glm::dvec3& device) no
     const terrain::Grid& grid = tooth.grid();
     m_cellMm = grid.cellMm;
     if (m_mayBeInside) {
-        // Snap to the lattice, then out by the way that is always open.
+        // Snap to the lattice, then move out upwards, which is always free.
         const glm::dvec2 at = glm::round(grid.latticeOf({m_anchor.x, m_anchor.y}));
         const double level = std::ceil(m_anchor.z / m_cellMm - 1.0e-9);
         m_anchor = {grid.nodeMm(static_cast<int>(at.x), static_cast<int>(at.y)), level * m_cellMm};

@@ -18,18 +18,18 @@ namespace {
 
 constexpr double kRimRoundingMm = 1.0e-9;
 constexpr double kFloatMm = 1.0e-6;  ///< heights are floats
-/// Of a cell, by which columns under a bur stand lower than the ground between them at most, where it is not steep.
+/// Cells. Where the ground is not steep, columns under a bur are lower than the ground between them by at most so much.
 constexpr float kSpikeShare = 0.35F;
 
-/// Ground that bends more than this, along itself, is an edge.
+/// Ground that bends more sharply than this is an edge.
 constexpr double kSharpestPerMm = 2.0;
 constexpr int kFootRounds = 12;
-/// A node's second-order ground reaches this far: a little into its neighbours' cells, or a foot on the border would
-/// belong to neither.
+/// The second-order ground of a node reaches this far, a little into the cells of its neighbours. Otherwise a foot on
+/// the border would belong to neither.
 constexpr double kOwnCells = 0.6;
-/// Below this, ground and bur bend so much alike that there is no telling where they touch.
+/// Below this, ground and bur bend so much alike that the point of contact is unknown.
 constexpr double kLeastDeterminant = 0.05;
-constexpr double kFootMm = 3.0e-4;  ///< a foot that moves by less has been found: the height there is a maximum
+constexpr double kFootMm = 3.0e-4;  ///< a foot that moves by less is found: the height there is a maximum
 
 const Peak& highestOf(const Peaks& peaks)
 {
@@ -37,15 +37,16 @@ const Peak& highestOf(const Peaks& peaks)
                              [](const Peak& a, const Peak& b) { return a.value < b.value; });
 }
 
-/// Where ground with `slope` carries a bur whose axis is at p.
+/// Returns where ground with `slope` carries a bur whose axis is at p.
 glm::dvec2 footOn(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
 {
     const double steep = std::sqrt(slope.x * slope.x + slope.y * slope.y);
     return steep > 0.0 ? p + slope * (mask.standsAt(steep) / steep) : p;
 }
 
-/// From a place on ground that has `slope` there and bends, towards where the ground has the slope that the bur has:
-/// Newton's step, or, where that leads to no maximum, to where ground with this slope would carry the bur.
+/// Returns the next estimate of the foot, from a place on ground with `slope` and `bend`. It is Newton's step towards
+/// the ground that has the slope of the bur. If that step leads to no maximum, it is where ground with this slope would
+/// carry the bur.
 glm::dvec2 stepToFoot(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm::dvec2 slope, glm::dvec2 bend,
                       double twist)
 {
@@ -75,7 +76,7 @@ glm::dvec2 stepToFoot(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm
     return glm::dvec2(d * error.x - b * error.y, a * error.y - c * error.x) / determinant;
 }
 
-/// The whole number nearest to a place on the lattice, or a negative one before its edge.
+/// Returns the whole number nearest to a place on the lattice, or a negative one before its edge.
 int nearestTo(double place)
 {
     return static_cast<int>(place + 1.5) - 1;
@@ -94,7 +95,7 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
     std::size_t widest = 0;
     for (const bur::BurMask& mask : m_masks)
         widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
-    widest += 2;  // and those that a cell's advance adds
+    widest += 2;  // and the columns that the motion within a cell adds
     m_columnsRoom.resize(widest * (widest / kBlock + 1));
     m_blocks.side = blocksFor(grid().side);
     const std::size_t blocks = static_cast<std::size_t>(m_blocks.side) * static_cast<std::size_t>(m_blocks.side);
@@ -124,7 +125,7 @@ bool LiveTooth::isWhole(std::size_t k) const noexcept
     return m_tooth.isSolid(k) && m_tooth.top[k] >= m_tooth.anatomy->top[k];
 }
 
-/// Whether the uncut ground around a node inside the map bends without an edge.
+/// Returns whether the uncut ground around a node inside the map bends without an edge.
 bool LiveTooth::bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexcept
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -140,7 +141,7 @@ bool LiveTooth::bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexce
                         static_cast<double>(anatomy.top[grid.index(i, j)])) /
                grid.cellMm;
     };
-    // An edge has two slopes: the gentler of them says how steep the ground is.
+    // An edge has two slopes. The gentler one is the slope of the ground.
     const double steepX = std::min(rise(1, 0), rise(-1, 0));
     const double steepY = std::min(rise(0, 1), rise(0, -1));
     const double steep2 = 1.0 + steepX * steepX + steepY * steepY;
@@ -148,7 +149,7 @@ bool LiveTooth::bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexce
     return std::max({std::abs(bowl.bend.x), std::abs(bowl.bend.y), std::abs(bowl.twist)}) < kSharpestPerMm * steep2;
 }
 
-/// The ground around a node is its columns from now on.
+/// From now on the ground around a node is its columns.
 void LiveTooth::noteCut(int i, int j) noexcept
 {
     for (int atJ = std::max(0, j - 1); atJ <= std::min(grid().side - 1, j + 1); ++atJ)
@@ -183,7 +184,7 @@ Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough, Edges edges) noexcep
 
 bool LiveTooth::isAbove(glm::dvec2 pointMm, double z, Edges edges) noexcept
 {
-    // Mostly the column that was the highest a tick ago says it all.
+    // Usually the column that was the highest a tick ago decides.
     if (const Peak last = lastPeakAt(grid().latticeOf(pointMm)); last.i >= 0 && static_cast<double>(last.value) > z)
         return true;
     return touchAt(pointMm, z, edges).heightMm > z;
@@ -205,16 +206,16 @@ Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
     Search wanted{-bur::BurMask::kAbsent, spread, static_cast<float>(enough)};
     if (const Peak last = lastPeakAt(lattice); last.i >= 0) {
         wanted.atLeast = last.value;
-        if (last.value > wanted.enough)  // the bur has moved by a fraction of a cell: mostly it is the highest still
+        if (last.value > wanted.enough)  // the bur has moved by a fraction of a cell: usually it is still the highest
             return {static_cast<double>(last.value), {0.0, 0.0}, {pointMm, static_cast<double>(last.value)}};
     }
     const Peaks peaks = m_kernels.highestAtPoint(tops(), mask(), grid().cellMm, lattice.x, lattice.y, wanted);
     if (const Peak& highest = highestOf(peaks); highest.i >= 0)
         m_peak = highest;
     Touch best{static_cast<double>(terrain::kEmptyTop), {0.0, 0.0}, {pointMm, static_cast<double>(terrain::kEmptyTop)}};
-    // A column that stands a little lower than another may lie on ground that is higher.
+    // A slightly lower column may belong to higher ground.
     const float least = highestOf(peaks).value - spread;
-    // Those of one smooth spot, one in each quarter, all lead to the place on it where the bur stands.
+    // Peaks on one smooth spot, one in each quarter, lead to the same foot.
     glm::ivec2 spot{};
     bool isSmooth = false;
     for (const Peak& peak : peaks) {
@@ -293,8 +294,8 @@ Touch LiveTooth::touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexc
     return best;
 }
 
-/// The bur stands where bur and ground have the same slope. From the highest column go there, and from the node that is
-/// nearest to it again: on steep ground the highest column may be some cells to the side.
+/// Finds the foot, where bur and ground have the same slope: from the highest column, and again from the node nearest
+/// to the result. On steep ground the highest column may be some cells away.
 bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, glm::ivec2& node) const noexcept
 {
     int i = peak.i;
@@ -338,7 +339,8 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     Search wanted{-bur::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
     const BurHead head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-    // What hung lowest a tick ago mostly does still, and what stops the bur from above mostly reaches down beside it.
+    // The lowest column of a tick ago usually still is the lowest, and a column that stops the bur from above usually
+    // reaches down beside it.
     for (const Peak& last : {m_lowest, m_peak}) {
         if (last.i < 0)
             continue;
@@ -411,7 +413,7 @@ void LiveTooth::refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noex
     for (int blockJ = firstJ / kBlock; blockJ <= lastJ / kBlock; ++blockJ) {
         const int rowEnd = std::min(grid().side, (blockJ + 1) * kBlock);
         for (int blockI = firstI / kBlock; blockI <= lastI / kBlock; ++blockI) {
-            // The last block of a row looks at some columns of the one before: it says no less than it should.
+            // The last block of a row overlaps the one before. So its value is a bound and not the exact one.
             const int from = std::min(blockI * kBlock, grid().side - kBlock);
             std::array<float, kBlock> highest;
             std::array<float, kBlock> lowest;

@@ -11,13 +11,13 @@
 namespace core::contact {
 namespace {
 
-/// Dry friction of 0.25 N keeps a hand that lets itself be led within 0.6 mm.
+/// With dry friction of 0.25 N, a hand that follows the lead stays within 0.6 mm.
 constexpr double kGuideNPerMm = 0.4;
-/// With 0.3 kg of grip and light hand half of critical; the hand has some of its own.
+/// With 0.3 kg of grip and a light hand this is half of critical damping; the hand adds some of its own.
 constexpr double kGuideNSPerMm = 0.012;
-constexpr double kGuideArrivedMm = 2.0;  ///< an anchor no farther from the aim has come to it
-constexpr double kGuideStrideS = 0.005;  ///< of the damper's low-pass: no count is felt through it
-/// A hand that gains on the anchor by more than this goes along.
+constexpr double kGuideArrivedMm = 2.0;  ///< the anchor has arrived when it is no farther from the aim
+constexpr double kGuideStrideS = 0.005;  ///< time constant of the damper's low-pass: no count is felt through it
+/// A hand that approaches the anchor faster than this follows the lead.
 constexpr double kGoesAlongMmPerS = 3.0;
 constexpr double kGuideSlewNPerS = 150.0;  ///< fastest change of its force
 
@@ -32,7 +32,8 @@ void PathGuide::drop() noexcept
     m_forceN = glm::dvec3(0.0);
 }
 
-/// With the aim where it has come to it, else towards it; never farther ahead of the hand than the spring may pull.
+/// Moves the anchor with the aim if it has arrived there, otherwise towards it. It never gets farther ahead of the hand
+/// than the spring may pull.
 void PathGuide::walk(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double seconds) noexcept
 {
     const glm::dvec3 way = aimMm - m_anchor;
@@ -41,7 +42,7 @@ void PathGuide::walk(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double
     m_anchor = deviceMm + shortened(m_anchor - deviceMm, kMostN / kGuideNPerMm);
 }
 
-/// Lets go of a hand that holds against the lead.
+/// Releases a hand that resists the lead.
 void PathGuide::watchPush(const glm::dvec3& lead, double seconds) noexcept
 {
     const double ahead = lengthOf(lead);
@@ -71,7 +72,7 @@ glm::dvec3 PathGuide::update(const glm::dvec3& deviceMm, const glm::dvec3& aimMm
     }
     m_asked = false;
 
-    // A hand that goes ahead by itself is not held back.
+    // A hand that moves ahead by itself is not held back.
     if (m_leading && lengthOf(aimMm - deviceMm) < lengthOf(aimMm - m_anchor))
         m_anchor = deviceMm;
     const glm::dvec3 before = m_anchor;

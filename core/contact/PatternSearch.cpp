@@ -15,7 +15,7 @@ namespace {
 constexpr int kFinestLevel = 5;  ///< smallest step: cell / 2^5
 constexpr double kWideCells = 2.0;
 constexpr int kNodesAround = 2;
-constexpr int kMaxLooks = 48;  ///< places looked at in a tick; the next tick goes on from there
+constexpr int kMaxLooks = 48;  ///< places tried in a tick; the next tick continues from there
 
 constexpr double kDiagonal = 0.7071067811865476;
 /// The four along the lattice first: only the finest step tries the others, unless one of them helped last.
@@ -29,17 +29,17 @@ constexpr std::array<glm::dvec2, 8> kDirections{{{1.0, 0.0},
                                                  {-kDiagonal, -kDiagonal},
                                                  {kDiagonal, -kDiagonal}}};
 
-/// Where a step comes from and what it may do.
+/// The start of a step and its limits.
 struct Step
 {
     double deviceZ = 0.0;
     double fromZ = 0.0;
-    double climb = 0.0;    ///< most it may rise over ground, or sink under a roof
-    double highest = 0.0;  ///< standing above this would be no nearer to the device
-    bool inNotch = false;  ///< the anchor has some columns beneath it and others above
+    double climb = 0.0;    ///< most that it may rise over ground, or sink under a roof
+    double highest = 0.0;  ///< any higher place would be no nearer to the device
+    bool inNotch = false;  ///< the anchor has some columns below it and others above
 };
 
-/// Height at which the anchor would stand at `at`; false if nothing that the step can reach is free there.
+/// Sets the height of the anchor at `at`. Returns false if no height within reach of the step is free there.
 bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexcept
 {
     const double reach = step.fromZ + step.climb;
@@ -71,8 +71,8 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
                   glm::dvec3& anchor) noexcept
 {
     const double cell = tooth.grid().cellMm;
-    // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels. One that is
-    // stuck behind a column goes round it in steps that are wider than a column, and no wider than half the bur.
+    // The first step is about as long as the motion of the hand, so that an anchor at rest costs only the finest
+    // levels. An anchor stuck behind a column needs steps wider than a column, but no wider than half the bur.
     const double reach = movedMm + cell / 32.0;
     const bool isStuck = limits.isStuck;
     double step = isStuck ? std::min(kWideCells * cell, 0.5 * static_cast<double>(tooth.mask().radiusMm)) : cell;
@@ -83,7 +83,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
     }
     double best = distance2(anchor, device);
     int looks = 0;
-    // Goes to a place if it is free and nearer than the best.
+    // Moves to a place if it is free and nearer than the best.
     const auto goTo = [&](glm::dvec2 at, double fromZ, double climb) {
         // A place whose own column is already farther than the best needs no clearance.
         const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
@@ -99,12 +99,13 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
         return true;
     };
     if (isStuck) {
-        // First the nodes around: with its axis over a node a bur gets past columns that it does not between them.
+        // The nodes around come first: with its axis over a node, a bur passes columns that stop it between nodes.
         const terrain::Grid& grid = tooth.grid();
         const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(anchor));
         const double fromZ = anchor.z;
         const glm::dvec2 from(anchor);
-        const double farthest = 0.5 * static_cast<double>(tooth.mask().radiusMm);  // or it might hop through a wall
+        const double farthest = 0.5 * static_cast<double>(tooth.mask().radiusMm);  // farther, it might jump through a
+                                                                                   // wall
         for (int dj = -kNodesAround; dj <= kNodesAround; ++dj) {
             for (int di = -kNodesAround; di <= kNodesAround; ++di) {
                 const glm::dvec2 node = grid.nodeMm(static_cast<int>(std::floor(lattice.x + 0.5)) + di,
@@ -115,7 +116,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
         }
         looks = 0;
     }
-    std::size_t heading = 0;  // the direction that helped last is tried first
+    std::size_t heading = 0;  // the last successful direction is tried first
     int streak = 0;
     while (level <= kFinestLevel && looks < kMaxLooks) {
         bool found = false;
@@ -134,7 +135,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
             step *= 0.5;
             ++level;
             streak = 0;
-        } else if (++streak == 2 && level > 0) {  // a long way to go: longer steps
+        } else if (++streak == 2 && level > 0) {  // a long way left: longer steps
             step *= 2.0;
             --level;
             streak = 0;

@@ -15,7 +15,7 @@ glm::dvec3 PenaltyContact::update(LiveTooth& tooth, const glm::dvec3& device) no
         (tooth.clearanceAt({device.x + h, device.y}) - tooth.clearanceAt({device.x - h, device.y})) / (2.0 * h);
     const double slopeY =
         (tooth.clearanceAt({device.x, device.y + h}) - tooth.clearanceAt({device.x, device.y - h})) / (2.0 * h);
-    // Normal (-sx, -sy, 1) / |.|; the plane at height `depth` overhead lies depth * n.z away along it.
+    // The normal is (-sx, -sy, 1) / |.|. The plane at height `depth` above is depth * n.z away along it.
     const double away = depth / (slopeX * slopeX + slopeY * slopeY + 1.0);
     return device + glm::dvec3(-slopeX, -slopeY, 1.0) * away;
 }

@@ -12,25 +12,24 @@
 namespace core::contact {
 namespace {
 
-/// A rise of this many cells from one node to the next is an edge, if the ground to either side of it goes on this much
-/// more gently.
+/// A rise of this many cells from one node to the next is an edge, if the ground on either side is gentler by as much.
 constexpr double kLeastRise = 0.75;
 constexpr double kGentler = 3.0;
 
-/// Tops of one side differ from node to node by no more than this many cells a cell.
+/// The top of one side differs from node to node by no more than this many cells a cell.
 constexpr double kTopSlope = 2.0;
 
-/// Farther from the axis, in radii, is no node that counts: a radius, half a cell and a chord.
+/// Nodes farther from the axis, in radii, do not count: a radius, half a cell and a chord.
 constexpr double kReachShare = 2.0;
 
 constexpr double kLengthRounding = 1.0e-9;
 
-/// Longest chord: this many cells, and this share of a bur's radius. Farther apart are the two sides of a corner that a
-/// bur is in.
+/// Longest chord: this many cells, and this share of a bur's radius. Posts farther apart are on the two sides of a
+/// corner that the bur is in.
 constexpr double kChordCells = 4.25;
 constexpr double kChordShare = 0.75;
 
-/// A line is fitted to the falls within this many cells, and fits if none of them is farther from it than that.
+/// A line is fitted to the falls within this many cells, and fits if none of them is farther from it.
 constexpr double kFitCells = 5.5;
 constexpr double kFitsCells = 0.75;
 
@@ -39,7 +38,7 @@ double lengthOf(glm::dvec2 v)
     return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
-/// True if the ground falls off upright from node (i, j) towards (i + di, j + dj).
+/// Returns whether the ground falls off upright from node (i, j) towards (i + di, j + dj).
 bool fallsOff(const terrain::ToothAnatomy& anatomy, int i, int j, int di, int dj)
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -75,8 +74,8 @@ std::vector<VerticalWalls::Fall> VerticalWalls::fallsOf(const terrain::ToothAnat
     return falls;
 }
 
-/// The middle of a fall, moved onto the line through the falls around it that look the same way or to the side (total
-/// least squares), if they lie on one.
+/// Returns the middle of a fall. It is moved onto the line through the surrounding falls that have the same direction
+/// or one at right angles (total least squares), if they are on one line.
 glm::dvec2 VerticalWalls::straightened(const Fall& fall, const std::vector<Fall>& all,
                                        const std::vector<std::vector<std::size_t>>& byBlock, int blockSide)
 {
@@ -161,8 +160,8 @@ bool VerticalWalls::isFar(glm::dvec2 lattice) const noexcept
     return m_hasNear[static_cast<std::size_t>(j * m_blockSide + i)] == 0;
 }
 
-/// A node and its neighbours are as they began: beside a cut the columns alone count, or the pocket that a bur made
-/// would be narrower than the bur.
+/// Returns whether a node and its neighbours are uncut. Beside a cut only the columns count: otherwise the pocket that
+/// a bur made would be narrower than the bur.
 bool VerticalWalls::isUncut(glm::ivec2 node, const terrain::Tooth& tooth) noexcept
 {
     const terrain::Grid& grid = tooth.grid();
@@ -186,7 +185,7 @@ std::size_t VerticalWalls::nodesNear(glm::dvec2 pointMm, const terrain::Tooth& t
     std::size_t count = 0;
     if (isFar(lattice))
         return count;
-    const double cells = reach.farthest / grid.cellMm + 1.0;  // a post may lie before its node
+    const double cells = reach.farthest / grid.cellMm + 1.0;  // a post may be before its node
     const int firstI = std::clamp(static_cast<int>(lattice.x - cells), 0, m_side - 1) / kBlock;
     const int lastI = std::clamp(static_cast<int>(lattice.x + cells), 0, m_side - 1) / kBlock;
     const int firstJ = std::clamp(static_cast<int>(lattice.y - cells), 0, m_side - 1) / kBlock;
@@ -213,11 +212,11 @@ std::size_t VerticalWalls::nodesNear(glm::dvec2 pointMm, const terrain::Tooth& t
 VerticalWalls::Reach::Reach(const terrain::Grid& grid, const bur::BurMask& mask)
     : radius(static_cast<double>(mask.radiusMm)), chord(std::min(kChordCells * grid.cellMm, kChordShare * radius))
 {
-    const double proud = chord * chord / (8.0 * radius);  // of its ends, the middle of a chord
+    const double proud = chord * chord / (8.0 * radius);  // height of the middle of a chord over its ends
     farthest = std::sqrt((radius + proud) * (radius + proud) + chord * chord);
 }
 
-/// Where a side comes nearest to a bur: at a post, or on a chord between two of them.
+/// The nearest place of a side to a bur: at a post, or on a chord between two posts.
 struct VerticalWalls::Foot
 {
     glm::dvec2 place;
@@ -226,7 +225,7 @@ struct VerticalWalls::Foot
     glm::dvec2 along;  ///< slope of the side's top, along the chord
 };
 
-/// The foot on the chord between two posts, if there is one.
+/// Returns the foot on the chord between two posts, or empty if there is none.
 bool VerticalWalls::footBetween(glm::dvec2 pointMm, const Node& one, const Node& other, double longest,
                                 Foot& foot) noexcept
 {
@@ -255,7 +254,7 @@ Touch VerticalWalls::touchOf(glm::dvec2 pointMm, const bur::BurMask& mask, const
             foot.bottom - mask.upperAt(apart)};
 }
 
-/// Shows `take` every post and then, of the posts that `mayCount`, the foot on every chord.
+/// Calls `take` for every post and then, of the posts that `mayCount`, for the foot on every chord.
 template <class Take, class MayCount>
 void VerticalWalls::eachFoot(glm::dvec2 pointMm, const Reach& reach, std::span<const Node> nodes, Take&& take,
                              MayCount&& mayCount) noexcept
@@ -309,7 +308,7 @@ Touch VerticalWalls::besideAt(glm::dvec2 pointMm, double tipMm, const terrain::T
     bool isThere = false;
     const auto take = [&](const Foot& foot) {
         const double apart = lengthOf(pointMm - foot.place);
-        // A cone is met the sooner, the higher the side stands.
+        // A cone meets a higher side sooner.
         const double beside =
             mask.steepMm < mask.sideMm ? apart + reach.radius - mask.reachAt(foot.top - tipMm) : apart;
         if (!(apart > 0.0) || beside > least || foot.bottom - mask.upperAt(apart) >= tipMm)

@@ -11,19 +11,19 @@
 namespace core::contact {
 namespace {
 
-/// Soft: a pull of kLeadN over 5 mm. The damper, between hand and anchor, makes it nearly critical for a grip and a
-/// light hand, 0.3 kg.
+/// Soft: kLeadN over 5 mm. The damper between hand and anchor makes it nearly critical for a grip and a light hand, 0.3
+/// kg.
 constexpr double kSpringNPerMm = 0.2;
 constexpr double kDamperNSPerMm = 0.012;
-constexpr double kStrideS = 0.02;  ///< of the damper's low-pass: no turn of the way and no count is felt through it
+constexpr double kStrideS = 0.02;  ///< time constant of the damper's low-pass: neither a turn of the way nor a count is
+                                   ///< felt
 constexpr double kArrivedMm = 0.5;
 /// Spring and damper together stay under 2 N (docs/facts/haptics.md, section 4, scene 13).
 constexpr double kMostLeadN = 1.8;
-/// A hand that lets itself be led takes little more than the device's friction, 0.25 N; from this share of kLeadN on it
-/// holds back.
+/// A hand that follows needs little more than the device's friction, 0.25 N. From this share of kLeadN on it resists.
 constexpr double kHeldBackShare = 0.95;
 
-constexpr double kSlewNPerS = 1000.0;  ///< fastest change of its force: a reading that leaps is no blow
+constexpr double kSlewNPerS = 1000.0;  ///< fastest change of its force: a jump of the reading gives no blow
 
 }  // namespace
 
@@ -38,10 +38,10 @@ void WorkArea::drop() noexcept
     m_forceN = glm::dvec3(0.0);
 }
 
-/// Moves the anchor on its way home; no farther ahead of the hand than the spring may pull.
+/// Moves the anchor on its way home, no farther ahead of the hand than the spring may pull.
 void WorkArea::walk(const glm::dvec3& device, double seconds) noexcept
 {
-    // Up first: whatever stands beside the bur, above it the way is free.
+    // Up first: above everything beside the bur, the way is free.
     const glm::dvec3 home(0.0, 0.0, kHomeMm);
     const bool low = m_anchor.z < kHomeMm - kArrivedMm;
     const glm::dvec3 aim = low ? glm::dvec3(m_anchor.x, m_anchor.y, kHomeMm) : home;
