@@ -53,14 +53,13 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ser
           {*m_window, m_session, *m_devices, m_presets, m_attempt, m_attempts, m_loads, m_limit, m_lessons, m_school},
           options.retry),
       m_observer({*m_window, m_channels, m_session, m_assessment, *m_devices, m_attempt, m_attempts, m_resume, m_limit,
-                  m_school},
-                 options.retry),
+                  m_school}),
       m_opened(*m_window, m_attempts, m_loads, m_school),
       m_grading({*m_window, m_channels, m_session, m_assessment, *m_devices, m_attempt, m_attempts, m_resume,
                  m_observer, m_limit, m_opened, m_school}),
-      m_playback(
-          {*m_window, m_channels, m_session, m_servo, *m_sound, m_bur, m_attempt, m_attempts, m_loads, m_opened, m_grading},
-          !options.picture.isEmpty()),
+      m_playback({*m_window, m_channels, m_session, m_servo, *m_sound, m_bur, m_attempt, m_attempts, m_loads, m_opened,
+                  m_grading},
+                 !options.picture.isEmpty()),
       m_data(*m_window, m_school, {options.database, options.opening, options.retry, options.asksWho}),
       m_login({*m_window, m_school, m_data, m_lessons, m_presets, m_attempt, m_attempts, m_resume, m_grading, m_loads},
               options.loginPatience),
@@ -139,12 +138,13 @@ void Application::openDatabase()
     m_resume.setStationFolder(m_data.stationFolder());
     m_resume.setUploader(m_data.uploader());
     m_grading.setUploader(m_data.uploader());
-    connect(m_school.service, &SchoolService::delivered, this, [this](const QString& uid) {
+    m_observer.setUploader(m_data.uploader());
+    connect(m_data.service(), &SchoolService::delivered, this, [this](const QString& uid) {
         m_grading.handleDelivered(uid.toStdString());
         m_window->readAttemptsAgain();
     });
     m_admin = std::make_unique<AdminController>(
-        *m_window, *m_school.service,
+        *m_window, *m_data.service(),
         AdminController::Place{m_data.address(), m_data.stationFolder(),
                                [this] { return m_window->devicesPage().handName(m_devices->hand()); },
                                1.0 / kServoPeriodS},
@@ -153,7 +153,7 @@ void Application::openDatabase()
     connect(m_admin.get(), &AdminController::idleMinutesChanged, this,
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
     m_history =
-        std::make_unique<AttemptHistoryController>(*m_window, *m_school.service, [this] { return m_school.user; });
+        std::make_unique<AttemptHistoryController>(*m_window, *m_data.service(), [this] { return m_school.user; });
     m_opened.setHistory(m_history.get());
     m_playback.setHistory(m_history.get());
     m_login.connectService();

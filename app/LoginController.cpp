@@ -10,13 +10,10 @@
 #include "app/school/SchoolSettings.h"
 #include "app/threads/Background.h"
 #include "database/Passwords.h"
-#include "database/sql/Logins.h"
-#include "database/sql/Settings.h"
+#include "database/Repositories.h"
 
 namespace app {
 
-using database::sql::DatabaseContext;
-using database::sql::Logins;
 using ui::window::MainWindow;
 
 LoginController::LoginController(const Parts& parts, std::chrono::milliseconds patience)
@@ -33,7 +30,7 @@ LoginController::LoginController(const Parts& parts, std::chrono::milliseconds p
 
 void LoginController::connectService()
 {
-    SchoolService* const service = m_school.service;
+    SchoolService* const service = m_data.service();
     connect(service, &SchoolService::isBack, this, [this] {
         if (m_school.user.isGuest())
             return;
@@ -51,7 +48,7 @@ void LoginController::connectService()
         const bool wasIn = !m_school.user.isGuest();
         if (wasIn)
             leave();
-        m_school.service->takeOtherSchool();
+        m_data.service()->takeOtherSchool();
         m_data.openSchool();
         if (wasIn)
             m_window.sayAtDoor(
@@ -71,8 +68,8 @@ void LoginController::leaveToRestore(const QString& backup)
 void LoginController::readIdleLimit()
 {
     m_school.service->ask(
-        this, [who = m_school.user](const DatabaseContext& school) { return database::sql::readSettings(school, who); },
-        [this](const core::Result<database::sql::SettingsMap>& settings) {
+        this, [who = m_school.user](const database::Repositories& school) { return school.settings.read(who); },
+        [this](const core::Result<database::SettingsMap>& settings) {
             if (settings)
                 m_window.setIdleLimit(std::chrono::minutes(idleMinutesOf(*settings)));
         });
@@ -82,13 +79,9 @@ void LoginController::changePassword(const QString& old, const QString& password
 {
     m_school.service->ask(
         this,
-        [who = m_school.user, old = old.toStdString(),
-         next = password.toStdString()](const DatabaseContext& school) -> core::Result<bool> {
-            if (auto done = Logins::changePassword(school, who, old, next); !done)
-                return tl::unexpected(done.error());
-            return true;
-        },
-        [this](const core::Result<bool>& done) {
+        [who = m_school.user, old = old.toStdString(), next = password.toStdString()](
+            const database::Repositories& school) { return school.logins.changePassword(who, old, next); },
+        [this](const core::Status& done) {
             if (!done) {
                 m_window.refuseLogin(done.error());
                 return;
@@ -104,7 +97,7 @@ void LoginController::connectWindow()
     using ui::window::MainWindow;
     connect(&m_window, &MainWindow::loginRequested, this, [this](const QString& name, const QString& password) {
         ask([name = name.toStdString(), password = password.toStdString()](
-                const DatabaseContext& school) { return Logins::login(school, name, password); },
+                const database::Repositories& school) { return school.logins.login(name, password); },
             [this, isOwner = name.toStdString() == m_school.user.username(), password](const core::Error& why) {
                 if (isOwner && isUnreachable(why.code))
                     unlockOffline(password, why);
@@ -115,13 +108,13 @@ void LoginController::connectWindow()
     connect(&m_window, &MainWindow::codeRequested, this,
             [this](const QString& name, const QString& code, const QString& password) {
                 ask([name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
-                        const DatabaseContext& school) { return Logins::redeem(school, name, code, password); });
+                        const database::Repositories& school) { return school.logins.redeem(name, code, password); });
             });
     connect(&m_window, &MainWindow::schoolRequested, this,
             [this](const database::NewPerson& admin, const QString& password) {
                 ask(
-                    [admin, password = password.toStdString()](const DatabaseContext& school) {
-                        return Logins::createFirstAdmin(school, admin, password, database::timedCost());
+                    [admin, password = password.toStdString()](const database::Repositories& school) {
+                        return school.logins.createFirstAdmin(admin, password);
                     },
                     [this](const core::Error& why) {
                         if (why.code == core::ErrorCode::NotAllowed) {  // another computer was faster
@@ -144,7 +137,7 @@ void LoginController::connectWindow()
 /// Logs in the user that the database returns. Ignores an answer that arrives after the user has left the login page:
 /// by then somebody else may sit there.
 /// @param refuse  handles an error; empty: the login page shows it
-void LoginController::ask(const std::function<core::Result<database::Login>(const DatabaseContext&)>& work,
+void LoginController::ask(const std::function<core::Result<database::Login>(const database::Repositories&)>& work,
                           const std::function<void(const core::Error&)>& refuse)
 {
     const auto answer = [this, refuse, turn = ++m_turn](const core::Result<database::Login>& who) {
@@ -178,7 +171,7 @@ void LoginController::ask(const std::function<core::Result<database::Login>(cons
 void LoginController::readOwnHash()
 {
     m_school.service->ask(
-        this, [who = m_school.user](const DatabaseContext& school) { return Logins::ownHash(school, who); },
+        this, [who = m_school.user](const database::Repositories& school) { return school.logins.ownHash(who); },
         [this, who = m_school.user](const core::Result<std::string>& hash) {
             if (hash && m_school.user == who)
                 m_unlock.setHash(*hash);
@@ -259,8 +252,8 @@ void LoginController::raisePasswordCost()
         [this](const database::PasswordCost& cost) {
             m_school.service->ask(
                 this,
-                [who = m_school.user, cost](const DatabaseContext& school) {
-                    return database::sql::raisePasswordCost(school, who, cost);
+                [who = m_school.user, cost](const database::Repositories& school) {
+                    return school.logins.raiseCost(who, cost);
                 },
                 [](const core::Status&) {});
         });
@@ -271,13 +264,8 @@ void LoginController::leave()
 {
     if (m_school.service && !m_school.user.isGuest())
         m_school.service->ask(
-            this,
-            [who = m_school.user](const DatabaseContext& school) -> core::Result<bool> {
-                if (auto noted = Logins::logout(school, who); !noted)
-                    return tl::unexpected(noted.error());
-                return true;
-            },
-            [](const core::Result<bool>&) {});
+            this, [who = m_school.user](const database::Repositories& school) { return school.logins.logout(who); },
+            [](const core::Status&) {});
     // A saved attempt is not offered again. The note in its journal may be on its way still, for example during a
     // replay.
     m_resume.stopJournal(m_grading.isSaved());
@@ -303,12 +291,9 @@ void LoginController::leaveIfRoleChanged()
     if (m_school.user.isGuest())
         return;
     m_school.service->ask(
-        this,
-        [who = m_school.user](const DatabaseContext& school) {
-            return database::sql::authorize(school, who, database::Operation::ReadSettings);
-        },
-        [this, who = m_school.user](const core::Result<database::sql::AuthorizedUser>& now) {
-            if (!now || m_school.user != who || now->role == who.role())
+        this, [who = m_school.user](const database::Repositories& school) { return school.logins.role(who); },
+        [this, who = m_school.user](const core::Result<database::Role>& now) {
+            if (!now || m_school.user != who || *now == who.role())
                 return;
             leave();
             m_window.sayAtDoor([] { return tr("Your role was changed, and you were logged out. Log in again."); });

@@ -56,7 +56,7 @@ private:
     void readIdleLimit();
     void changePassword(const QString& old, const QString& password);
     void connectWindow();
-    void ask(const std::function<core::Result<database::Login>(const database::sql::DatabaseContext&)>& work,
+    void ask(const std::function<core::Result<database::Login>(const database::Repositories&)>& work,
              const std::function<void(const core::Error&)>& refuse = {});
     void readOwnHash();
     void unlockOffline(const QString& password, const core::Error& why);

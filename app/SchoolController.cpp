@@ -129,16 +129,16 @@ void SchoolController::openSchool()
 {
     makeStationFolder();  // the disk may be writable by now
     m_window.setOpening(true);
-    m_school.service->open(this, [this](const SchoolService::Opening& opening) { takeOpening(opening); });
+    m_service->open(this, [this](const SchoolService::Opening& opening) { takeOpening(opening); });
 }
 
 void SchoolController::refuseLogin(const core::Error& why)
 {
-    if (!m_school.service || m_address->isServer() || !isOfTheFile(why.code)) {
+    if (!m_service || m_address->isServer() || !isOfTheFile(why.code)) {
         m_window.refuseLogin(why);
         return;
     }
-    m_school.service->open(this, [this, why](const SchoolService::Opening& opening) {
+    m_service->open(this, [this, why](const SchoolService::Opening& opening) {
         if (opening.status)
             m_window.refuseLogin(why);
         else
@@ -176,7 +176,7 @@ void SchoolController::takeOpening(const SchoolService::Opening& opening)
 
 void SchoolController::restore(const database::Login& who)
 {
-    m_school.service->restore(this, who, m_backup, [this](const SchoolService::Opening& opening) {
+    m_service->restore(this, who, m_backup, [this](const SchoolService::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
         m_window.sayAtDoor([made, restored = opening.restored, isOpen = opening.status.has_value(),

@@ -47,7 +47,8 @@ public:
     /// Ends the service.
     void close();
 
-    /// After openDatabase().
+    /// After openDatabase(); null before.
+    [[nodiscard]] SchoolService* service() const { return m_service.get(); }
     [[nodiscard]] AttemptUploader* uploader() const { return m_uploader.get(); }
     [[nodiscard]] const database::Address& address() const { return *m_address; }
     /// Returns the folder of this computer's own files: journals, outbox, key.

@@ -88,6 +88,13 @@ struct Feedback
     bool operator==(const Feedback&) const = default;
 };
 
+/// A stored score sheet.
+struct KeptSheet
+{
+    std::string finishedUtc;
+    std::string json;
+};
+
 /// A person's results in a lesson so far.
 struct LessonStanding
 {

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <QByteArray>
@@ -18,9 +20,11 @@
 #include "database/ClassOverview.h"
 #include "database/IntegrityIssue.h"
 #include "database/Login.h"
+#include "database/Passwords.h"
 #include "database/Person.h"
 #include "database/SchoolSettings.h"
 #include "database/StationKey.h"
+#include "lessons/ClassStanding.h"
 
 /// What the program does with the data of a school, one method per use case. Each method runs in a transaction of its
 /// own and checks whether the present role of the login allows it: NotAllowed if not, Disabled for an account that was
@@ -121,6 +125,81 @@ public:
                                                              const RosterOutcome& asSeen) = 0;
 };
 
+/// A lesson that the classes of a user were assigned.
+struct AssignedLesson
+{
+    std::string lessonId;
+    std::vector<std::pair<std::string, std::string>> classes;  ///< name and due date (ISO 8601; empty: none) of each
+    std::optional<int> attemptsLeft;                           ///< empty: no limit
+};
+
+/// What the list of lessons shows of a user.
+struct LessonsOfUser
+{
+    std::vector<LessonStanding> standings;
+    std::vector<AssignedLesson> assigned;  ///< students only
+    std::vector<Feedback> feedback;        ///< students only
+};
+
+/// What a new grade is compared with.
+struct GradeContext
+{
+    std::vector<AttemptRecord> history;  ///< earlier attempts of the user, newest first
+    lessons::ClassStanding standing;
+    std::optional<int> attemptsLeft;  ///< empty: no limit
+};
+
+/// The attempts of a user that the school knows.
+struct KnownAttempts
+{
+    std::set<std::string> usedUp = {};  ///< lessons without an attempt left
+    /// Uids of the newest attempts; empty: unknown.
+    std::optional<std::set<std::string>> kept = {};
+};
+
+/// The lessons of the login's person: what was assigned, what was reached, what is left.
+class LessonRepository
+{
+public:
+    virtual ~LessonRepository() = default;
+    [[nodiscard]] virtual core::Result<LessonsOfUser> ofUser(const Login& who) const = 0;
+    /// The number of attempts left at a lesson; empty: no limit.
+    [[nodiscard]] virtual core::Result<std::optional<int>> attemptsLeft(const Login& who,
+                                                                        const std::string& lessonId) const = 0;
+    /// @param historyLength  the most earlier attempts: of the same lesson, or without a lesson at the same tooth
+    [[nodiscard]] virtual core::Result<GradeContext> contextOf(const Login& who, const AttemptRecord& attempt,
+                                                               int historyLength) const = 0;
+    /// @param newest  so many attempts are looked at
+    [[nodiscard]] virtual core::Result<KnownAttempts> known(const Login& who, int newest) const = 0;
+    /// The score sheets of attempts at exactly this lesson, newest first: the user's own and those that they may read.
+    [[nodiscard]] virtual core::Result<std::vector<KeptSheet>>
+    sheets(const Login& who, const std::string& lessonId, const std::string& lessonHash, int limit) const = 0;
+};
+
+/// Logins and passwords. Most calls hash a password and take a moment.
+class LoginRepository
+{
+public:
+    virtual ~LoginRepository() = default;
+    /// WrongLogin, TooSoon and NewPassword as sql::Logins::login() says.
+    [[nodiscard]] virtual core::Result<Login> login(const std::string& username, const std::string& password) = 0;
+    /// Uses up a one-time code and sets the password.
+    [[nodiscard]] virtual core::Result<Login> redeem(const std::string& username, const std::string& code,
+                                                     const std::string& password) = 0;
+    /// Enters the first person of a school, an admin. NotAllowed if there is one already.
+    [[nodiscard]] virtual core::Result<Login> createFirstAdmin(const NewPerson& admin, const std::string& password) = 0;
+    [[nodiscard]] virtual core::Status logout(const Login& who) = 0;
+    /// WrongLogin if `old` is not the password.
+    [[nodiscard]] virtual core::Status changePassword(const Login& who, const std::string& old,
+                                                      const std::string& password) = 0;
+    /// The hash of the user's password, for unlocking the window while the database cannot be reached.
+    [[nodiscard]] virtual core::Result<std::string> ownHash(const Login& who) const = 0;
+    /// The role that the user has now.
+    [[nodiscard]] virtual core::Result<Role> role(const Login& who) const = 0;
+    /// Raises the cost of hashing passwords if it at least doubles. Admins.
+    [[nodiscard]] virtual core::Status raiseCost(const Login& who, const PasswordCost& cost) = 0;
+};
+
 /// Hardness presets of a school. The settings kPresetInUse and kRetiredPresets name the one in use and the retired.
 class PresetRepository
 {
@@ -190,6 +269,8 @@ struct Repositories
     SettingsRepository& settings;
     AuditRepository& audit;
     MaintenanceRepository& maintenance;
+    LessonRepository& lessons;
+    LoginRepository& logins;
     const StationKey& stationKey;  ///< of this computer
 };
 

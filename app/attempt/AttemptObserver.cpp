@@ -6,7 +6,6 @@
 
 #include <QDateTime>
 
-#include "app/school/SchoolService.h"
 #include "core/grading/Exercise.h"
 #include "core/history/MomentId.h"
 #include "database/Passwords.h"
@@ -28,10 +27,10 @@ std::optional<Key> mostOf(const std::map<Key, int>& counts)
 
 }  // namespace
 
-AttemptObserver::AttemptObserver(const Parts& parts, std::chrono::milliseconds retry)
+AttemptObserver::AttemptObserver(const Parts& parts)
     : m_window(parts.window), m_channels(parts.channels), m_session(parts.session), m_assessment(parts.assessment),
       m_devices(parts.devices), m_attempt(parts.attempt), m_attempts(parts.attempts), m_resume(parts.resume),
-      m_limit(parts.limit), m_school(parts.school), m_retry(retry)
+      m_limit(parts.limit), m_school(parts.school)
 {
     connect(&m_attempts, &AttemptController::loaded, this, [this] {
         m_cutIn.clear();
@@ -85,7 +84,7 @@ void AttemptObserver::watchExam(const core::session::Findings& findings)
 {
     const bool isBegun =
         findings.process.firstCutS || (findings.practised && core::grading::isBegun(*findings.practised));
-    if (!m_attempt.isExam() || !isBegun || !m_school.isLoggedIn())
+    if (!m_attempt.isExam() || !isBegun || !m_school.isLoggedIn() || m_uploader == nullptr)
         return;
     const std::filesystem::path journal = m_resume.fileOf(m_attempt.generation());
     if (journal.empty() || !m_attempt.startExam())  // the journal has yet to read this tooth
@@ -95,23 +94,14 @@ void AttemptObserver::watchExam(const core::session::Findings& findings)
                                     m_attempt.assignment().lesson->id,
                                     QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
     if (m_attempt.exam() == CurrentAttempt::Exam::Counted) {
-        recordExam(m_school.user, start);
+        m_uploader->send(m_school.user, start);
         return;
     }
     m_limit.ask(start.lessonId, [this, who = m_school.user, start, generation = m_attempt.generation()](bool may) {
         if (may)
-            recordExam(who, start);
+            m_uploader->send(who, start);
         if (m_attempt.answerExam(generation, may))
             m_window.refuseExam();
-    });
-}
-
-/// Goes through the outbox, as a graded attempt does. If the disk refuses it, it is offered again later.
-void AttemptObserver::recordExam(const database::Login& who, const database::ExamStart& start)
-{
-    m_school.service->keep(this, who, start, [this, who, start](const core::Status& kept) {
-        if (!kept)
-            QTimer::singleShot(m_retry, this, [this, who, start] { recordExam(who, start); });
     });
 }
 

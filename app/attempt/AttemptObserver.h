@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <map>
 
 #include <QObject>
@@ -11,6 +10,7 @@
 #include "app/attempt/AttemptController.h"
 #include "app/attempt/ResumeController.h"
 #include "app/school/AttemptLimit.h"
+#include "app/school/AttemptUploader.h"
 #include "app/school/SchoolSession.h"
 #include "database/AttemptRecord.h"
 #include "ui/render/Presenter.h"
@@ -38,8 +38,10 @@ public:
         AttemptLimit& limit;
         const SchoolSession& school;
     };
-    /// @param retry  the time after which a refused record of an exam is written again
-    AttemptObserver(const Parts& parts, std::chrono::milliseconds retry);
+    explicit AttemptObserver(const Parts& parts);
+
+    /// Sets where the beginning of an exam is sent to; null: there is no database.
+    void setUploader(AttemptUploader* uploader) { m_uploader = uploader; }
 
     /// Returns the hand that the student worked with for most of the attempt.
     [[nodiscard]] QString hand() const;
@@ -49,7 +51,6 @@ public:
 private:
     void observe();
     void watchExam(const core::session::Findings& findings);
-    void recordExam(const database::Login& who, const database::ExamStart& start);
 
     ui::window::MainWindow& m_window;
     core::session::UiChannels& m_channels;
@@ -61,7 +62,7 @@ private:
     ResumeController& m_resume;
     AttemptLimit& m_limit;
     const SchoolSession& m_school;
-    std::chrono::milliseconds m_retry;
+    AttemptUploader* m_uploader = nullptr;
     QTimer m_timer;
     std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by kind of picture
     std::map<QString, int> m_cutWith;           ///< the same, by the hand that moves the bur

@@ -10,19 +10,17 @@
 
 #include "app/attempt/GradeDestination.h"
 #include "app/attempt/ResumableAttempts.h"
-#include "app/school/SchoolService.h"
+#include "app/school/SchoolAccess.h"
 #include "core/grading/Exercise.h"
 #include "core/servo/ServoState.h"
 #include "database/Passwords.h"
-#include "database/sql/Attempts.h"
-#include "database/sql/Classes.h"
+#include "database/Repositories.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
 namespace {
 
-using database::sql::DatabaseContext;
 using ui::text::FailedOperation;
 using ui::window::MainWindow;
 
@@ -345,8 +343,8 @@ void GradingController::saveGuestsGrade()
     updateKeeping();
     m_school.service->ask(
         this,
-        [who = m_school.user, lesson = m_graded->record.lessonId](const DatabaseContext& school) {
-            return database::sql::attemptsLeft(school, who, lesson);
+        [who = m_school.user, lesson = m_graded->record.lessonId](const database::Repositories& school) {
+            return school.lessons.attemptsLeft(who, lesson);
         },
         [this, who = m_school.user, record = m_graded->record,
          recording = m_graded->recording](const core::Result<std::optional<int>>& left) {
@@ -392,28 +390,12 @@ void GradingController::updateKeeping()
 /// Reads the earlier grades of the same lesson, or without a lesson of the same tooth, and the rank in the class.
 void GradingController::updateHistory()
 {
-    struct Found
-    {
-        std::vector<database::AttemptRecord> history;
-        lessons::ClassStanding standing;
-        std::optional<int> attemptsLeft;
-    };
     m_school.service->ask(
         this,
-        [who = m_school.user, record = m_graded->record,
-         tenths = m_graded->sheet.totalTenths](const DatabaseContext& school) -> core::Result<Found> {
-            Found found;
-            auto history =
-                database::sql::history(school, who, who.person(),
-                                       {record.lessonId, record.lessonId.empty() ? record.tooth : "", kHistoryLength});
-            const auto standing = database::sql::standingAmongClassmates(school, who, record.lessonId,
-                                                                         record.rubricHash, record.device, tenths);
-            if (!history || !standing)
-                return tl::unexpected(history ? standing.error() : history.error());
-            auto left = database::sql::attemptsLeft(school, who, record.lessonId);
-            return Found{std::move(*history), *standing, left.value_or(std::nullopt)};
+        [who = m_school.user, record = m_graded->record](const database::Repositories& school) {
+            return school.lessons.contextOf(who, record, kHistoryLength);
         },
-        [this, uid = m_graded->record.uid](const core::Result<Found>& found) {
+        [this, uid = m_graded->record.uid](const core::Result<database::GradeContext>& found) {
             if (!m_graded || m_graded->record.uid != uid)
                 return;
             if (found) {

@@ -9,8 +9,6 @@
 
 #include "core/recording/Replay.h"
 #include "core/servo/ServoState.h"
-#include "database/sql/Attempts.h"
-#include "database/sql/Classes.h"
 #include "lessons/LessonReader.h"
 
 namespace app {
@@ -19,7 +17,6 @@ namespace {
 // A program that was just killed may hold its journal for a moment more.
 constexpr int kLooksForJournal = 6;
 constexpr unsigned long kJournalRestMs = 500;
-constexpr int kNewestKept = 200;  ///< attempts, among which is what was graded here last
 
 bool isGradedNote(const core::servo::ServoEvent& event)
 {
@@ -72,7 +69,7 @@ std::optional<bool> isThere(const std::string& uid, const QString& outbox,
 }
 
 /// One journal of them: takes what is in it, or says why not. False: a program has it open.
-bool look(const std::filesystem::path& journal, const QString& outbox, const KnownAttempts& known,
+bool look(const std::filesystem::path& journal, const QString& outbox, const database::KnownAttempts& known,
           FoundUnfinished& taken)
 {
     auto found = core::recording::findAttempt(journal);
@@ -105,32 +102,8 @@ bool look(const std::filesystem::path& journal, const QString& outbox, const Kno
 
 }  // namespace
 
-core::Result<KnownAttempts> knownAttempts(const database::sql::DatabaseContext& school, const database::Login& who)
-{
-    KnownAttempts known;
-    if (who.role() == database::Role::Student) {
-        const auto given = database::sql::listAssignments(school, who);
-        if (!given)
-            return tl::unexpected(given.error());
-        for (const database::ClassAssignment& one : *given) {
-            const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
-            if (!left)
-                return tl::unexpected(left.error());
-            if (*left && **left <= 0)
-                known.usedUp.insert(one.lessonId);
-        }
-    }
-    const auto newest = database::sql::history(school, who, who.person(), {"", "", kNewestKept});
-    if (!newest)
-        return tl::unexpected(newest.error());
-    known.kept.emplace();
-    for (const database::AttemptRecord& one : *newest)
-        known.kept->insert(one.uid);
-    return known;
-}
-
-FoundUnfinished findUnfinished(const std::filesystem::path& folder, const QString& outbox, const KnownAttempts& known,
-                               const std::set<std::filesystem::path>& toBeKept)
+FoundUnfinished findUnfinished(const std::filesystem::path& folder, const QString& outbox,
+                               const database::KnownAttempts& known, const std::set<std::filesystem::path>& toBeKept)
 {
     FoundUnfinished found;
     core::recording::tidyJournals(folder);

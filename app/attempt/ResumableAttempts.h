@@ -13,19 +13,12 @@
 #include "core/recording/JournalFile.h"
 #include "core/recording/Recording.h"
 #include "database/Person.h"
-#include "database/sql/DatabaseContext.h"
+#include "database/Repositories.h"
 
 namespace app {
 
-/// What a school says of a person's attempts.
-struct KnownAttempts
-{
-    std::set<std::string> usedUp = {};  ///< lessons in which the person has no attempt left
-    /// Uids of those that are kept; nothing: it does not say.
-    std::optional<std::set<std::string>> kept = {};
-};
-[[nodiscard]] core::Result<KnownAttempts> knownAttempts(const database::sql::DatabaseContext& school,
-                                                        const database::Login& who);
+/// So many of a user's newest attempts are looked at, to find out whether an unfinished one is saved already.
+inline constexpr int kNewestKept = 200;
 
 struct FoundUnfinished
 {
@@ -40,7 +33,7 @@ struct FoundUnfinished
 /// @param outbox  of this computer, where attempts wait that the school does not have yet
 /// @param toBeKept  journals of what is graded and on its way there: of these it would make two attempts
 [[nodiscard]] FoundUnfinished findUnfinished(const std::filesystem::path& folder, const QString& outbox,
-                                             const KnownAttempts& known,
+                                             const database::KnownAttempts& known,
                                              const std::set<std::filesystem::path>& toBeKept);
 
 /// The lesson whose attempts an attempt would count among; empty: none. That an exam was begun has been counted: to end

@@ -9,7 +9,7 @@
 #include <QDateTime>
 #include <QDir>
 
-#include "app/school/SchoolService.h"
+#include "app/school/SchoolAccess.h"
 #include "app/threads/Background.h"
 #include "core/session/ResumableAttempt.h"
 #include "core/settings/FeelPreset.h"
@@ -19,7 +19,6 @@
 namespace app {
 namespace {
 
-using database::sql::DatabaseContext;
 using ui::text::FailedOperation;
 using ui::window::MainWindow;
 
@@ -127,10 +126,11 @@ void ResumeController::offerUnfinished()
     }
     const auto isDecided = std::make_shared<bool>(false);
     m_school.service->ask(
-        this, [who = m_school.user](const DatabaseContext& school) { return knownAttempts(school, who); },
-        [this, isDecided, who = m_school.user](const core::Result<KnownAttempts>& known) {
+        this,
+        [who = m_school.user](const database::Repositories& school) { return school.lessons.known(who, kNewestKept); },
+        [this, isDecided, who = m_school.user](const core::Result<database::KnownAttempts>& known) {
             if (!std::exchange(*isDecided, true) && m_school.user == who)
-                searchUnfinished(known.value_or(KnownAttempts()));
+                searchUnfinished(known.value_or(database::KnownAttempts()));
         });
     QTimer::singleShot(AttemptLimit::kPatienceMs, this, [this, isDecided, who = m_school.user] {
         if (!std::exchange(*isDecided, true) && m_school.user == who)
@@ -138,7 +138,7 @@ void ResumeController::offerUnfinished()
     });
 }
 
-void ResumeController::searchUnfinished(const KnownAttempts& known)
+void ResumeController::searchUnfinished(const database::KnownAttempts& known)
 {
     inBackground(
         this,

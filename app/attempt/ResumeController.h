@@ -69,7 +69,7 @@ private:
     void leaveOut(std::uint64_t generation);
     void watchJournal();
     void offerUnfinished();
-    void searchUnfinished(const KnownAttempts& known);
+    void searchUnfinished(const database::KnownAttempts& known);
     void showOffer();
     void requestResume();
     void rebuild(int load);

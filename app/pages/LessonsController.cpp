@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/LessonsController.h"
 
-#include <algorithm>
 #include <memory>
 
 #include <QDateTime>
@@ -10,11 +9,8 @@
 #include <QTimer>
 #include <QUrl>
 
-#include "app/school/SchoolService.h"
+#include "app/school/SchoolAccess.h"
 #include "app/threads/Background.h"
-#include "database/sql/Attempts.h"
-#include "database/sql/Classes.h"
-#include "database/sql/Feedback.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
 #include "lessons/LessonReader.h"
@@ -30,7 +26,6 @@ constexpr int kSchoolPatienceMs = 1500;  ///< for the database, before the lesso
 
 }  // namespace
 
-using database::sql::DatabaseContext;
 using ui::text::FailedOperation;
 using ui::window::MainWindow;
 
@@ -58,42 +53,26 @@ void LessonsController::openFolder()
                                  .arg(QDir::toNativeSeparators(folder)));
 }
 
-core::Result<LessonsController::FromSchool> LessonsController::read(const DatabaseContext& school,
-                                                                    const database::Login& who)
+LessonsController::FromSchool LessonsController::shownOf(const database::LessonsOfUser& lessons)
 {
-    const auto standings = database::sql::standingsOf(school, who, who.person());
-    if (!standings)
-        return tl::unexpected(standings.error());
     FromSchool found;
-    for (const database::LessonStanding& one : *standings)
+    for (const database::LessonStanding& one : lessons.standings)
         found.standings[one.lessonId] = {one.attempts, one.bestTenths, one.passed, QString::fromStdString(one.lastUtc)};
-    if (who.role() != database::Role::Student)
-        return found;
-    auto feedback = database::sql::feedbackFor(school, who, who.person());
-    if (!feedback)
-        return tl::unexpected(feedback.error());
-    found.feedback = std::move(*feedback);
-    const auto classes = database::sql::listClasses(school, who);
-    const auto given = database::sql::listAssignments(school, who);
-    if (!classes || !given)
-        return tl::unexpected(classes ? given.error() : classes.error());
-    for (const database::ClassAssignment& one : *given) {
-        const auto ofClass =
-            std::find_if(classes->begin(), classes->end(), [&](const auto& other) { return other.id == one.classId; });
+    for (const database::AssignedLesson& one : lessons.assigned) {
         ui::catalog::Given& here = found.given[one.lessonId];
-        if (ofClass != classes->end())
-            here.className +=
-                (here.className.isEmpty() ? QString() : QStringLiteral(", ")) + QString::fromStdString(ofClass->name);
-        const QDateTime due = QDateTime::fromString(QString::fromStdString(one.dueUtc), Qt::ISODate);
-        if (ofClass != classes->end())
-            here.classes.emplace_back(QString::fromStdString(ofClass->name), due);
-        if (due.isValid() && (!here.due.isValid() || due < here.due))
-            here.due = due;
-        const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
-        if (!left)
-            return tl::unexpected(left.error());
-        here.attemptsLeft = *left;
+        here.attemptsLeft = one.attemptsLeft;
+        for (const auto& [name, dueUtc] : one.classes) {
+            const QString className = QString::fromStdString(name);
+            const QDateTime due = QDateTime::fromString(QString::fromStdString(dueUtc), Qt::ISODate);
+            if (!className.isEmpty()) {
+                here.className += (here.className.isEmpty() ? QString() : QStringLiteral(", ")) + className;
+                here.classes.emplace_back(className, due);
+            }
+            if (due.isValid() && (!here.due.isValid() || due < here.due))
+                here.due = due;
+        }
     }
+    found.feedback = lessons.feedback;
     return found;
 }
 
@@ -122,13 +101,13 @@ void LessonsController::showLessons()
             show();
     });
     m_school.service->ask(
-        this, [who = m_school.user](const DatabaseContext& school) { return read(school, who); },
-        [this, show, isAnswered, who = m_school.user](const core::Result<FromSchool>& found) {
+        this, [who = m_school.user](const database::Repositories& school) { return school.lessons.ofUser(who); },
+        [this, show, isAnswered, who = m_school.user](const core::Result<database::LessonsOfUser>& found) {
             *isAnswered = true;
             if (m_school.user != who)
                 return;
             if (found)
-                m_fromSchool = *found;
+                m_fromSchool = shownOf(*found);
             else  // what was read before may be old, but is no "not tried yet"
                 m_window.showError(found.error(), FailedOperation::ReadingSchool);
             show();
@@ -169,12 +148,12 @@ void LessonsController::showKnownAttempts(const lessons::Lesson& lesson)
         return;
     m_school.service->ask(
         this,
-        [who = m_school.user, id = lesson.id, hash = lesson.hash](const DatabaseContext& school) {
-            return database::sql::sheetsOfLesson(school, who, id, hash, kMostKnownAttempts);
+        [who = m_school.user, id = lesson.id, hash = lesson.hash](const database::Repositories& school) {
+            return school.lessons.sheets(who, id, hash, kMostKnownAttempts);
         },
-        [this](const core::Result<std::vector<database::sql::KeptSheet>>& sheets) {
+        [this](const core::Result<std::vector<database::KeptSheet>>& sheets) {
             std::vector<ui::lessoneditor::MeasuredAttempt> known;
-            for (const database::sql::KeptSheet& sheet : sheets.value_or(std::vector<database::sql::KeptSheet>{}))
+            for (const database::KeptSheet& sheet : sheets.value_or(std::vector<database::KeptSheet>{}))
                 known.push_back({QString::fromStdString(sheet.finishedUtc), lessons::measuredIn(sheet.json)});
             m_window.setKnownAttempts(std::move(known));
         });

@@ -8,7 +8,7 @@
 #include <QObject>
 
 #include "app/school/SchoolSession.h"
-#include "database/Person.h"
+#include "database/Repositories.h"
 #include "lessons/Lesson.h"
 #include "ui/window/MainWindow.h"
 
@@ -46,8 +46,7 @@ private:
         std::map<std::string, ui::catalog::Given> given;
         std::vector<database::Feedback> feedback;
     };
-    [[nodiscard]] static core::Result<FromSchool> read(const database::sql::DatabaseContext& school,
-                                                       const database::Login& who);
+    [[nodiscard]] static FromSchool shownOf(const database::LessonsOfUser& lessons);
 
     ui::window::MainWindow& m_window;
     const SchoolSession& m_school;

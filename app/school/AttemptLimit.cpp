@@ -7,12 +7,10 @@
 
 #include <QTimer>
 
-#include "app/school/SchoolService.h"
-#include "database/sql/Classes.h"
+#include "app/school/SchoolAccess.h"
+#include "database/Repositories.h"
 
 namespace app {
-
-using database::sql::DatabaseContext;
 
 void AttemptLimit::ask(const std::string& lessonId, const std::function<void(bool)>& decide)
 {
@@ -26,8 +24,8 @@ void AttemptLimit::ask(const std::string& lessonId, const std::function<void(boo
     };
     m_school.service->ask(
         this,
-        [who = m_school.user, lessonId](const DatabaseContext& school) {
-            return database::sql::attemptsLeft(school, who, lessonId);
+        [who = m_school.user, lessonId](const database::Repositories& school) {
+            return school.lessons.attemptsLeft(who, lessonId);
         },
         [once](const core::Result<std::optional<int>>& left) {
             once(!left || !left->has_value() || left->value() > 0);

@@ -39,6 +39,14 @@ void AttemptUploader::offer(const std::shared_ptr<const PendingAttempt>& letter,
                 });
 }
 
+void AttemptUploader::send(const database::Login& who, const database::ExamStart& start)
+{
+    m_desk.keep(this, who, start, [this, who, start](const core::Status& done) {
+        if (!done)
+            QTimer::singleShot(m_desk.retryMs(), this, [this, who, start] { send(who, start); });
+    });
+}
+
 bool AttemptUploader::hasAnyOf(const database::Login& who) const
 {
     return std::any_of(m_waiting.begin(), m_waiting.end(), [&who](const auto& one) { return one.second->who == who; });

@@ -39,6 +39,8 @@ public:
 
     /// kept() follows, or refused(), and again as long as the disk refuses it. One that is here already goes as it is.
     void send(const std::shared_ptr<const PendingAttempt>& letter);
+    /// Sends the beginning of an exam, again and again as long as the disk refuses it.
+    void send(const database::Login& who, const database::ExamStart& start);
     [[nodiscard]] int count() const { return static_cast<int>(m_waiting.size()); }
     [[nodiscard]] bool hasAnyOf(const database::Login& who) const;
     [[nodiscard]] std::set<std::filesystem::path> journals() const;

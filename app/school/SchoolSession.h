@@ -5,14 +5,14 @@
 
 namespace app {
 
-class SchoolService;
+class SchoolAccess;
 
 /// The user who works at this window, and the database of the school. Application owns the one object of it, and its
 /// controllers share it. Ui thread.
 struct SchoolSession
 {
-    SchoolService* service = nullptr;  ///< null: there is no database, and nothing is saved
-    database::Login user;              ///< a guest until somebody logs in
+    SchoolAccess* service = nullptr;  ///< null: there is no database, and nothing is saved
+    database::Login user;             ///< a guest until somebody logs in
 
     /// Whether somebody is logged in to a database.
     [[nodiscard]] bool isLoggedIn() const { return service != nullptr && !user.isGuest(); }

@@ -38,12 +38,6 @@ using database::NewComment;
 /// Returns the recording of an attempt; FileMissing if none was stored.
 [[nodiscard]] core::Result<QByteArray> openRecording(const DatabaseContext& school, const Login& session, AttemptId id);
 
-/// A stored score sheet.
-struct KeptSheet
-{
-    std::string finishedUtc;
-    std::string json;
-};
 /// Returns the score sheets of attempts at exactly this lesson, newest first: the user's own, and those that the user
 /// may read.
 [[nodiscard]] core::Result<std::vector<KeptSheet>> sheetsOfLesson(const DatabaseContext& school, const Login& session,

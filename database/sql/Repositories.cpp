@@ -15,6 +15,7 @@
 #include "database/sql/Roster.h"
 #include "database/sql/Settings.h"
 #include "database/sql/StartedExams.h"
+#include "database/sql/UserRepositories.h"
 
 namespace database::sql {
 namespace {
@@ -240,7 +241,9 @@ void withRepositories(const DatabaseContext& school, const std::function<void(co
     SqlSettings settings(school);
     SqlAudit audit(school);
     SqlMaintenance maintenance(school);
-    use({attempts, comments, classes, people, presets, settings, audit, maintenance, school.key});
+    const std::unique_ptr<LessonRepository> lessons = lessonRepository(school);
+    const std::unique_ptr<LoginRepository> logins = loginRepository(school);
+    use({attempts, comments, classes, people, presets, settings, audit, maintenance, *lessons, *logins, school.key});
 }
 
 }  // namespace database::sql
