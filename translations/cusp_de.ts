@@ -3343,6 +3343,22 @@
 <context>
     <name>app::AttemptHistoryController</name>
     <message>
+        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
+        <translation>Die Aufzeichnung dieses Versuchs ist nicht da, darum kann er nicht noch einmal gezeigt werden. Punktzahl und Zahlen stehen in der Liste.</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <extracomment>%1: a lesson, and when it was done</extracomment>
+        <translation>%1: %2 Punkte</translation>
+    </message>
+    <message>
+        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
+        <translation>Das gehört zu keiner Ihrer Klassen mehr. Die Verwaltung kann Sie wieder in die Klasse aufnehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassController</name>
+    <message>
         <source>Save the class report</source>
         <translation>Klassenbericht speichern</translation>
     </message>
@@ -3363,22 +3379,16 @@
         <translation>Der Drucker hat den Bericht nicht angenommen.</translation>
     </message>
     <message>
-        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
-        <translation>Die Aufzeichnung dieses Versuchs ist nicht da, darum kann er nicht noch einmal gezeigt werden. Punktzahl und Zahlen stehen in der Liste.</translation>
-    </message>
-    <message>
         <source>The report is being written …</source>
         <translation>Der Bericht wird geschrieben …</translation>
-    </message>
-    <message>
-        <source>%1: %2 points</source>
-        <extracomment>%1: a lesson, and when it was done</extracomment>
-        <translation>%1: %2 Punkte</translation>
     </message>
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>An diesem Computer gibt es keinen Drucker. Speichern Sie es stattdessen als PDF.</translation>
     </message>
+</context>
+<context>
+    <name>app::CommentsController</name>
     <message>
         <source>On the attempt of %1: %2</source>
         <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
@@ -3387,10 +3397,6 @@
     <message>
         <source>That was not done: this student is in none of your classes any more. What you have typed stays here; an admin can enter you into the class again.</source>
         <translation>Das wurde nicht getan: Diese Person ist in keiner Ihrer Klassen mehr. Was Sie geschrieben haben, bleibt hier stehen; die Verwaltung kann Sie wieder in die Klasse aufnehmen.</translation>
-    </message>
-    <message>
-        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
-        <translation>Das gehört zu keiner Ihrer Klassen mehr. Die Verwaltung kann Sie wieder in die Klasse aufnehmen.</translation>
     </message>
 </context>
 <context>

@@ -3343,6 +3343,22 @@
 <context>
     <name>app::AttemptHistoryController</name>
     <message>
+        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
+        <translation>La grabación de este intento no está, por lo que no se puede volver a mostrar. Su puntuación y sus cifras están en la lista.</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <extracomment>%1: a lesson, and when it was done</extracomment>
+        <translation>%1: %2 puntos</translation>
+    </message>
+    <message>
+        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
+        <translation>Esto ya no pertenece a ninguno de sus grupos. Un administrador puede volver a ponerle en el grupo.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassController</name>
+    <message>
         <source>Save the class report</source>
         <translation>Guardar el informe del grupo</translation>
     </message>
@@ -3363,22 +3379,16 @@
         <translation>La impresora no aceptó el informe.</translation>
     </message>
     <message>
-        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
-        <translation>La grabación de este intento no está, por lo que no se puede volver a mostrar. Su puntuación y sus cifras están en la lista.</translation>
-    </message>
-    <message>
         <source>The report is being written …</source>
         <translation>Redactando el informe …</translation>
-    </message>
-    <message>
-        <source>%1: %2 points</source>
-        <extracomment>%1: a lesson, and when it was done</extracomment>
-        <translation>%1: %2 puntos</translation>
     </message>
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>En este equipo no hay impresora. Guárdelo como PDF.</translation>
     </message>
+</context>
+<context>
+    <name>app::CommentsController</name>
     <message>
         <source>On the attempt of %1: %2</source>
         <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
@@ -3387,10 +3397,6 @@
     <message>
         <source>That was not done: this student is in none of your classes any more. What you have typed stays here; an admin can enter you into the class again.</source>
         <translation>No se hizo: este estudiante ya no está en ninguno de sus grupos. Lo que ha escrito queda aquí; un administrador puede volver a ponerle en el grupo.</translation>
-    </message>
-    <message>
-        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
-        <translation>Esto ya no pertenece a ninguno de sus grupos. Un administrador puede volver a ponerle en el grupo.</translation>
     </message>
 </context>
 <context>

@@ -3330,6 +3330,22 @@
 <context>
     <name>app::AttemptHistoryController</name>
     <message>
+        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
+        <translation>この試行の記録がないため、再表示できません。得点と数値は一覧にあります。</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <extracomment>%1: a lesson, and when it was done</extracomment>
+        <translation>%1：%2点</translation>
+    </message>
+    <message>
+        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
+        <translation>これはもうあなたのどのクラスのものでもありません。管理者がもう一度クラスに登録できます。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassController</name>
+    <message>
         <source>Save the class report</source>
         <translation>クラスの報告書を保存</translation>
     </message>
@@ -3350,22 +3366,16 @@
         <translation>プリンターが報告書を受け付けませんでした。</translation>
     </message>
     <message>
-        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
-        <translation>この試行の記録がないため、再表示できません。得点と数値は一覧にあります。</translation>
-    </message>
-    <message>
         <source>The report is being written …</source>
         <translation>報告書を作成しています …</translation>
-    </message>
-    <message>
-        <source>%1: %2 points</source>
-        <extracomment>%1: a lesson, and when it was done</extracomment>
-        <translation>%1：%2点</translation>
     </message>
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>このコンピューターにはプリンターがありません。代わりにPDFとして保存してください。</translation>
     </message>
+</context>
+<context>
+    <name>app::CommentsController</name>
     <message>
         <source>On the attempt of %1: %2</source>
         <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
@@ -3374,10 +3384,6 @@
     <message>
         <source>That was not done: this student is in none of your classes any more. What you have typed stays here; an admin can enter you into the class again.</source>
         <translation>実行されませんでした：この学生はもうあなたのどのクラスにもいません。入力した内容はここに残ります。管理者がもう一度クラスに登録できます。</translation>
-    </message>
-    <message>
-        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
-        <translation>これはもうあなたのどのクラスのものでもありません。管理者がもう一度クラスに登録できます。</translation>
     </message>
 </context>
 <context>
