@@ -8,9 +8,9 @@
 #include <QPagedPaintDevice>
 #include <QTimer>
 
-#include "database/sql/Attempts.h"
-#include "database/sql/Audit.h"
-#include "database/sql/Overview.h"
+#include "database/AuditHead.h"
+#include "database/ClassOverview.h"
+#include "database/Repositories.h"
 #include "ui/report/Printing.h"
 #include "ui/scoring/ScorePage.h"
 #include "ui/text/Texts.h"
@@ -19,51 +19,51 @@ namespace app {
 namespace {
 
 using database::AttemptRecord;
-using database::sql::DatabaseContext;
+using database::Repositories;
 using ui::scoring::ScoreCard;
 using ui::scoring::ScorePage;
 
 constexpr int kChartedAttempts = 30;
 
-/// What a database knows of an attempt that it has.
+/// What the database holds about a saved attempt.
 struct Known
 {
     AttemptRecord attempt;
     database::AttemptTalk talk;
     std::vector<AttemptRecord> history;
     std::vector<database::BandPoint> band;
-    database::sql::AuditHead head;
+    database::AuditHead head;
 };
 
-core::Result<Known> readCard(const DatabaseContext& school, const database::Login& who, const AttemptRecord& attempt)
+core::Result<Known> readCard(const Repositories& school, const database::Login& who, const AttemptRecord& attempt)
 {
     Known known;
     const database::PersonId person = attempt.id != 0 ? attempt.person : who.person();
-    auto history = database::sql::history(
-        school, who, person, {attempt.lessonId, attempt.lessonId.empty() ? attempt.tooth : "", kChartedAttempts});
+    auto history = school.attempts.history(
+        who, person, {attempt.lessonId, attempt.lessonId.empty() ? attempt.tooth : "", kChartedAttempts});
     if (!history)
         return tl::unexpected(history.error());
     known.history = std::move(*history);
-    // One that was graded just now does not know yet what the database calls it.
+    // An attempt that was graded just now does not have its id yet.
     database::AttemptId id{attempt.id};
     for (const AttemptRecord& one : known.history)
         if (one.uid == attempt.uid)
             id.value = one.id;
-    auto record = database::sql::openAttempt(school, who, id);
+    auto record = school.attempts.open(who, id);
     if (!record)
         return tl::unexpected(record.error());
     known.attempt = std::move(*record);
-    auto talk = database::sql::readTalk(school, who, id);
+    auto talk = school.comments.list(who, id);
     if (!talk)
         return tl::unexpected(talk.error());
     known.talk = std::move(*talk);
     if (!attempt.lessonId.empty()) {
-        auto band = database::sql::classBand(school, who, person, attempt.lessonId);
+        auto band = school.attempts.classBand(who, person, attempt.lessonId);
         if (!band)
             return tl::unexpected(band.error());
         known.band = std::move(*band);
     }
-    const auto head = database::sql::auditHead(school);
+    const auto head = school.audit.head();
     if (!head)
         return tl::unexpected(head.error());
     known.head = *head;
@@ -116,7 +116,8 @@ void ReportController::print()
         m_window.scorePage().say([] { return tr("There is no printer on this computer. Save it as a PDF instead."); });
 }
 
-/// As it is shown now, with the head of the audit as it is now, so that paper and database can be compared.
+/// Calls `use` with the card that is shown. It names the newest row of the audit, so that paper and database can be
+/// compared.
 void ReportController::withCard(const std::function<void(const ScoreCard&)>& use)
 {
     const std::optional<Subject> about = m_subject();
@@ -128,16 +129,16 @@ void ReportController::withCard(const std::function<void(const ScoreCard&)>& use
     card.attempt = about->attempt;
     card.person = about->person.isEmpty() ? tr("Not logged in") : about->person;
     card.proof = {{}, QStringLiteral(CUSP_VERSION), QDateTime::currentDateTime()};
-    if (about->desk == nullptr) {
+    if (about->school == nullptr) {
         QTimer::singleShot(0, this, [&page, card, use] {
-            page.repaint();  // so that it is seen what goes on: making it takes a while
+            page.repaint();  // shows the message before the work, which takes a while
             use(card);
         });
         return;
     }
-    about->desk->ask(
+    about->school->ask(
         this,
-        [who = about->by, attempt = about->attempt](const DatabaseContext& school) {
+        [who = about->by, attempt = about->attempt](const Repositories& school) {
             return readCard(school, who, attempt);
         },
         [&page, card, use](const core::Result<Known>& known) mutable {

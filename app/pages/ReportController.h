@@ -7,28 +7,29 @@
 #include <QObject>
 #include <QString>
 
-#include "app/school/SchoolService.h"
+#include "app/school/SchoolAccess.h"
 #include "database/AttemptRecord.h"
 #include "ui/report/Report.h"
 #include "ui/window/MainWindow.h"
 
 namespace app {
 
-/// Puts the score card that is shown into a PDF or on paper, with what the database knows of its attempt. Ui thread.
+/// Saves the score card that is shown as a PDF or prints it, with the history and comments from the database. Ui
+/// thread.
 class ReportController final : public QObject
 {
     Q_OBJECT
 
 public:
-    /// What the card on the score page is about.
+    /// The attempt of the card on the score page.
     struct Subject
     {
         database::AttemptRecord attempt;
-        QString person;       ///< full name; empty: a guest
-        database::Login by;   ///< who wants it
-        SchoolService* desk;  ///< whose database has the attempt; null: none has
+        QString person;        ///< full name; empty: a guest
+        database::Login by;    ///< who prints or saves it
+        SchoolAccess* school;  ///< whose database holds the attempt; null: none does
     };
-    /// @param subject  nothing: no card is shown
+    /// @param subject  returns the attempt; empty: no card is shown
     ReportController(ui::window::MainWindow& window, std::function<std::optional<Subject>()> subject);
 
 private:
