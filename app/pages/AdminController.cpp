@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/pages/AdminController.h"
+#include "app/AdminController.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -16,19 +17,16 @@
 #include "app/threads/Background.h"
 #include "database/AuditHead.h"
 #include "database/Outbox.h"
+#include "database/Repositories.h"
+#include "database/SchoolSettings.h"
 #include "database/Usernames.h"
-#include "database/sql/Audit.h"
-#include "database/sql/Classes.h"
-#include "database/sql/Logins.h"
-#include "database/sql/People.h"
-#include "database/sql/Roster.h"
-#include "database/sql/Settings.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/AuditPart.h"
 #include "ui/admin/BackupPart.h"
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/admin/StationPart.h"
+#include "ui/text/Texts.h"
 
 namespace app {
 namespace {
@@ -37,7 +35,7 @@ using database::ClassId;
 using database::Login;
 using database::Person;
 using database::PersonId;
-using database::sql::DatabaseContext;
+using database::Repositories;
 using ui::admin::AdminPage;
 using ui::text::errorText;
 using ui::text::FailedOperation;
@@ -46,28 +44,7 @@ constexpr int kAuditRows = 500;
 constexpr qint64 kLargestRoster = 16 * 1024 * 1024;
 constexpr int kProgressMs = 100;
 
-core::Status belong(const DatabaseContext& school, const Login& who, PersonId person, const QSet<qint64>& wanted,
-                    const std::vector<ClassId>& present)
-{
-    for (const qint64 id : wanted)
-        if (std::find(present.begin(), present.end(), ClassId{id}) == present.end())
-            if (auto done = database::sql::enrol(school, who, {id}, person, true); !done)
-                return done;
-    for (const ClassId id : present)
-        if (!wanted.contains(id.value))
-            if (auto done = database::sql::enrol(school, who, id, person, false); !done)
-                return done;
-    return {};
-}
-
-/// Who is entered has a code, whether or not he could be put into his classes.
-struct Newcomer
-{
-    database::sql::Entered entered;
-    core::Status put;
-};
-
-/// For people: the file with its whole path, however it was named, or the URL.
+/// The absolute path of the file, or the URL of the server.
 QString placeOf(const database::Address& address)
 {
     return address.isServer() ? address.shown() : QDir::toNativeSeparators(QFileInfo(address.file).absoluteFilePath());
@@ -84,7 +61,7 @@ QString why(const core::Error& error)
     }
 }
 
-/// Why a class cannot be called so.
+/// Why a class cannot have this name.
 QString whyNoClass(const core::Error& error)
 {
     return error.code == core::ErrorCode::OutOfRange
@@ -94,7 +71,7 @@ QString whyNoClass(const core::Error& error)
                : why(error);
 }
 
-/// What is wrong with a class list as a whole; empty: it is not the file's fault.
+/// Why a class list was refused as a whole; empty: for another reason than its file.
 QString classListFault(core::ErrorCode code, const QString& file)
 {
     switch (code) {
@@ -105,42 +82,40 @@ QString classListFault(core::ErrorCode code, const QString& file)
             .arg(file);
     case core::ErrorCode::FileTooLarge:
         return AdminController::tr("%1 has more than %2 lines. Split it, and enter the parts one after another.")
-            .arg(file, QLocale().toString(static_cast<qulonglong>(database::sql::kMostRosterLines)));
+            .arg(file, QLocale().toString(static_cast<qulonglong>(database::kMostRosterLines)));
     default:
         return {};
     }
 }
 
+QString nameOf(const Person& person)
+{
+    return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
+}
+
+std::vector<ClassId> classIds(const QSet<qint64>& classes)
+{
+    std::vector<ClassId> ids;
+    for (const qint64 id : classes)
+        ids.push_back({id});
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
 }  // namespace
 
-AdminController::AdminController(ui::window::MainWindow& window, SchoolService& desk, Place place,
+AdminController::AdminController(ui::window::MainWindow& window, SchoolAccess& school, Place place,
                                  std::function<Login()> who)
-    : m_window(window), m_desk(desk), m_place(std::move(place)), m_who(std::move(who)),
+    : m_window(window), m_queries(school, std::move(who)), m_place(std::move(place)),
       m_isStopped(std::make_shared<std::atomic<bool>>(false))
 {
     connect(&window.adminPage(), &AdminPage::partOpened, this, &AdminController::refresh);
     connectPeople();
     connectRoster();
     connectBackups();
-    connect(&window.adminPage().audit(), &ui::admin::AuditPart::olderRequested, this, &AdminController::tellAudit);
-    connect(&window.adminPage().audit(), &ui::admin::AuditPart::newestRequested, this, [this] { tellAudit(0); });
-    connect(&window.adminPage().station(), &ui::admin::StationPart::idleMinutesRequested, this, [this](int minutes) {
-        m_desk.ask(
-            this,
-            [who = m_who(), minutes](const DatabaseContext& school) -> core::Result<bool> {
-                if (auto done = database::sql::changeSetting(school, who, kIdleMinutes, std::to_string(minutes)); !done)
-                    return tl::unexpected(done.error());
-                return true;
-            },
-            [this, minutes](const core::Result<bool>& done) {
-                if (done) {
-                    emit idleMinutesChanged(minutes);
-                    m_window.showMessage(tr("A place that was left is locked after %n minute(s).", nullptr, minutes));
-                } else {
-                    m_window.showError(done.error(), FailedOperation::ChangingSchool);
-                }
-            });
-    });
+    connectStation();
+    connect(&window.adminPage().audit(), &ui::admin::AuditPart::olderRequested, this, &AdminController::readAudit);
+    connect(&window.adminPage().audit(), &ui::admin::AuditPart::newestRequested, this, [this] { readAudit(0); });
 }
 
 AdminController::~AdminController()
@@ -148,7 +123,7 @@ AdminController::~AdminController()
     *m_isStopped = true;
 }
 
-void AdminController::refuse(const core::Error& error)
+void AdminController::showReadError(const core::Error& error)
 {
     m_window.showError(error, FailedOperation::ReadingSchool);
 }
@@ -157,43 +132,41 @@ void AdminController::refresh(int part)
 {
     switch (part) {
     case AdminPage::People:
-        tellPeople();
+        readPeople();
         break;
     case AdminPage::Backups:
-        tellBackups();
+        readBackups();
         break;
     case AdminPage::Audit:
-        tellPeople([this] { tellAudit(0); });
+        readPeople([this] { readAudit(0); });
         break;
     case AdminPage::Station:
-        tellStation();
+        readStation();
         break;
     default:
         break;
     }
 }
 
-void AdminController::tellPeople(const std::function<void()>& then)
+void AdminController::readPeople(const std::function<void()>& then)
 {
     struct Found
     {
         std::vector<Person> people;
         std::vector<database::SchoolClass> classes;
     };
-    m_desk.ask(
+    m_queries.ask(
         this,
-        [who = m_who()](const DatabaseContext& school) -> core::Result<Found> {
-            auto people = database::sql::listPeople(school, who);
-            auto classes = database::sql::listClasses(school, who);
+        [](const Repositories& school, const Login& who) -> core::Result<Found> {
+            auto people = school.people.list(who);
+            auto classes = school.classes.list(who);
             if (!people || !classes)
                 return tl::unexpected(people ? classes.error() : people.error());
             return Found{std::move(*people), std::move(*classes)};
         },
         [this, then](const core::Result<Found>& found) {
-            if (m_who().role() != database::Role::Admin)  // the admin has left
-                return;
             if (!found) {
-                refuse(found.error());
+                showReadError(found.error());
                 return;
             }
             m_people = QList<Person>(found->people.begin(), found->people.end());
@@ -221,117 +194,100 @@ void AdminController::connectPeople()
 {
     using ui::admin::PeoplePart;
     PeoplePart& part = m_window.adminPage().people();
-    const auto name = [](const Person& person) {
-        return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
-    };
-    connect(
-        &part, &PeoplePart::addRequested, this,
-        [this, name, &part](const database::NewPerson& person, const QSet<qint64>& classes) {
-            m_desk.ask(
-                this,
-                [who = m_who(), person, classes](const DatabaseContext& school) -> core::Result<Newcomer> {
-                    auto entered = database::sql::addPerson(school, who, person);
-                    if (!entered)
-                        return tl::unexpected(entered.error());
-                    core::Status put = belong(school, who, entered->person.id, classes, {});
-                    return Newcomer{std::move(*entered), std::move(put)};
-                },
-                [this, name, who = m_who(), &part](const core::Result<Newcomer>& newcomer) {
-                    if (m_who() != who)
-                        return;
-                    if (newcomer) {
-                        const Person& entered = newcomer->entered.person;
-                        part.confirm(entered.id, [said = name(entered)] { return tr("%1 was entered.").arg(said); });
-                        part.showCode(entered, QString::fromStdString(newcomer->entered.code));
-                    }
-                    if (const core::Status done = newcomer ? newcomer->put : tl::unexpected(newcomer.error()); !done)
-                        part.refuse([error = done.error()] { return why(error); });
-                    if (newcomer)
-                        tellPeople();
-                });
-        });
-    connect(&part, &PeoplePart::changeRequested, this,
-            [this, name, &part](const Person& person, const QSet<qint64>& classes) {
-                const auto before = std::find_if(m_people.begin(), m_people.end(),
-                                                 [&](const Person& one) { return one.id == person.id; });
-                if (before == m_people.end())
-                    return;
-                QSet<qint64> present;
-                for (const ClassId id : before->classes)
-                    present.insert(id.value);
-                const bool isAnything = person.givenName != before->givenName ||
-                                        person.familyName != before->familyName || person.role != before->role ||
-                                        person.disabled != before->disabled || classes != present;
-                m_desk.ask(
-                    this,
-                    [who = m_who(), person, classes,
-                     asItWas = *before](const DatabaseContext& school) -> core::Result<Person> {
-                        auto changed = database::sql::changePerson(school, who, person, asItWas);
-                        if (!changed)
-                            return changed;
-                        if (auto put = belong(school, who, person.id, classes, asItWas.classes); !put)
-                            return tl::unexpected(put.error());
-                        return changed;
-                    },
-                    [this, name, isAnything, who = m_who(), &part](const core::Result<Person>& changed) {
-                        if (m_who() != who)  // nothing of it is for who works here now
-                            return;
-                        if (changed)
-                            part.confirm(changed->id, [isAnything, said = name(*changed)] {
-                                return isAnything ? tr("%1 was changed.").arg(said)
-                                                  : tr("There is nothing to save: everything is as it was.");
-                            });
-                        else
-                            part.refuse([error = changed.error()] { return why(error); });
-                        tellPeople();
-                    });
-            });
-    connect(&part, &PeoplePart::resetRequested, this, [this, &part](qint64 id) {
-        m_desk.ask(
+    connect(&part, &PeoplePart::addRequested, this, &AdminController::addPerson);
+    connect(&part, &PeoplePart::changeRequested, this, &AdminController::changePerson);
+    connect(&part, &PeoplePart::resetRequested, this, [this](qint64 id) { resetPassword({id}); });
+    connect(&part, &PeoplePart::classRequested, this, [this](const QString& className) {
+        m_queries.ask(
             this,
-            [who = m_who(), id](const DatabaseContext& school) {
-                return database::sql::resetPassword(school, who, {id});
+            [name = className.toStdString()](const Repositories& school, const Login& who) {
+                return school.classes.add(who, name);
             },
-            [this, who = m_who(), &part](const core::Result<database::sql::Entered>& reset) {
-                if (m_who() != who)
-                    return;
-                if (reset)
-                    part.showCode(reset->person, QString::fromStdString(reset->code));
-                else
-                    part.refuse([error = reset.error()] { return why(error); });
-                tellPeople();
-            });
+            [this, className](const core::Status& changed) { showClassChange(className, changed); });
     });
-    const auto classDone = [this, &part](const QString& className) {
-        return [this, className, who = m_who(), &part](const core::Result<bool>& changed) {
-            if (m_who() != who)
+    connect(&part, &PeoplePart::classNameRequested, this, [this](qint64 id, const QString& className) {
+        m_queries.ask(
+            this,
+            [id, name = className.toStdString()](const Repositories& school, const Login& who) {
+                return school.classes.rename(who, {id}, name);
+            },
+            [this, className](const core::Status& changed) { showClassChange(className, changed); });
+    });
+}
+
+void AdminController::showClassChange(const QString& className, const core::Status& changed)
+{
+    ui::admin::PeoplePart& part = m_window.adminPage().people();
+    if (changed)
+        part.confirmClass(className);
+    else
+        part.refuseClass([error = changed.error()] { return whyNoClass(error); });
+    readPeople();
+}
+
+void AdminController::addPerson(const database::NewPerson& person, const QSet<qint64>& classes)
+{
+    m_queries.ask(
+        this,
+        [person, ids = classIds(classes)](const Repositories& school, const Login& who) {
+            return school.people.add(who, person, ids);
+        },
+        [this](const core::Result<database::Entered>& entered) {
+            ui::admin::PeoplePart& part = m_window.adminPage().people();
+            if (!entered) {
+                part.refuse([error = entered.error()] { return why(error); });
                 return;
+            }
+            part.confirm(entered->person.id,
+                         [said = nameOf(entered->person)] { return tr("%1 was entered.").arg(said); });
+            part.showCode(entered->person, QString::fromStdString(entered->code));
+            readPeople();
+        });
+}
+
+void AdminController::changePerson(Person person, const QSet<qint64>& classes)
+{
+    const auto before =
+        std::find_if(m_people.begin(), m_people.end(), [&](const Person& one) { return one.id == person.id; });
+    if (before == m_people.end())
+        return;
+    Person asItWas = *before;
+    std::sort(asItWas.classes.begin(), asItWas.classes.end());
+    person.classes = classIds(classes);
+    const bool isChanged = person.givenName != asItWas.givenName || person.familyName != asItWas.familyName ||
+                           person.role != asItWas.role || person.disabled != asItWas.disabled ||
+                           person.classes != asItWas.classes;
+    m_queries.ask(
+        this,
+        [person, asItWas](const Repositories& school, const Login& who) {
+            return school.people.change(who, person, asItWas);
+        },
+        [this, isChanged](const core::Result<Person>& changed) {
+            ui::admin::PeoplePart& part = m_window.adminPage().people();
             if (changed)
-                part.confirmClass(className);
+                part.confirm(changed->id, [isChanged, said = nameOf(*changed)] {
+                    return isChanged ? tr("%1 was changed.").arg(said)
+                                     : tr("There is nothing to save: everything is as it was.");
+                });
             else
-                part.refuseClass([error = changed.error()] { return whyNoClass(error); });
-            tellPeople();
-        };
-    };
-    connect(&part, &PeoplePart::classRequested, this, [this, classDone](const QString& className) {
-        m_desk.ask(
-            this,
-            [who = m_who(), className = className.toStdString()](const DatabaseContext& school) {
-                return database::sql::addClass(school, who, className).map([](ClassId) { return true; });
-            },
-            classDone(className));
-    });
-    connect(&part, &PeoplePart::classNameRequested, this, [this, classDone](qint64 id, const QString& className) {
-        m_desk.ask(
-            this,
-            [who = m_who(), id,
-             className = className.toStdString()](const DatabaseContext& school) -> core::Result<bool> {
-                if (auto renamed = database::sql::renameClass(school, who, {id}, className); !renamed)
-                    return tl::unexpected(renamed.error());
-                return true;
-            },
-            classDone(className));
-    });
+                part.refuse([error = changed.error()] { return why(error); });
+            readPeople();
+        });
+}
+
+void AdminController::resetPassword(PersonId person)
+{
+    m_queries.ask(
+        this,
+        [person](const Repositories& school, const Login& who) { return school.people.resetPassword(who, person); },
+        [this](const core::Result<database::Entered>& reset) {
+            ui::admin::PeoplePart& part = m_window.adminPage().people();
+            if (reset)
+                part.showCode(reset->person, QString::fromStdString(reset->code));
+            else
+                part.refuse([error = reset.error()] { return why(error); });
+            readPeople();
+        });
 }
 
 void AdminController::connectRoster()
@@ -355,21 +311,19 @@ void AdminController::connectRoster()
 void AdminController::import(bool isDryRun, bool isOther)
 {
     const auto isOver = std::make_shared<bool>(false);
-    QTimer::singleShot(kProgressMs, this, [this, isOver, isDryRun, who = m_who()] {
-        if (!*isOver && m_who() == who)
+    QTimer::singleShot(kProgressMs, this, [this, isOver, isDryRun, who = m_queries.who()] {
+        if (!*isOver && m_queries.who() == who)
             m_window.adminPage().roster().say(isDryRun ? tr("The class list is looked at …")
                                                        : tr("These people are being entered …"));
     });
-    m_desk.ask(
+    m_queries.ask(
         this,
-        [who = m_who(), csv = m_roster.toStdString(), isDryRun, seen = m_rosterSeen](const DatabaseContext& school) {
-            return database::sql::importRoster(school, who, csv, isDryRun, &seen);
+        [csv = m_roster.toStdString(), isDryRun, seen = m_rosterSeen](const Repositories& school, const Login& who) {
+            return school.people.import(who, csv, isDryRun, seen);
         },
-        [this, isDryRun, isOther, isOver, who = m_who()](const core::Result<database::RosterOutcome>& outcome) {
+        [this, isDryRun, isOther, isOver](const core::Result<database::RosterOutcome>& outcome) {
             *isOver = true;
             ui::admin::RosterPart& part = m_window.adminPage().roster();
-            if (m_who() != who)
-                return;
             if (outcome) {
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
                 if (isOther)
@@ -387,31 +341,20 @@ void AdminController::import(bool isDryRun, bool isOther)
 }
 
 template <class Job, class Done>
-void AdminController::beside(const QString& what, Job job, Done done)
+void AdminController::runBeside(const QString& what, Job job, Done done)
 {
-    *m_isStopped = true;  // what there was before
+    *m_isStopped = true;  // the work before
     m_isStopped = std::make_shared<std::atomic<bool>>(false);
     m_window.adminPage().backups().showProgress(what);
-    using Answer = decltype(job(std::declval<const DatabaseContext&>(), std::declval<const GoesOn&>()));
-    m_desk.askBeside(
+    m_queries.school().askBeside(
         this,
-        [who = m_who(), isStopped = m_isStopped, job](const DatabaseContext& school) -> Answer {
-            if (auto may = database::sql::authorize(school, who, database::Operation::KeepBackups); !may)
-                return tl::unexpected(may.error());
-            return job(school, [isStopped] { return !*isStopped; });
+        [who = m_queries.who(), isStopped = m_isStopped, job](const Repositories& school) {
+            return job(school, who, [isStopped] { return !*isStopped; });
         },
-        [this, who = m_who(), done = std::move(done)](auto& answer) mutable {
-            if (!answer && m_who() == who) {  // as for any other request
-                if (answer.error().code == core::ErrorCode::Disabled)
-                    emit m_desk.disabled();
-                if (answer.error().code == core::ErrorCode::NotAllowed)
-                    emit m_desk.refused();
-            }
-            done(answer);
-        });
+        std::move(done));
 }
 
-void AdminController::tellFailed(const core::Error& error)
+void AdminController::showFailure(const core::Error& error)
 {
     m_window.adminPage().backups().finish(
         [isStopped = m_isStopped->load(), error] {
@@ -424,22 +367,20 @@ void AdminController::check(const QString& code)
 {
     const std::vector<std::string> witnesses =
         code.isEmpty() ? std::vector<std::string>() : std::vector{code.toStdString()};
-    beside(
+    runBeside(
         tr("Everything is looked at …"),
-        [isServer = m_place.address.isServer(), witnesses](const DatabaseContext& school, const GoesOn& goesOn) {
-            return database::sql::checkDatabase(
-                school.db, witnesses, [&goesOn](const char*, std::int64_t) { return goesOn(); },
-                isServer ? std::string() : school.key.publicHex());
+        [witnesses](const Repositories& school, const Login& who, const GoesOn& goesOn) {
+            return school.maintenance.check(who, witnesses, goesOn);
         },
-        [this, code](const core::Result<database::sql::CheckReport>& report) {
+        [this, code](const core::Result<database::CheckReport>& report) {
             if (report)
-                tellChecked(*report, code);
+                showReport(*report, code);
             else
-                tellFailed(report.error());
+                showFailure(report.error());
         });
 }
 
-void AdminController::tellChecked(const database::sql::CheckReport& report, const QString& code)
+void AdminController::showReport(const database::CheckReport& report, const QString& code)
 {
     ui::admin::BackupPart& part = m_window.adminPage().backups();
     if (report.isStopped) {
@@ -467,54 +408,54 @@ void AdminController::connectBackups()
     using ui::admin::BackupPart;
     BackupPart& part = m_window.adminPage().backups();
     connect(&part, &BackupPart::stopRequested, this, [this] { *m_isStopped = true; });
-    connect(&part, &BackupPart::backUpRequested, this, [this, &part] {
-        beside(
-            tr("The data are being backed up …"),
-            [place = m_place, who = m_who()](const DatabaseContext& school,
-                                             const GoesOn& goesOn) -> core::Result<QString> {
-                auto made =
-                    makeBackup(school, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(), goesOn);
-                if (made)
-                    if (auto noted = database::sql::noteBackup(school, who, *made); !noted)
-                        return tl::unexpected(noted.error());
-                return made;
-            },
-            [this, &part](const core::Result<QString>& made) {
-                if (!made)
-                    return tellFailed(made.error());
-                tellBackups();
-                part.finish([file = QDir::toNativeSeparators(*made)] {
-                    return tr("Backed up: %1. Its pages and keys are whole.").arg(file);
-                });
-            });
-    });
-    connect(&part, &BackupPart::checkRequested, this, [this](const QString& code) {
+    connect(&part, &BackupPart::backUpRequested, this, &AdminController::backUp);
+    connect(&part, &BackupPart::checkRequested, this, [this, &part](const QString& code) {
         if (code.isEmpty() || database::readAuditCode(code.toStdString()))
             check(code);
         else
-            m_window.adminPage().backups().refuseCode();
+            part.refuseCode();
     });
-    connect(&part, &BackupPart::restoreRequested, this, [this, &part](const QString& backup) {
-        part.showProgress(tr("The backup is looked at …"));
-        inBackground(
-            this, [backup] { return database::sql::verifyBackup(backup); },
-            [this, &part, backup, who = m_who()](const core::Status& sound) {
-                if (m_who() != who) {  // another person must not lose their work
-                    part.finish([] { return QString(); }, {});
-                    return;
-                }
-                part.finish(
-                    [isSound = sound.has_value(), name = QFileInfo(backup).fileName()] {
-                        return isSound
-                                   ? QString()
+    connect(&part, &BackupPart::restoreRequested, this, &AdminController::restore);
+}
+
+void AdminController::backUp()
+{
+    runBeside(
+        tr("The data are being backed up …"),
+        [place = m_place](const Repositories& school, const Login& who, const GoesOn& goesOn) {
+            return makeBackup(school, who, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(), goesOn);
+        },
+        [this](const core::Result<QString>& made) {
+            if (!made)
+                return showFailure(made.error());
+            readBackups();
+            m_window.adminPage().backups().finish([file = QDir::toNativeSeparators(*made)] {
+                return tr("Backed up: %1. Its pages and keys are whole.").arg(file);
+            });
+        });
+}
+
+void AdminController::restore(const QString& backup)
+{
+    m_window.adminPage().backups().showProgress(tr("The backup is looked at …"));
+    inBackground(
+        this, [backup] { return checkBackup(backup); },
+        [this, backup, who = m_queries.who()](const core::Status& sound) {
+            ui::admin::BackupPart& part = m_window.adminPage().backups();
+            if (m_queries.who() != who) {  // a restore would log the present user out
+                part.finish([] { return QString(); }, {});
+                return;
+            }
+            part.finish(
+                [isSound = sound.has_value(), name = QFileInfo(backup).fileName()] {
+                    return isSound ? QString()
                                    : tr("%1 is no whole backup of a school, and was not restored. Choose another one.")
                                          .arg(name);
-                    },
-                    {}, !sound);
-                if (sound)
-                    restoreAlone(backup);
-            });
-    });
+                },
+                {}, !sound);
+            if (sound)
+                restoreAlone(backup);
+        });
 }
 
 QString AdminController::whyNotRestored(const core::Error& error)
@@ -526,11 +467,12 @@ QString AdminController::whyNotRestored(const core::Error& error)
                                                     : errorText(error, FailedOperation::ReadingSchool);
 }
 
-/// Everybody is logged out for it; not where it is known before that it would be refused.
+/// Requests the restore, for which everybody is logged out, unless it is known before that it would be refused.
 void AdminController::restoreAlone(const QString& backup)
 {
-    m_desk.expectAlone(this, m_who(), [this, backup, who = m_who()](const core::Status& alone) {
-        if (m_who() != who)
+    const Login who = m_queries.who();
+    m_queries.school().expectAlone(this, who, [this, backup, who](const core::Status& alone) {
+        if (m_queries.who() != who)
             return;
         if (!alone) {
             m_window.adminPage().backups().finish(
@@ -544,7 +486,7 @@ void AdminController::restoreAlone(const QString& backup)
     });
 }
 
-void AdminController::tellBackups()
+void AdminController::readBackups()
 {
     ui::admin::BackupPart& part = m_window.adminPage().backups();
     const database::Address& address = m_place.address;
@@ -552,34 +494,32 @@ void AdminController::tellBackups()
     if (address.isServer())
         return;
     inBackground(
-        this,
-        [folder = database::sql::backupFolder(address.file)] {
+        this, [address] { return backupsOf(address); },
+        [&part](const std::vector<BackupFile>& files) {
             QList<ui::admin::Backup> backups;
-            for (const QString& file : database::sql::backupsIn(folder))
-                if (!database::sql::schoolOf(file).empty())
-                    backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
-            return backups;
-        },
-        [&part](const QList<ui::admin::Backup>& backups) { part.setBackups(backups); });
+            for (const BackupFile& one : files)
+                backups << ui::admin::Backup{one.path, one.madeUtc, one.bytes};
+            part.setBackups(backups);
+        });
 }
 
-void AdminController::tellAudit(qint64 beforeSeq)
+void AdminController::readAudit(qint64 beforeSeq)
 {
-    using database::sql::AuditRows;
+    using database::AuditRows;
     struct Found
     {
         std::vector<database::AuditRow> rows;
-        database::sql::AuditHead head;
+        database::AuditHead head;
         bool hasOlder = false;
     };
     ui::admin::AuditPart& part = m_window.adminPage().audit();
-    m_desk.ask(
+    m_queries.ask(
         this,
-        [who = m_who(), beforeSeq, which = part.leavesOutAttempts() ? AuditRows::WithoutAttempts : AuditRows::All](
-            const DatabaseContext& school) -> core::Result<Found> {
-            // One more, to know whether there are any.
-            auto rows = database::sql::readAudit(school, who, kAuditRows + 1, beforeSeq, which);
-            const auto head = database::sql::auditHead(school);
+        [beforeSeq, which = part.leavesOutAttempts() ? AuditRows::WithoutAttempts : AuditRows::All](
+            const Repositories& school, const Login& who) -> core::Result<Found> {
+            // One row more tells whether there are older ones.
+            auto rows = school.audit.read(who, kAuditRows + 1, beforeSeq, which);
+            const auto head = school.audit.head();
             if (!rows || !head)
                 return tl::unexpected(rows ? head.error() : rows.error());
             const bool hasOlder = rows->size() > kAuditRows;
@@ -588,11 +528,11 @@ void AdminController::tellAudit(qint64 beforeSeq)
             return Found{std::move(*rows), *head, hasOlder};
         },
         [this, beforeSeq, &part, without = part.leavesOutAttempts()](const core::Result<Found>& found) {
-            if (without != part.leavesOutAttempts())  // what is wanted now was asked for after it
+            if (without != part.leavesOutAttempts())  // another request is on its way
                 return;
             if (!found) {
                 part.keepRows();
-                refuse(found.error());
+                showReadError(found.error());
                 return;
             }
             const QList<database::AuditRow> rows(found->rows.begin(), found->rows.end());
@@ -603,7 +543,26 @@ void AdminController::tellAudit(qint64 beforeSeq)
         });
 }
 
-void AdminController::tellStation()
+void AdminController::connectStation()
+{
+    connect(&m_window.adminPage().station(), &ui::admin::StationPart::idleMinutesRequested, this, [this](int minutes) {
+        m_queries.ask(
+            this,
+            [minutes](const Repositories& school, const Login& who) {
+                return school.settings.replace(who, kIdleMinutes, std::to_string(minutes), {});
+            },
+            [this, minutes](const core::Result<database::ReplacedSetting>& done) {
+                if (done) {
+                    emit idleMinutesChanged(minutes);
+                    m_window.showMessage(tr("A place that was left is locked after %n minute(s).", nullptr, minutes));
+                } else {
+                    m_window.showError(done.error(), FailedOperation::ChangingSchool);
+                }
+            });
+    });
+}
+
+void AdminController::readStation()
 {
     struct Found
     {
@@ -611,18 +570,19 @@ void AdminController::tellStation()
         int waiting = 0;
         int idleMinutes = 0;
     };
-    m_desk.ask(
+    m_queries.ask(
         this,
-        [who = m_who(), folder = m_place.stationFolder](const DatabaseContext& school) -> core::Result<Found> {
-            auto settings = database::sql::readSettings(school, who);
+        [folder = m_place.stationFolder](const Repositories& school, const Login& who) -> core::Result<Found> {
+            const auto settings = school.settings.read(who);
             if (!settings)
                 return tl::unexpected(settings.error());
-            const database::Outbox outbox(QDir(folder).filePath(QStringLiteral("outbox")), school.key);
-            return Found{school.key.publicHex(), static_cast<int>(outbox.waiting().size()), idleMinutesOf(*settings)};
+            const database::Outbox outbox(QDir(folder).filePath(QStringLiteral("outbox")), school.stationKey);
+            return Found{school.stationKey.publicHex(), static_cast<int>(outbox.waiting().size()),
+                         idleMinutesOf(*settings)};
         },
         [this](const core::Result<Found>& found) {
             if (!found) {
-                refuse(found.error());
+                showReadError(found.error());
                 return;
             }
             ui::admin::StationPart& part = m_window.adminPage().station();

@@ -5,10 +5,30 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 
 #include "database/Outbox.h"
 
 namespace app {
+namespace {
+
+/// Makes a backup, and then removes the sent attempts from the outbox that the backup holds.
+/// @param backUp  makes a backup in this folder and returns its file
+template <class BackUp>
+core::Result<QString> withOutbox(const database::StationKey& key, const database::Address& address,
+                                 const QString& stationFolder, BackUp backUp)
+{
+    const database::Outbox outbox(QDir(stationFolder).filePath(QStringLiteral("outbox")), key,
+                                  database::Outbox::schoolAt(address, stationFolder));
+    const QStringList sent = outbox.arrived();  // attempts that are sent from now on may be too late for the backup
+    auto made = backUp(database::sql::backupFolder(address.file));
+    if (made)
+        for (const QString& attempt : sent)
+            QFile::remove(attempt);
+    return made;
+}
+
+}  // namespace
 
 bool isBackupDue(const database::Address& address, const QDateTime& nowUtc)
 {
@@ -24,17 +44,34 @@ core::Result<QString> makeBackup(const database::sql::DatabaseContext& school, c
                                  const QString& stationFolder, const QDateTime& nowUtc,
                                  const database::sql::BackupProgress& progress)
 {
-    const database::Outbox outbox(QDir(stationFolder).filePath(QStringLiteral("outbox")), school.key,
-                                  database::Outbox::schoolAt(address, stationFolder));
-    const QStringList sent = outbox.arrived();  // what is sent from now on may be too late for the backup
-    const QString folder = database::sql::backupFolder(address.file);
-    auto made = database::sql::backUp(school.db, folder, nowUtc, progress);
-    if (!made)
+    return withOutbox(school.key, address, stationFolder, [&](const QString& folder) {
+        auto made = database::sql::backUp(school.db, folder, nowUtc, progress);
+        if (made)
+            database::sql::removeOldBackups(school.db, folder);
         return made;
-    database::sql::removeOldBackups(school.db, folder);
-    for (const QString& attempt : sent)
-        QFile::remove(attempt);
-    return made;
+    });
+}
+
+core::Result<QString> makeBackup(const database::Repositories& school, const database::Login& who,
+                                 const database::Address& address, const QString& stationFolder,
+                                 const QDateTime& nowUtc, const database::MaintenanceRepository::GoesOn& goesOn)
+{
+    return withOutbox(school.stationKey, address, stationFolder,
+                      [&](const QString& folder) { return school.maintenance.backUp(who, folder, nowUtc, goesOn); });
+}
+
+std::vector<BackupFile> backupsOf(const database::Address& address)
+{
+    std::vector<BackupFile> backups;
+    for (const QString& file : database::sql::backupsIn(database::sql::backupFolder(address.file)))
+        if (!database::sql::schoolOf(file).empty())
+            backups.push_back({file, database::sql::madeAt(file), QFileInfo(file).size()});
+    return backups;
+}
+
+core::Status checkBackup(const QString& file)
+{
+    return database::sql::verifyBackup(file);
 }
 
 }  // namespace app

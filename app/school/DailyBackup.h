@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include <QDateTime>
 #include <QString>
 
 #include "core/base/Result.h"
 #include "database/Address.h"
+#include "database/Login.h"
+#include "database/Repositories.h"
 #include "database/sql/Backups.h"
 #include "database/sql/DatabaseContext.h"
 
@@ -23,5 +27,23 @@ namespace app {
                                                const database::Address& address, const QString& stationFolder,
                                                const QDateTime& nowUtc,
                                                const database::sql::BackupProgress& progress = {});
+/// The same in the name of an admin, noted in the audit.
+[[nodiscard]] core::Result<QString> makeBackup(const database::Repositories& school, const database::Login& who,
+                                               const database::Address& address, const QString& stationFolder,
+                                               const QDateTime& nowUtc,
+                                               const database::MaintenanceRepository::GoesOn& goesOn);
+
+/// A backup in the folder of a database.
+struct BackupFile
+{
+    QString path;
+    QDateTime madeUtc;
+    qint64 bytes = 0;
+};
+/// The backups of a database file that hold a school, newest first. Any thread.
+[[nodiscard]] std::vector<BackupFile> backupsOf(const database::Address& address);
+
+/// Whether a file is a whole backup of a school: takes long. Any thread.
+[[nodiscard]] core::Status checkBackup(const QString& file);
 
 }  // namespace app
