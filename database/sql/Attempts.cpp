@@ -2,11 +2,13 @@
 #include "database/sql/Attempts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QStringList>
 
 #include "core/base/Bytes.h"
 #include "database/ClassOverview.h"
@@ -23,17 +25,6 @@ using core::ErrorCode;
 const std::string kAdd = "add the attempt";
 const std::string kReadAttempts = "read the attempts";
 constexpr double kUmPerMm = 1000.0;
-
-const QString kAttemptColumns =
-    QStringLiteral("a.id, a.uid, a.person_id, a.finished_utc, a.tooth, a.lesson_id, a.lesson_hash, a.rubric_hash, "
-                   "a.score_tenths, a.passed, a.given_tenths, a.expected_tenths, a.duration_ms, a.criteria_json, "
-                   "a.state_hash, a.recording_hash, a.device, a.method, a.grid, a.view_mode, a.seed, a.preset, "
-                   "a.preset_hash, a.program, a.mean_force_mn, a.peak_force_mn, a.pass_mark_tenths");
-
-QVariant tenthsOr(const std::optional<int>& tenths)
-{
-    return tenths ? QVariant(*tenths) : QVariant();
-}
 
 std::string criteriaJson(const std::vector<CriterionLoss>& criteria)
 {
@@ -53,77 +44,132 @@ std::vector<CriterionLoss> criteriaOf(const QByteArray& json)
     return criteria;
 }
 
+/// A column of the table "attempts".
+struct Column
+{
+    const char* name;
+    QVariant (*write)(const AttemptRecord& record);
+    void (*read)(const QVariant& value, AttemptRecord& record);
+    bool isInserted = true;  ///< false: the column gets its value later, or from the database
+};
+
+QVariant toColumn(const std::string& value)
+{
+    return text(value);
+}
+QVariant toColumn(std::int64_t value)
+{
+    return number(value);
+}
+QVariant toColumn(int value)
+{
+    return value;
+}
+QVariant toColumn(bool value)
+{
+    return value ? 1 : 0;
+}
+QVariant toColumn(const std::optional<int>& value)
+{
+    return value ? QVariant(*value) : QVariant();
+}
+void fromColumn(const QVariant& value, std::string& field)
+{
+    field = value.toString().toStdString();
+}
+void fromColumn(const QVariant& value, std::int64_t& field)
+{
+    field = value.toLongLong();
+}
+void fromColumn(const QVariant& value, int& field)
+{
+    field = value.toInt();
+}
+void fromColumn(const QVariant& value, bool& field)
+{
+    field = value.toInt() != 0;
+}
+void fromColumn(const QVariant& value, std::optional<int>& field)
+{
+    field = value.isNull() ? std::nullopt : std::optional(value.toInt());
+}
+
+/// The column of a field of the record.
+template <auto Field>
+constexpr Column fieldColumn(const char* name, bool isInserted = true)
+{
+    return {name, [](const AttemptRecord& record) { return toColumn(record.*Field); },
+            [](const QVariant& value, AttemptRecord& record) { fromColumn(value, record.*Field); }, isInserted};
+}
+
+/// All columns of the table, in the order in which they are read.
+constexpr std::array kAttemptColumns{
+    fieldColumn<&AttemptRecord::id>("id", false),
+    fieldColumn<&AttemptRecord::uid>("uid"),
+    Column{"person_id", [](const AttemptRecord& record) { return number(record.person.value); },
+           [](const QVariant& value, AttemptRecord& record) { record.person = {value.toLongLong()}; }},
+    fieldColumn<&AttemptRecord::finishedUtc>("finished_utc"),
+    fieldColumn<&AttemptRecord::tooth>("tooth"),
+    fieldColumn<&AttemptRecord::lessonId>("lesson_id"),
+    fieldColumn<&AttemptRecord::lessonHash>("lesson_hash"),
+    fieldColumn<&AttemptRecord::rubricHash>("rubric_hash"),
+    fieldColumn<&AttemptRecord::scoreTenths>("score_tenths"),
+    fieldColumn<&AttemptRecord::passed>("passed"),
+    fieldColumn<&AttemptRecord::givenTenths>("given_tenths", false),
+    fieldColumn<&AttemptRecord::expectedTenths>("expected_tenths"),
+    fieldColumn<&AttemptRecord::durationMs>("duration_ms"),
+    Column{"criteria_json", [](const AttemptRecord& record) { return text(criteriaJson(record.criteria)); },
+           [](const QVariant& value, AttemptRecord& record) { record.criteria = criteriaOf(value.toByteArray()); }},
+    fieldColumn<&AttemptRecord::stateHash>("state_hash"),
+    fieldColumn<&AttemptRecord::recordingHash>("recording_hash"),
+    fieldColumn<&AttemptRecord::device>("device"),
+    fieldColumn<&AttemptRecord::method>("method"),
+    fieldColumn<&AttemptRecord::grid>("grid"),
+    fieldColumn<&AttemptRecord::viewMode>("view_mode"),
+    fieldColumn<&AttemptRecord::seed>("seed"),
+    fieldColumn<&AttemptRecord::preset>("preset"),
+    fieldColumn<&AttemptRecord::presetHash>("preset_hash"),
+    fieldColumn<&AttemptRecord::program>("program"),
+    fieldColumn<&AttemptRecord::meanForceMn>("mean_force_mn"),
+    fieldColumn<&AttemptRecord::peakForceMn>("peak_force_mn"),
+    fieldColumn<&AttemptRecord::passMarkTenths>("pass_mark_tenths"),
+};
+/// The first column behind those of an attempt, where a query reads more.
+constexpr int kNextColumn = static_cast<int>(kAttemptColumns.size());
+
+/// "a.id, a.uid, ...": what recordOf() reads from attempts a.
+QString selectedColumns()
+{
+    QStringList names;
+    for (const Column& column : kAttemptColumns)
+        names << QLatin1String("a.") + QLatin1String(column.name);
+    return names.join(QStringLiteral(", "));
+}
+
 AttemptRecord recordOf(const QSqlQuery& row)
 {
     AttemptRecord record;
-    record.id = row.value(0).toLongLong();
-    record.uid = textOf(row, 1);
-    record.person = {row.value(2).toLongLong()};
-    record.finishedUtc = textOf(row, 3);
-    record.tooth = textOf(row, 4);
-    record.lessonId = textOf(row, 5);
-    record.lessonHash = textOf(row, 6);
-    record.rubricHash = textOf(row, 7);
-    record.scoreTenths = row.value(8).toInt();
-    record.passed = row.value(9).toInt() != 0;
-    if (!row.isNull(10))
-        record.givenTenths = row.value(10).toInt();
-    if (!row.isNull(11))
-        record.expectedTenths = row.value(11).toInt();
-    record.durationMs = row.value(12).toLongLong();
-    record.criteria = criteriaOf(row.value(13).toByteArray());
-    record.stateHash = textOf(row, 14);
-    record.recordingHash = textOf(row, 15);
-    record.device = textOf(row, 16);
-    record.method = textOf(row, 17);
-    record.grid = row.value(18).toInt();
-    record.viewMode = textOf(row, 19);
-    record.seed = textOf(row, 20);
-    record.preset = textOf(row, 21);
-    record.presetHash = textOf(row, 22);
-    record.program = textOf(row, 23);
-    record.meanForceMn = row.value(24).toInt();
-    record.peakForceMn = row.value(25).toInt();
-    record.passMarkTenths = row.value(26).toInt();
+    for (int place = 0; const Column& column : kAttemptColumns)
+        column.read(row.value(place++), record);
     return record;
 }
 
-const QString kInsert = QStringLiteral(
-    "INSERT INTO attempts (uid, person_id, finished_utc, tooth, lesson_id, lesson_hash, rubric_hash, score_tenths, "
-    "passed, expected_tenths, duration_ms, criteria_json, state_hash, recording_hash, device, method, grid, "
-    "view_mode, seed, preset, preset_hash, program, mean_force_mn, peak_force_mn, pass_mark_tenths) VALUES (?, ?, "
-    "?, ?, ?, ?, ?, ?, "
-    "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING RETURNING id");
-const QString kInsertSheet = QStringLiteral("INSERT INTO score_sheets (attempt_id, json) VALUES (?, ?)");
-
-/// Of kInsert.
-QVariantList valuesOf(const AttemptRecord& kept, PersonId person)
+core::Result<QVariant> insertRow(const DatabaseContext& school, const AttemptRecord& record)
 {
-    return {text(kept.uid),
-            number(person.value),
-            text(kept.finishedUtc),
-            text(kept.tooth),
-            text(kept.lessonId),
-            text(kept.lessonHash),
-            text(kept.rubricHash),
-            kept.scoreTenths,
-            kept.passed ? 1 : 0,
-            tenthsOr(kept.expectedTenths),
-            number(kept.durationMs),
-            text(criteriaJson(kept.criteria)),
-            text(kept.stateHash),
-            text(kept.recordingHash),
-            text(kept.device),
-            text(kept.method),
-            kept.grid,
-            text(kept.viewMode),
-            text(kept.seed),
-            text(kept.preset),
-            text(kept.presetHash),
-            text(kept.program),
-            kept.meanForceMn,
-            kept.peakForceMn,
-            kept.passMarkTenths};
+    QStringList names;
+    QStringList marks;
+    QVariantList values;
+    for (const Column& column : kAttemptColumns) {
+        if (!column.isInserted)
+            continue;
+        names << QLatin1String(column.name);
+        marks << QStringLiteral("?");
+        values << column.write(record);
+    }
+    return ask(school.db,
+               QStringLiteral("INSERT INTO attempts (%1) VALUES (%2) ON CONFLICT (uid) DO NOTHING RETURNING id")
+                   .arg(names.join(QStringLiteral(", ")), marks.join(QStringLiteral(", "))),
+               kAdd, values);
 }
 
 /// What a lesson's standing says after one more attempt.
@@ -149,6 +195,7 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
                                const AttemptRecord& attempt, const QByteArray& recording)
 {
     AttemptRecord kept = attempt;
+    kept.person = person;
     if (!recording.isEmpty()) {
         const auto hash = putRecording(school, recording);
         if (!hash)
@@ -158,7 +205,7 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
     // A recording on its way holds nobody up.
     if (auto turn = takeTurn(school); !turn)
         return tl::unexpected(turn.error());
-    auto added = ask(school.db, kInsert, kAdd, valuesOf(kept, person));
+    const auto added = insertRow(school, kept);
     if (!added)
         return tl::unexpected(added.error());
     if (added->isNull()) {
@@ -171,7 +218,9 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
         return AttemptId{known->toLongLong()};
     }
     const AttemptId id{added->toLongLong()};
-    if (auto put = execute(school.db, kInsertSheet, kAdd, {number(id.value), text(kept.scoreSheetJson)}); !put)
+    if (auto put = execute(school.db, QStringLiteral("INSERT INTO score_sheets (attempt_id, json) VALUES (?, ?)"), kAdd,
+                           {number(id.value), text(kept.scoreSheetJson)});
+        !put)
         return tl::unexpected(put.error());
     if (auto counted = countIn(school, person, kept); !counted)
         return tl::unexpected(counted.error());
@@ -268,15 +317,15 @@ core::Status forEachAttempt(const QSqlDatabase& db,
                             const std::function<void(const AttemptRecord& attempt, const std::string& noted)>& take)
 {
     return forEach(db,
-                   "SELECT " + kAttemptColumns +
+                   "SELECT " + selectedColumns() +
                        ", COALESCE(s.json, ''), p.uid, COALESCE(u.detail, '') FROM attempts a JOIN people p ON p.id = "
                        "a.person_id LEFT JOIN score_sheets s ON s.attempt_id = a.id LEFT JOIN audit u ON u.object = "
                        "'attempt:' || a.uid AND u.action = 'attempt.add' ORDER BY a.id",
                    kReadAttempts, {}, [&](const QSqlQuery& row) {
                        AttemptRecord record = recordOf(row);
-                       record.scoreSheetJson = textOf(row, 27);
-                       record.personUid = textOf(row, 28);
-                       take(record, textOf(row, 29));
+                       record.scoreSheetJson = textOf(row, kNextColumn);
+                       record.personUid = textOf(row, kNextColumn + 1);
+                       take(record, textOf(row, kNextColumn + 2));
                    });
 }
 
@@ -314,7 +363,7 @@ core::Result<std::vector<AttemptRecord>> history(const DatabaseContext& school, 
     values += query.limit > 0 ? query.limit : std::numeric_limits<int>::max();
     std::vector<AttemptRecord> found;
     if (auto read = forEach(school.db,
-                            "SELECT " + kAttemptColumns + " FROM attempts a" + where +
+                            "SELECT " + selectedColumns() + " FROM attempts a" + where +
                                 " ORDER BY a.finished_utc DESC, a.id DESC LIMIT ?",
                             kReadAttempts, values, [&](const QSqlQuery& row) { found.push_back(recordOf(row)); });
         !read)
@@ -347,14 +396,14 @@ core::Result<AttemptRecord> openAttempt(const DatabaseContext& school, const Log
         return tl::unexpected(who.error());
     AttemptRecord record;
     if (auto read = forEach(school.db,
-                            "SELECT " + kAttemptColumns +
+                            "SELECT " + selectedColumns() +
                                 ", s.json, COALESCE(p.uid, '') FROM attempts a JOIN score_sheets s ON s.attempt_id = "
                                 "a.id LEFT JOIN people p ON p.id = a.person_id WHERE a.id = ?",
                             kReadAttempts, {number(id.value)},
                             [&](const QSqlQuery& row) {
                                 record = recordOf(row);
-                                record.scoreSheetJson = textOf(row, 27);
-                                record.personUid = textOf(row, 28);
+                                record.scoreSheetJson = textOf(row, kNextColumn);
+                                record.personUid = textOf(row, kNextColumn + 1);
                             });
         !read)
         return tl::unexpected(read.error());
@@ -459,11 +508,11 @@ core::Status overrideScore(const DatabaseContext& school, const Login& session, 
                 school.db,
                 "INSERT INTO overrides (attempt_id, author_id, given_utc, given_tenths, reason) VALUES "
                 "(?, ?, ?, ?, ?)",
-                doing, {number(id.value), number(session.person().value), said.back(), tenthsOr(tenths), said.front()});
+                doing, {number(id.value), number(session.person().value), said.back(), toColumn(tenths), said.front()});
             !kept)
             return kept;
         if (auto set = execute(school.db, "UPDATE attempts SET given_tenths = ? WHERE id = ?", doing,
-                               {tenthsOr(tenths), number(id.value)});
+                               {toColumn(tenths), number(id.value)});
             !set)
             return set;
         if (auto counted = recount(school, id); !counted)
