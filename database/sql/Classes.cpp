@@ -288,34 +288,43 @@ core::Status unassign(const DatabaseContext& school, const Login& session, const
     });
 }
 
+core::Result<std::map<std::string, int>> attemptsLeft(const DatabaseContext& school, const Login& session)
+{
+    std::map<std::string, int> left;
+    if (session.isGuest())
+        return left;
+    if (auto who = authorize(school, session, Operation::ListAssignments); !who)
+        return tl::unexpected(who.error());
+    const auto withoutScore = countWithoutScore(school, session.person());
+    if (!withoutScore)
+        return tl::unexpected(withoutScore.error());
+    // A class without a limit is the most generous of all.
+    if (auto read = forEach(school.db,
+                            "SELECT a.lesson_id, MAX(a.attempt_limit), COALESCE(MAX(s.attempts), 0) FROM assignments a "
+                            "JOIN enrolments e ON e.class_id = a.class_id "
+                            "LEFT JOIN standings s ON s.person_id = e.person_id AND s.lesson_id = a.lesson_id "
+                            "WHERE e.person_id = ? GROUP BY a.lesson_id HAVING MIN(a.attempt_limit) > 0",
+                            "see how often the lessons may be tried", {number(session.person().value)},
+                            [&](const QSqlQuery& row) {
+                                const std::string lesson = textOf(row, 0);
+                                const auto begun = withoutScore->find(lesson);
+                                const int used =
+                                    row.value(2).toInt() + (begun == withoutScore->end() ? 0 : begun->second);
+                                left[lesson] = std::max(0, row.value(1).toInt() - used);
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return left;
+}
+
 core::Result<std::optional<int>> attemptsLeft(const DatabaseContext& school, const Login& session,
                                               const std::string& lessonId)
 {
-    std::optional<int> left;
-    if (session.isGuest())
-        return left;
-    const std::string doing = "see how often the lesson may be tried";
-    if (auto who = authorize(school, session, Operation::ListAssignments); !who)
-        return tl::unexpected(who.error());
-    // No limit anywhere is the most generous of all.
-    const auto limit = ask(school.db,
-                           "SELECT CASE WHEN MIN(a.attempt_limit) = 0 THEN 0 ELSE MAX(a.attempt_limit) END FROM "
-                           "assignments a JOIN enrolments e ON e.class_id = a.class_id WHERE e.person_id = ? AND "
-                           "a.lesson_id = ?",
-                           doing, {number(session.person().value), text(lessonId)});
-    if (!limit)
-        return tl::unexpected(limit.error());
-    if (limit->toInt() == 0)
-        return left;
-    const auto done = ask(school.db, "SELECT attempts FROM standings WHERE person_id = ? AND lesson_id = ?", doing,
-                          {number(session.person().value), text(lessonId)});
-    if (!done)
-        return tl::unexpected(done.error());
-    const auto brokenOff = countWithoutScore(school, session.person(), lessonId);
-    if (!brokenOff)
-        return tl::unexpected(brokenOff.error());
-    left = std::max(0, limit->toInt() - done->toInt() - *brokenOff);
-    return left;
+    const auto left = attemptsLeft(school, session);
+    if (!left)
+        return tl::unexpected(left.error());
+    const auto found = left->find(lessonId);
+    return found == left->end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace database::sql

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,37 +13,39 @@ namespace database::sql {
 
 class AuditBatch;
 
-/// Returns the name of a class as it is stored. OutOfRange if it is empty, longer than 100 characters, has invisible
-/// characters, or has a "|", which separates classes in a class list.
+/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, cannot be seen,
+/// or has a "|", which parts classes in a class list.
 [[nodiscard]] core::Result<std::string> checkClassName(const std::string& name);
-/// Returns the classes that the user may access, by name.
+/// Those within the session's reach, by name.
 [[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const DatabaseContext& school, const Login& session);
 [[nodiscard]] core::Result<ClassId> addClass(const DatabaseContext& school, const Login& session,
                                              const std::string& name);
 [[nodiscard]] core::Status renameClass(const DatabaseContext& school, const Login& session, ClassId id,
                                        const std::string& name);
-/// Adds a person to a class, or removes the person. Does nothing if that is already so.
+/// Puts a person into a class, or takes him out; what is so already stays so.
 [[nodiscard]] core::Status enrol(const DatabaseContext& school, const Login& session, ClassId id, PersonId person,
                                  bool belongs);
 
-/// Returns the assignments of the classes that the user may access, by due date.
+/// What the classes within the session's reach are to do, by due date.
 [[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext& school,
                                                                          const Login& session);
-/// Assigns a lesson to a class, or changes its due date and attempt limit. The id is ignored.
-/// @param before  the assignment as the user has seen it; empty: none. ChangedSince: it is different
+/// Gives a class a lesson to do, or changes when it is due and how often it may be tried. The id is ignored.
+/// @param before  what there is, as whoever changes it has seen it; empty: nothing. ChangedSince: it is otherwise
 [[nodiscard]] core::Status assign(const DatabaseContext& school, const Login& session,
                                   const ClassAssignment& assignment, const std::optional<ClassAssignment>& before = {});
-/// Removes an assignment; attempts stay. ChangedSince: it is not as the user has seen it. Does nothing if it is removed
-/// already.
+/// Takes it back; attempts stay. ChangedSince: it is not as it was seen; where it is gone already nothing is done.
 [[nodiscard]] core::Status unassign(const DatabaseContext& school, const Login& session, const ClassAssignment& before);
 
-/// Returns the number of attempts at a lesson that the user has left; empty: no limit. Of several classes the highest
-/// limit applies.
+/// How many attempts the session's person has left at each lesson with a limit, by lesson. If several classes were
+/// assigned a lesson, the most generous limit holds. Empty for a guest.
+[[nodiscard]] core::Result<std::map<std::string, int>> attemptsLeft(const DatabaseContext& school,
+                                                                    const Login& session);
+/// The same for one lesson; empty: there is no limit.
 [[nodiscard]] core::Result<std::optional<int>> attemptsLeft(const DatabaseContext& school, const Login& session,
                                                             const std::string& lessonId);
 
-/// Returns the class of that name and creates it if necessary. Inside a transaction of the caller, which has checked
-/// the permission and seals the audit.
+/// Inside a transaction of others, who have looked whether it is allowed, and seal the audit: the class of that name,
+/// made if need be.
 [[nodiscard]] core::Result<ClassId> classNamed(const DatabaseContext& school, AuditBatch& audit,
                                                const std::string& actor, const std::string& name);
 [[nodiscard]] core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,

@@ -98,13 +98,15 @@ core::Result<std::vector<ExamStart>> examsWithoutScore(const DatabaseContext& sc
     return starts;
 }
 
-core::Result<int> countWithoutScore(const DatabaseContext& school, PersonId person, const std::string& lessonId)
+core::Result<std::map<std::string, int>> countWithoutScore(const DatabaseContext& school, PersonId person)
 {
-    const auto found = withoutScore(school, QStringLiteral("s.person_id = ? AND s.lesson_id = ?"),
-                                    {number(person.value), text(lessonId)});
+    const auto found = withoutScore(school, QStringLiteral("s.person_id = ?"), {number(person.value)});
     if (!found)
         return tl::unexpected(found.error());
-    return found->empty() ? 0 : static_cast<int>(found->begin()->second.size());
+    std::map<std::string, int> counts;
+    for (const auto& [of, left] : *found)
+        counts[of.second] = static_cast<int>(left.size());
+    return counts;
 }
 
 core::Status forEachWithoutScore(const DatabaseContext& school, ClassId ofClass,

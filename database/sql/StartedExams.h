@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,26 +11,25 @@
 
 namespace database::sql {
 
-/// Stores that a person has begun an exam, from this station's outbox. The same uid is stored once.
+/// Notes that a person has begun an exam, as this station's outbox says. The same uid is noted once.
 [[nodiscard]] core::Status deliverExam(const DatabaseContext& school, const std::string& personUid,
                                        const ExamStart& start);
 
-/// Returns the exams of a person that were begun and have no score, newest first, including a running one.
+/// The exams of a person that were begun and have no score, newest first: one that goes on now is among them.
 [[nodiscard]] core::Result<std::vector<ExamStart>> examsWithoutScore(const DatabaseContext& school,
                                                                      const Login& session, PersonId person);
 
-/// Returns the number of such exams in one lesson; without a permission check.
-[[nodiscard]] core::Result<int> countWithoutScore(const DatabaseContext& school, PersonId person,
-                                                  const std::string& lessonId);
-/// The number of such exams of one person in one lesson.
+/// The number of such exams of a person, by lesson; checks no permission.
+[[nodiscard]] core::Result<std::map<std::string, int>> countWithoutScore(const DatabaseContext& school,
+                                                                         PersonId person);
+/// The same of everybody in a class, lesson by lesson, where there are any.
 struct WithoutScore
 {
     PersonId person;
     std::string lessonId;
     int count = 0;
-    std::string newestUtc;  ///< when the newest was begun
+    std::string newestUtc;  ///< when that was begun
 };
-/// Calls `take` for each person of a class and each lesson with such exams.
 [[nodiscard]] core::Status forEachWithoutScore(const DatabaseContext& school, ClassId ofClass,
                                                const std::function<void(const WithoutScore&)>& take);
 

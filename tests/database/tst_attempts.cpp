@@ -630,6 +630,11 @@ private slots:
             VERIFY_DONE(rig.add(rig.student, "at-once", 900, at));
         QVERIFY(without() == std::vector{brokenOff});
         QCOMPARE(attemptsLeft(school, rig.student, "at-once")->value(), 1);
+        // All lessons at once; one without a limit is left out.
+        VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "unlimited", "", 0}));
+        const std::map<std::string, int> allLeft{{exam, 0}, {"at-once", 1}};
+        QVERIFY(attemptsLeft(school, rig.student).value() == allLeft);
+        QVERIFY(attemptsLeft(school, rig.guest)->empty());
         // Two that were begun in one second are two.
         for (int k = 0; k < 2; ++k)
             VERIFY_DONE(deliverExam(school, rig.student.uid(), {newUid(), "twins", "2026-11-20T12:00:00Z"}));
