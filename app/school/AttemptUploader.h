@@ -24,11 +24,11 @@ struct PendingAttempt
     database::AttemptRecord record;
     core::recording::Recording recording;
     std::uint64_t generation = 0;        ///< of the tooth that was graded; 0: none of the present ones
-    std::filesystem::path journal = {};  ///< where the attempt lies until it is kept; empty: nowhere
+    std::filesystem::path journal = {};  ///< file of the attempt until it is in the outbox; empty: none
 };
 
-/// Graded attempts that are not in the outbox yet. What the disk refuses is offered to it again every few seconds,
-/// whoever works here by then: there may be room. Ui thread.
+/// Graded attempts that are not in the outbox yet. If the disk refuses one, it is tried again every five seconds, also
+/// when another user is logged in: there may be room. Ui thread.
 class AttemptUploader final : public QObject
 {
     Q_OBJECT
@@ -37,7 +37,8 @@ public:
     /// @param desk  outlives this
     explicit AttemptUploader(SchoolService& desk);
 
-    /// kept() follows, or refused(), and again as long as the disk refuses it. One that is here already goes as it is.
+    /// Writes an attempt to the outbox. Emits kept(), or refused() each time the disk refuses it. An attempt that is
+    /// here already is not added again.
     void send(const std::shared_ptr<const PendingAttempt>& letter);
     /// Sends the beginning of an exam, again and again as long as the disk refuses it.
     void send(const database::Login& who, const database::ExamStart& start);
@@ -46,7 +47,8 @@ public:
     [[nodiscard]] std::set<std::filesystem::path> journals() const;
 
 signals:
-    /// @param isAgain  it had been refused before
+    /// Emitted when an attempt is in the outbox, or was refused.
+    /// @param isAgain  the attempt had been refused before
     void kept(const app::PendingAttempt& letter, bool isAgain);
     void refused(const app::PendingAttempt& letter, bool isAgain, const core::Error& why);
 

@@ -22,16 +22,16 @@ namespace {
 using core::ErrorCode;
 using database::sql::DatabaseContext;
 
-constexpr int kPatienceMs = 5000;  ///< until it is told that there is no answer
+constexpr int kPatienceMs = 5000;  ///< until unanswered() is emitted
 
-/// Of what is no fault of the question: the same may be answered in a while.
+/// Whether the same request may succeed later.
 bool mayComeBack(ErrorCode code)
 {
     return code == ErrorCode::ConnectionLost || code == ErrorCode::OutcomeUnknown || code == ErrorCode::ServerRefuses ||
            code == ErrorCode::Busy || code == ErrorCode::FileMissing;
 }
 
-/// Of a file, which is no better the next time.
+/// Whether the file is damaged, so that it need not be tried again.
 bool isDamage(ErrorCode code)
 {
     return code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
@@ -78,7 +78,7 @@ SchoolService::SchoolService(database::Address address, QString folder, database
 
 SchoolService::~SchoolService()
 {
-    // After all that was asked, and where it was opened.
+    // After all requests, and on the thread that opened the database.
     post([this] {
         m_school.reset();
         m_database.reset();
@@ -177,7 +177,7 @@ core::Result<database::StationKey> SchoolService::keyOf(const QString& folder)
 
 core::Status SchoolService::openDatabase()
 {
-    // A drive that is not there, or a slip of the pen, does not begin a second school.
+    // A missing drive or a mistyped address must not create a second school.
     if (!m_address.isServer() && !QFileInfo(m_folder).isDir())
         if (auto there = database::sql::checkPlace(m_address.file); !there)
             return there;
@@ -205,13 +205,13 @@ core::Status SchoolService::openDatabase()
     return {};
 }
 
-/// Who logged in to one school is nobody in another that has been put into its place, a copy of it included.
+/// Rejects a database whose id differs from the one in which the user logged in, even a copy of it.
 core::Status SchoolService::expectSameSchool(const QSqlDatabase& db)
 {
     const auto school = database::sql::schoolOf(db);
     if (school && m_known.empty())
         m_known = *school;
-    if (!school || m_known == *school)  // what is damaged says so where it is read
+    if (!school || m_known == *school)  // a damaged database is reported when it is read
         return {};
     QMetaObject::invokeMethod(
         this, [this] { emit otherSchool(); }, Qt::QueuedConnection);
@@ -227,7 +227,7 @@ void SchoolService::takeOtherSchool()
     });
 }
 
-/// With a database that was away, or that could not be written: tries again.
+/// Opens the database, or opens it again if it was away or could not be written.
 core::Status SchoolService::connect()
 {
     if (!m_database)
@@ -244,8 +244,7 @@ core::Status SchoolService::connect()
         m_database.reset();
         return openDatabase();
     }
-    // Nothing was asked of it yet, so that nothing can be done twice: nobody is told of a server that was only started
-    // anew.
+    // The request has not been sent, so nothing can happen twice: a server that was restarted is not reported.
     if (std::exchange(m_isLost, false) || !m_database->answers()) {
         if (auto again = m_database->reconnect(); !again) {
             m_isLost = true;
@@ -256,7 +255,7 @@ core::Status SchoolService::connect()
             m_database.reset();
             return same;
         }
-        m_undeliverable.clear();  // it may know by now whose they are
+        m_undeliverable.clear();  // it may know the people by now
         m_school->nowUtc = database::sql::clockOf(m_database->handle());
     }
     return {};
@@ -268,7 +267,8 @@ void SchoolService::notice(const core::Error& error)
     if (error.code == ErrorCode::Disabled)
         QMetaObject::invokeMethod(
             this, [this] { emit disabled(); }, Qt::QueuedConnection);
-    if (error.code == ErrorCode::OtherSchool && m_database) {  // it was made in the place that had become empty
+    if (error.code == ErrorCode::OtherSchool &&
+        m_database) {  // the connection has created a database where the old one had disappeared
         m_school.reset();
         m_database.reset();
         QMetaObject::invokeMethod(
@@ -303,7 +303,7 @@ void SchoolService::open(QObject* owner, const Opened& done)
     post([this, guard = QPointer<QObject>(owner), done] {
         const Opening opening = tryToOpen();
         answer(guard, done, opening);
-        // What is not open now is tried by and by.
+        // Otherwise the timer tries again.
         if (opening.status)
             deliverAll();
     });
@@ -315,7 +315,7 @@ core::Status SchoolService::mayRestore(const database::Login& session)
         return core::unexpected(ErrorCode::Busy,
                                 "database " + m_address.file.toStdString() +
                                     ": a backup or a check of it goes on; try again when it has ended");
-    // Who is at a file that is damaged, gone or empty can be anybody: so can who has its folder.
+    // If the file is damaged, missing or empty, everybody may restore it: everybody can replace the file by hand.
     if (!connect() || database::sql::Logins::isNew(*m_school).value_or(true))
         return {};
     return database::sql::mayRestore(*m_school, session);
@@ -334,7 +334,7 @@ void SchoolService::restore(QObject* owner, const database::Login& session, cons
         m_database.reset();
         m_undeliverable.clear();
         m_forOthers.clear();
-        // Before it: whatever comes in between, they are sent at the next start.
+        // First: if the restore is interrupted, the attempts are sent at the next start.
         database::Outbox(outboxFolder(), m_key.value_or(database::StationKey::make()),
                          database::Outbox::schoolAt(m_address, m_folder))
             .sendAgain();
@@ -380,7 +380,7 @@ core::Status SchoolService::putInto(const std::function<core::Status(database::O
 {
     core::Status status;
     if (!m_key)
-        status = connect();  // which reads the key, whether or not there is a server
+        status = connect();  // which reads the key, even without a server
     return m_key ? put(outbox()) : status;
 }
 
@@ -417,7 +417,7 @@ void SchoolService::takeAnswer(const std::optional<core::ErrorCode>& fault)
         emit answered();
 }
 
-/// What waits, and whoever could not be answered.
+/// Delivers the outbox, and emits isBack() if the school was away and can be reached again.
 void SchoolService::tryAgain()
 {
     deliver();
@@ -452,14 +452,14 @@ void SchoolService::deliver()
 
 void SchoolService::deliverAll()
 {
-    // A damaged file is not tried again and again: a check of it takes its time.
+    // A damaged file is not tried again: checking it takes long.
     if (!m_key || (!m_database && m_isDamaged))
         return;
     const database::Outbox letters = outbox();
     const int before = static_cast<int>(m_undeliverable.size());
     const int beforeForOthers = static_cast<int>(m_forOthers.size());
-    // What has failed goes last, and of several what failed last: a server may have limits that one letter always
-    // exceeds, whatever it calls them.
+    // Entries that have failed come last, the latest failure at the end: one entry may always exceed a limit of the
+    // server.
     QStringList files = letters.waiting();
     std::stable_sort(files.begin(), files.end(), [this](const QString& one, const QString& other) {
         return m_hasFailed.value(one) < m_hasFailed.value(other);
@@ -489,14 +489,14 @@ void SchoolService::deliverAll()
                 QMetaObject::invokeMethod(
                     this, [this, uid = QString::fromStdString(letter->attempt)] { emit delivered(uid); },
                     Qt::QueuedConnection);
-            // Of a server its administrator makes backups.
+            // The administrator of a server makes its backups.
             if (m_address.isServer())
                 letters.remove(file);
             else
                 letters.keepArrived(file);
         } else if (done.error().code == ErrorCode::UnknownName || done.error().code == ErrorCode::OutOfRange) {
-            // One computer may serve several schools from one folder, and a server's administrator may mend what is
-            // wrong there. Those behind it shall not wait for it.
+            // One computer may serve several schools from one folder, and an administrator may repair a server. The
+            // entries behind this one do not wait for it.
             m_undeliverable.insert(file);
         } else {
             m_hasFailed.insert(file, ++m_failures);

@@ -26,11 +26,11 @@
 
 namespace app {
 
-/// A letter of the outbox that was read.
+/// An entry of the outbox that was read.
 struct LetterDelivery
 {
-    std::string attempt;  ///< its uid; empty: an exam's beginning
-    QString school;       ///< for which it was put there; empty: unknown
+    std::string attempt;  ///< uid of the attempt; empty: the entry says that an exam has begun
+    QString school;       ///< the school it is for, as Outbox::schoolAt() names it; empty: unknown
     std::function<core::Status(const database::sql::DatabaseContext&)> deliver;
 };
 [[nodiscard]] core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file);
@@ -39,8 +39,9 @@ struct LetterDelivery
 template <class Work>
 concept DatabaseWork = std::is_invocable_v<Work&, const database::sql::DatabaseContext&>;
 
-/// The school's data, on a thread of its own: a server that is slow or away, a disk that sleeps and the hashing of a
-/// password hold up no window. What is asked is done in the order of asking; answers come back on the ui thread.
+/// The connection to a school's database, on a thread of its own: the window does not wait for a slow server, a
+/// sleeping disk or the hashing of a password. Requests are done in their order, and results come back on the ui
+/// thread.
 class SchoolService final : public QObject, public SchoolAccess
 {
     Q_OBJECT
@@ -48,29 +49,29 @@ class SchoolService final : public QObject, public SchoolAccess
 public:
     static constexpr std::chrono::seconds kRetry{10};
 
-    /// @param address  of the database, which is opened by open()
-    /// @param folder  of this station's own files: its key, and attempts on their way
+    /// @param address  of the database; open() opens it
+    /// @param folder  for this station's own files: its key and its outbox
     /// @param options  for tests
     /// @param retry  the time after which a failed request is repeated
     SchoolService(database::Address address, QString folder, database::sql::Database::Options options = {},
                   std::chrono::milliseconds retry = kRetry);
     ~SchoolService() override;
 
-    /// What is known of the database after it was opened, or was not.
+    /// The result of opening the database.
     struct Opening
     {
         core::Status status;
-        bool isNew = false;     ///< nobody has been entered yet
-        std::string notice;     ///< of the database
+        bool isNew = false;     ///< the school has no people yet
+        std::string notice;     ///< a remark of the database for the user
         QString soundBackup;    ///< the newest backup that can replace a damaged or missing file; empty: there is none
-        core::Status restored;  ///< how restore() ended; what is there now is open, or not, in either case
-        QString replaced;       ///< after it: where the old file is now; empty: there was none
+        core::Status restored;  ///< whether restore() replaced the file; `status` says whether the database is open now
+        QString replaced;       ///< after restore(): the new place of the old file; empty: there was none
     };
     using Opened = std::function<void(const Opening&)>;
-    /// May be called again where it came to nothing.
+    /// May be called again after a failure.
     void open(QObject* owner, const Opened& done);
-    /// Puts a backup in the place of the file, and opens that. Attempts of this station that were delivered after the
-    /// backup was made are delivered again. Where a school is open, admins only.
+    /// Replaces the file by a backup and opens it. Attempts of this station that were delivered after the backup was
+    /// made are delivered again. While a school is open, admins only.
     void restore(QObject* owner, const database::Login& session, const QString& backup, const Opened& done);
 
     void expectAlone(QObject* owner, const database::Login& session,
@@ -91,12 +92,12 @@ public:
         runOnDatabaseBeside(jobOf<database::sql::DatabaseContext>(owner, std::move(work), std::move(done)));
     }
 
-    /// Puts a graded attempt into the outbox; `kept` hears whether it is on the disk. delivered() follows when the
-    /// database has it, perhaps much later.
+    /// Writes a graded attempt to the outbox and passes to `kept` whether it is on the disk. delivered() is emitted
+    /// when the database has it, perhaps much later.
     void keep(QObject* owner, const database::Login& session, const database::AttemptRecord& attempt,
               const core::recording::Recording& recording, const std::function<void(const core::Status&)>& kept);
 
-    /// The same for an exam that was begun.
+    /// The same for an exam that has begun.
     void keep(QObject* owner, const database::Login& session, const database::ExamStart& start,
               const std::function<void(const core::Status&)>& kept);
 
@@ -104,33 +105,33 @@ public:
 
     [[nodiscard]] int retryMs() const override { return m_retry.interval(); }
 
-    /// Tries to deliver what waits.
+    /// Tries to deliver the outbox.
     void deliver();
 
-    /// After otherSchool(), when nobody is logged in any more: what is there now may be opened.
+    /// After otherSchool(), when nobody is logged in any more: allows to open the school that is there now.
     void takeOtherSchool();
 
 signals:
-    /// The database has this attempt now.
+    /// Emitted when the database has this attempt.
     void delivered(const QString& uid);
-    /// An attempt on its way is damaged; its file is kept.
+    /// Emitted when an attempt in the outbox is damaged; its file is kept.
     void damaged(const core::Error& error);
-    /// Emitted when the person who asked has been disabled since they logged in.
+    /// Emitted when the account of the user who asked has been disabled since the login.
     void disabled();
-    /// Emitted when the person who asked is not allowed to; their role may have changed since they logged in.
+    /// Emitted when a request was not allowed: the role of the user may have changed since the login.
     void refused();
-    /// The file of another school has been put into the place of this one's; it is not opened.
+    /// Emitted when the file of another school has replaced the file of this one; it is not opened.
     void otherSchool();
-    /// So many on their way cannot be delivered to this school, or with this station's key: they wait.
+    /// Emitted when so many attempts cannot be delivered to this school or with this station's key. They wait.
     void waitOn(int count);
-    /// So many on their way were put there for other schools: they wait for them.
-    /// @param schools  as Outbox::schoolAt() calls them
+    /// Emitted when so many attempts in the outbox are for other schools. They wait.
+    /// @param schools  as Outbox::schoolAt() names them
     void waitForOthers(int count, const QString& schools);
-    /// What was asked has had no answer for a while: the server hangs, or another program holds the file.
+    /// Emitted when a request has had no answer for 5 seconds: the server hangs, or another program holds the file.
     void unanswered();
-    /// What was asked was answered.
+    /// Emitted when a request was answered without an error.
     void answered();
-    /// After what was asked could not be answered, the school can be asked again.
+    /// Emitted when the school can be reached again after a request could not be answered.
     void isBack();
 
 private:
@@ -160,7 +161,7 @@ private:
             },
             Qt::QueuedConnection);
     }
-    // What follows runs on the desk's thread.
+    // The following functions run on the school's thread.
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
     [[nodiscard]] core::Status expectSameSchool(const QSqlDatabase& db);
@@ -177,28 +178,28 @@ private:
     database::Address m_address;
     QString m_folder;
     database::sql::Database::Options m_options;
-    /// How much long work goes on beside.
+    /// The number of long requests that are running.
     std::shared_ptr<std::atomic<int>> m_besides = std::make_shared<std::atomic<int>>(0);
-    std::atomic<bool> m_allowsOthers = true;  ///< as far as is known
+    std::atomic<bool> m_allowsOthers = true;  ///< the file allows a second connection
     QThread m_thread;
     QObject m_there;  ///< lives on m_thread
     QTimer m_retry;
 
     std::unique_ptr<database::sql::Database> m_database;
     std::unique_ptr<database::sql::DatabaseContext> m_school;
-    std::string m_known;  ///< which school it is, as schoolOf() calls it; empty: none yet
+    std::string m_known;  ///< the school, as schoolOf() identifies it; empty: none yet
     std::optional<database::StationKey> m_key;
-    QSet<QString> m_forOthers;  ///< what waits for another school, and which
+    QSet<QString> m_forOthers;  ///< entries of the outbox for other schools
     QSet<QString> m_otherSchools;
     QTimer m_patience{this};
-    int m_asked = 0;                  ///< what was asked and is not answered yet
-    bool m_wasAway = false;           ///< when it was asked last
-    QSet<QString> m_undeliverable;    ///< what cannot be delivered on this connection
-    QHash<QString, int> m_hasFailed;  ///< what could not be delivered yet, and may be soon: as which failure of all
+    int m_asked = 0;                  ///< pending requests
+    bool m_wasAway = false;           ///< at the last request
+    QSet<QString> m_undeliverable;    ///< entries that cannot be delivered on this connection
+    QHash<QString, int> m_hasFailed;  ///< entries that may be delivered later, with the number of their last failure
     int m_failures = 0;
     bool m_isLost = false;
     bool m_isDamaged = false;   ///< the file, when it was opened last
-    bool m_isReadOnly = false;  ///< then
+    bool m_isReadOnly = false;  ///< the same
 };
 
 }  // namespace app

@@ -5,13 +5,13 @@
 
 #include "database/SchoolSettings.h"
 
-/// What a school sets for everybody, as it is kept.
+/// Settings of a school for everybody.
 namespace app {
 
 inline const std::string kIdleMinutes = "idle.minutes";
 inline constexpr int kUsualIdleMinutes = 10;
 
-/// After how many minutes a place that was left is locked.
+/// After how many minutes without input a station is locked.
 [[nodiscard]] int idleMinutesOf(const database::SettingsMap& settings);
 
 }  // namespace app
