@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/AdminController.h"
+#include "app/pages/AdminController.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/AttemptHistoryController.h"
+#include "app/pages/AttemptHistoryController.h"
 
 #include <algorithm>
 #include <utility>
 
 #include <QPointer>
 
-#include "app/PageGuard.h"
+#include "app/pages/PageGuard.h"
 #include "lessons/Assignment.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"

@@ -11,9 +11,9 @@
 #include <QObject>
 #include <QString>
 
-#include "app/ClassController.h"
-#include "app/CommentsController.h"
-#include "app/LessonNames.h"
+#include "app/pages/ClassController.h"
+#include "app/pages/CommentsController.h"
+#include "app/pages/LessonNames.h"
 #include "app/school/SchoolAccess.h"
 #include "app/school/UserQueries.h"
 #include "core/recording/Recording.h"

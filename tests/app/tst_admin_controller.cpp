@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/AdminController.h"
+#include "app/pages/AdminController.h"
 #include "core/session/SessionChannels.h"
 #include "tests/app/FakeSchool.h"
 #include "tests/database/SchoolRig.h"

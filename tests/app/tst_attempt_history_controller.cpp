@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/AttemptHistoryController.h"
+#include "app/pages/AttemptHistoryController.h"
 #include "core/session/SessionChannels.h"
 #include "tests/app/FakeSchool.h"
 #include "tests/database/SchoolRig.h"

@@ -7,8 +7,8 @@
 #include <QStandardPaths>
 #include <QTest>
 
-#include "app/PresetController.h"
-#include "app/SchoolPresets.h"
+#include "app/pages/PresetController.h"
+#include "app/pages/SchoolPresets.h"
 #include "core/session/SessionChannels.h"
 #include "lessons/PresetShelf.h"
 #include "tests/app/FakeSchool.h"

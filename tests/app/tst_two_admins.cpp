@@ -8,8 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/AdminController.h"
-#include "app/PresetController.h"
+#include "app/pages/AdminController.h"
+#include "app/pages/PresetController.h"
 #include "app/school/SchoolService.h"
 #include "core/session/SessionChannels.h"
 #include "database/sql/Settings.h"

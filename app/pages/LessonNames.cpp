@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/LessonNames.h"
+#include "app/pages/LessonNames.h"
 
 #include <algorithm>
 #include <climits>

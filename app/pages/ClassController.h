@@ -10,7 +10,7 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/LessonNames.h"
+#include "app/pages/LessonNames.h"
 #include "app/school/UserQueries.h"
 #include "core/base/Result.h"
 #include "database/ClassOverview.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/CommentsController.h"
+#include "app/pages/CommentsController.h"
 
 #include <algorithm>
 #include <array>

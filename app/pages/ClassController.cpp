@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/ClassController.h"
+#include "app/pages/ClassController.h"
 
 #include <map>
 #include <memory>
@@ -11,7 +11,7 @@
 #include <QDir>
 #include <QPagedPaintDevice>
 
-#include "app/PageGuard.h"
+#include "app/pages/PageGuard.h"
 #include "database/AuditHead.h"
 #include "ui/people/ClassPage.h"
 #include "ui/report/Printing.h"
