@@ -8694,55 +8694,7 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::window::MainWindow</name>
-    <message>
-        <source>Cusp</source>
-        <translation>Cusp</translation>
-    </message>
-    <message>
-        <source>The tooth was reset.</source>
-        <translation>Der Zahn wurde zurückgesetzt.</translation>
-    </message>
-    <message>
-        <source>Restore my work</source>
-        <translation>Arbeit wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Cusp was still busy and did not do that. Try again.</source>
-        <translation>Cusp war noch beschäftigt und hat das nicht getan. Versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 – Cusp</source>
-        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
-        <translation>%1 – Cusp</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n note(s) about this scan</source>
-        <translation>
-            <numerusform>%n Hinweis zu diesem Scan</numerusform>
-            <numerusform>%n Hinweise zu diesem Scan</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
-        <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie eine solche Datei herein.</translation>
-    </message>
-    <message>
-        <source>This is a replay. Stop it to grade your own work.</source>
-        <translation>Das ist eine Wiedergabe. Beenden Sie sie, um Ihre eigene Arbeit bewerten zu lassen.</translation>
-    </message>
-    <message>
-        <source>The recording was saved as %1.</source>
-        <translation>Die Aufzeichnung wurde als %1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>The recording has ended.</source>
-        <translation>Die Aufzeichnung ist zu Ende.</translation>
-    </message>
-    <message>
-        <source>Stop the replay</source>
-        <translation>Wiedergabe beenden</translation>
-    </message>
+    <name>ui::window::UnsavedWork</name>
     <message>
         <source>Your work would be lost.</source>
         <translation>Ihre Arbeit ginge verloren.</translation>
@@ -8756,16 +8708,52 @@ ungesichert</translation>
         <translation>Aufzeichnung &amp;speichern …</translation>
     </message>
     <message>
-        <source>You can undo the stroke.</source>
-        <translation>Sie können den Strich rückgängig machen.</translation>
+        <source>The exam would end without a score.</source>
+        <translation>Die Prüfung würde ohne Punktzahl enden.</translation>
     </message>
     <message>
-        <source>Tooth perforated</source>
-        <translation>Zahn perforiert</translation>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
+        <translation>Sie zählt trotzdem als Versuch. Ihre Arbeit kann später nicht bewertet werden.</translation>
     </message>
     <message>
-        <source>Pulp opened</source>
-        <translation>Pulpa eröffnet</translation>
+        <source>&amp;Grade it now</source>
+        <translation>Jetzt &amp;bewerten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n grade(s) are not saved yet and would be lost.</source>
+        <translation>
+            <numerusform>%n Bewertung ist noch nicht gespeichert und ginge verloren.</numerusform>
+            <numerusform>%n Bewertungen sind noch nicht gespeichert und gingen verloren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
+        <translation>Der Datenträger ist nicht beschreibbar. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei, oder prüfen Sie die Rechte des Ordners.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::CommandSender</name>
+    <message>
+        <source>Cusp was still busy and did not do that. Try again.</source>
+        <translation>Cusp war noch beschäftigt und hat das nicht getan. Versuchen Sie es noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::Notices</name>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>%n Hinweis zu diesem Scan</numerusform>
+            <numerusform>%n Hinweise zu diesem Scan</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
+        <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie eine solche Datei herein.</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>Die Aufzeichnung wurde als %1 gespeichert.</translation>
     </message>
     <message>
         <source>Another unit</source>
@@ -8788,17 +8776,67 @@ ungesichert</translation>
         <translation>Diese Einheit behalten</translation>
     </message>
     <message>
-        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
-        <translation>Von unten können Sie nicht präparieren: Der Bohrer ist auf der anderen Seite des Zahns. Drehen Sie den Zahn zurück oder drücken Sie V.</translation>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>The simulated handpiece is active</source>
-        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
-        <translation>Das simulierte Handstück ist aktiv</translation>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
+        <translation>Sie hatten für diese Lektion keine Versuche mehr, darum wird diese Bewertung nicht gespeichert.</translation>
     </message>
     <message>
-        <source>Save the X-ray pictures</source>
-        <translation>Röntgenbilder speichern</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>Sie können Ihre Arbeit als Aufzeichnung speichern.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>Die Datenbank der Schule antwortet noch nicht. Sie können weiter präparieren; Ihre Anfrage wird erledigt, sobald sie antwortet.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::ResumeOffer</name>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>%1: Ein Versuch von %2 wurde nicht beendet.</translation>
+    </message>
+    <message>
+        <source>The attempt was discarded; it is kept for seven days.</source>
+        <translation>Der Versuch wurde verworfen; er bleibt sieben Tage aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Restore it</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Continue it</source>
+        <translation>&amp;Damit weitermachen</translation>
+    </message>
+    <message>
+        <source>This exam would be discarded without a score.</source>
+        <translation>Diese Prüfung würde ohne Punktzahl verworfen.</translation>
+    </message>
+    <message>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
+        <translation>Sie zählt trotzdem als Versuch. Direkt danach können Sie sie noch wiederherstellen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::LessonController</name>
+    <message>
+        <source>The tooth was reset.</source>
+        <translation>Der Zahn wurde zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>Restore my work</source>
+        <translation>Arbeit wiederherstellen</translation>
     </message>
     <message>
         <source>Only a tooth with decay has an ideal preparation.</source>
@@ -8809,16 +8847,62 @@ ungesichert</translation>
         <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie möchten, oder drücken Sie G für die Bewertung.</translation>
     </message>
     <message>
-        <source>Resume</source>
-        <translation>Fortsetzen</translation>
+        <source>The exercise starts again.</source>
+        <translation>Die Übung beginnt von vorn.</translation>
     </message>
     <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
+        <source>Another attempt at the exam begins.</source>
+        <translation>Ein weiterer Versuch der Prüfung beginnt.</translation>
     </message>
     <message>
-        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
-        <translation>Diese Datei ist keine gültige Lektion, deshalb kann sie nicht bearbeitet werden. Beheben Sie zuerst die genannten Fehler.</translation>
+        <source>Another attempt at the lesson begins.</source>
+        <translation>Ein weiterer Versuch der Lektion beginnt.</translation>
+    </message>
+    <message>
+        <source>The time for this exam is over: cutting is disabled.</source>
+        <translation>Die Zeit für diese Prüfung ist um: Schneiden ist nicht mehr möglich.</translation>
+    </message>
+    <message>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
+        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G, um sie zu bewerten.</translation>
+    </message>
+    <message>
+        <source>Another attempt begins.</source>
+        <translation>Ein neuer Versuch beginnt.</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>Der Umriss ist in einer Prüfung nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>Für diesen Zahn gibt es keine ideale Präparation.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::PracticeController</name>
+    <message>
+        <source>You can undo the stroke.</source>
+        <translation>Sie können den Strich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation>Zahn perforiert</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa eröffnet</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::ReplayView</name>
+    <message>
+        <source>The recording has ended.</source>
+        <translation>Die Aufzeichnung ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation>Wiedergabe beenden</translation>
     </message>
     <message>
         <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
@@ -8829,30 +8913,12 @@ ungesichert</translation>
         <translation>Das Handstück ist nicht mehr verfügbar, deshalb wurde die Führung beendet.</translation>
     </message>
     <message>
-        <source>The exercise starts again.</source>
-        <translation>Die Übung beginnt von vorn.</translation>
+        <source>From a file …</source>
+        <translation>Aus einer Datei …</translation>
     </message>
-    <message>
-        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
-        <translation>Der Lektionseditor ist während einer Prüfung nicht verfügbar, denn er zeigt das Ideal. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
-    </message>
-    <message>
-        <source>%1: an attempt of %2 was not finished.</source>
-        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
-        <translation>%1: Ein Versuch von %2 wurde nicht beendet.</translation>
-    </message>
-    <message>
-        <source>Another attempt at the exam begins.</source>
-        <translation>Ein weiterer Versuch der Prüfung beginnt.</translation>
-    </message>
-    <message>
-        <source>The attempt was discarded; it is kept for seven days.</source>
-        <translation>Der Versuch wurde verworfen; er bleibt sieben Tage aufgehoben.</translation>
-    </message>
-    <message>
-        <source>Restore it</source>
-        <translation>Wiederherstellen</translation>
-    </message>
+</context>
+<context>
+    <name>ui::window::HardnessController</name>
     <message>
         <source>Import a hardness preset</source>
         <translation>Eine Härte-Voreinstellung importieren</translation>
@@ -8891,99 +8957,63 @@ ungesichert</translation>
         <translation>Diese Lektion legt ihre eigene Härte fest. Nur die Kräfte lassen sich ändern.</translation>
     </message>
     <message>
-        <source>The exam would end without a score.</source>
-        <translation>Die Prüfung würde ohne Punktzahl enden.</translation>
+        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
+        <translation>Es gibt keine Härte-Voreinstellung „%1“. Es gibt: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::AccountController</name>
+    <message>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
+        <translation>Der Einmalcode gilt nicht mehr. Bitten Sie die Verwaltung um einen neuen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::LessonEditing</name>
+    <message>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>Diese Datei ist keine gültige Lektion, deshalb kann sie nicht bearbeitet werden. Beheben Sie zuerst die genannten Fehler.</translation>
     </message>
     <message>
-        <source>It still counts as an attempt. Your work cannot be graded later.</source>
-        <translation>Sie zählt trotzdem als Versuch. Ihre Arbeit kann später nicht bewertet werden.</translation>
-    </message>
-    <message>
-        <source>&amp;Grade it now</source>
-        <translation>Jetzt &amp;bewerten</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>Der Lektionseditor ist während einer Prüfung nicht verfügbar, denn er zeigt das Ideal. Drücken Sie G, um die Prüfung zu beenden, oder beginnen Sie eine andere Lektion.</translation>
     </message>
     <message>
         <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
         <translation>Nur Lehrkräfte können Lektionen bearbeiten: Melden Sie sich als Lehrkraft an. Um die Lektion zu üben, wählen Sie sie in der Liste.</translation>
     </message>
+</context>
+<context>
+    <name>ui::window::MainWindow</name>
     <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
     </message>
     <message>
-        <source>Another attempt at the lesson begins.</source>
-        <translation>Ein weiterer Versuch der Lektion beginnt.</translation>
+        <source>%1 – Cusp</source>
+        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
+        <translation>%1 – Cusp</translation>
     </message>
     <message>
-        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
-        <translation>Es gibt keine Härte-Voreinstellung „%1“. Es gibt: %2.</translation>
+        <source>This is a replay. Stop it to grade your own work.</source>
+        <translation>Das ist eine Wiedergabe. Beenden Sie sie, um Ihre eigene Arbeit bewerten zu lassen.</translation>
+    </message>
+    <message>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
+        <translation>Von unten können Sie nicht präparieren: Der Bohrer ist auf der anderen Seite des Zahns. Drehen Sie den Zahn zurück oder drücken Sie V.</translation>
+    </message>
+    <message>
+        <source>The simulated handpiece is active</source>
+        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
+        <translation>Das simulierte Handstück ist aktiv</translation>
+    </message>
+    <message>
+        <source>Save the X-ray pictures</source>
+        <translation>Röntgenbilder speichern</translation>
     </message>
     <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
-    </message>
-    <message>
-        <source>From a file …</source>
-        <translation>Aus einer Datei …</translation>
-    </message>
-    <message>
-        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
-        <translation>Sie hatten für diese Lektion keine Versuche mehr, darum wird diese Bewertung nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>You can save your work as a recording.</source>
-        <translation>Sie können Ihre Arbeit als Aufzeichnung speichern.</translation>
-    </message>
-    <message>
-        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
-        <translation>Die Datenbank der Schule antwortet noch nicht. Sie können weiter präparieren; Ihre Anfrage wird erledigt, sobald sie antwortet.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n grade(s) are not saved yet and would be lost.</source>
-        <translation>
-            <numerusform>%n Bewertung ist noch nicht gespeichert und ginge verloren.</numerusform>
-            <numerusform>%n Bewertungen sind noch nicht gespeichert und gingen verloren.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
-        <translation>Der Datenträger ist nicht beschreibbar. Solange Cusp läuft, versucht es das alle paar Sekunden wieder. Geben Sie Speicherplatz frei, oder prüfen Sie die Rechte des Ordners.</translation>
-    </message>
-    <message>
-        <source>The time for this exam is over: cutting is disabled.</source>
-        <translation>Die Zeit für diese Prüfung ist um: Schneiden ist nicht mehr möglich.</translation>
-    </message>
-    <message>
-        <source>This exam is over but not graded yet. Press G to grade it.</source>
-        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G, um sie zu bewerten.</translation>
-    </message>
-    <message>
-        <source>&amp;Continue it</source>
-        <translation>&amp;Damit weitermachen</translation>
-    </message>
-    <message>
-        <source>Another attempt begins.</source>
-        <translation>Ein neuer Versuch beginnt.</translation>
-    </message>
-    <message>
-        <source>This exam would be discarded without a score.</source>
-        <translation>Diese Prüfung würde ohne Punktzahl verworfen.</translation>
-    </message>
-    <message>
-        <source>It still counts as an attempt. You can restore it right afterwards.</source>
-        <translation>Sie zählt trotzdem als Versuch. Direkt danach können Sie sie noch wiederherstellen.</translation>
-    </message>
-    <message>
-        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
-        <translation>Der Einmalcode gilt nicht mehr. Bitten Sie die Verwaltung um einen neuen.</translation>
-    </message>
-    <message>
-        <source>The outline is not available in an exam.</source>
-        <translation>Der Umriss ist in einer Prüfung nicht verfügbar.</translation>
-    </message>
-    <message>
-        <source>This tooth has no ideal preparation.</source>
-        <translation>Für diesen Zahn gibt es keine ideale Präparation.</translation>
     </message>
 </context>
 <context>

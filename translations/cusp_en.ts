@@ -434,14 +434,7 @@
     </message>
 </context>
 <context>
-    <name>ui::window::MainWindow</name>
-    <message numerus="yes">
-        <source>%n note(s) about this scan</source>
-        <translation>
-            <numerusform>%n note about this scan</numerusform>
-            <numerusform>%n notes about this scan</numerusform>
-        </translation>
-    </message>
+    <name>ui::window::UnsavedWork</name>
     <message numerus="yes">
         <source>%n grade(s) are not saved yet and would be lost.</source>
         <translation>
@@ -590,6 +583,16 @@
         <translation>
             <numerusform>%n attempt of the history without measured values is left out.</numerusform>
             <numerusform>%n attempts of the history without measured values are left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::Notices</name>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>%n note about this scan</numerusform>
+            <numerusform>%n notes about this scan</numerusform>
         </translation>
     </message>
 </context>

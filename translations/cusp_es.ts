@@ -8694,55 +8694,7 @@ sin guardar</translation>
     </message>
 </context>
 <context>
-    <name>ui::window::MainWindow</name>
-    <message>
-        <source>Cusp</source>
-        <translation>Cusp</translation>
-    </message>
-    <message>
-        <source>The tooth was reset.</source>
-        <translation>El diente se ha restablecido.</translation>
-    </message>
-    <message>
-        <source>Restore my work</source>
-        <translation>Recuperar mi trabajo</translation>
-    </message>
-    <message>
-        <source>Cusp was still busy and did not do that. Try again.</source>
-        <translation>Cusp aún estaba ocupado y no lo hizo. Inténtelo de nuevo.</translation>
-    </message>
-    <message>
-        <source>%1 – Cusp</source>
-        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
-        <translation>%1 – Cusp</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n note(s) about this scan</source>
-        <translation>
-            <numerusform>%n nota sobre este escaneo</numerusform>
-            <numerusform>%n notas sobre este escaneo</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
-        <translation>Esto no es ni un escaneo (OBJ, STL, PLY) ni una grabación. Suelte uno de ellos.</translation>
-    </message>
-    <message>
-        <source>This is a replay. Stop it to grade your own work.</source>
-        <translation>Esto es una reproducción. Deténgala para que se califique su propio trabajo.</translation>
-    </message>
-    <message>
-        <source>The recording was saved as %1.</source>
-        <translation>La grabación se guardó como %1.</translation>
-    </message>
-    <message>
-        <source>The recording has ended.</source>
-        <translation>La grabación ha terminado.</translation>
-    </message>
-    <message>
-        <source>Stop the replay</source>
-        <translation>Detener la reproducción</translation>
-    </message>
+    <name>ui::window::UnsavedWork</name>
     <message>
         <source>Your work would be lost.</source>
         <translation>Su trabajo se perdería.</translation>
@@ -8756,16 +8708,52 @@ sin guardar</translation>
         <translation>&amp;Guardar la grabación …</translation>
     </message>
     <message>
-        <source>You can undo the stroke.</source>
-        <translation>Puede deshacer la pasada.</translation>
+        <source>The exam would end without a score.</source>
+        <translation>El examen terminaría sin puntuación.</translation>
     </message>
     <message>
-        <source>Tooth perforated</source>
-        <translation>Diente perforado</translation>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
+        <translation>Cuenta igualmente como intento. Su trabajo no podrá calificarse más tarde.</translation>
     </message>
     <message>
-        <source>Pulp opened</source>
-        <translation>Pulpa abierta</translation>
+        <source>&amp;Grade it now</source>
+        <translation>&amp;Calificar ahora</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n grade(s) are not saved yet and would be lost.</source>
+        <translation>
+            <numerusform>%n calificación aún no está guardada y se perdería.</numerusform>
+            <numerusform>%n calificaciones aún no están guardadas y se perderían.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
+        <translation>No se puede escribir en el disco. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco o revise los permisos de la carpeta.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::CommandSender</name>
+    <message>
+        <source>Cusp was still busy and did not do that. Try again.</source>
+        <translation>Cusp aún estaba ocupado y no lo hizo. Inténtelo de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::Notices</name>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>%n nota sobre este escaneo</numerusform>
+            <numerusform>%n notas sobre este escaneo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
+        <translation>Esto no es ni un escaneo (OBJ, STL, PLY) ni una grabación. Suelte uno de ellos.</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>La grabación se guardó como %1.</translation>
     </message>
     <message>
         <source>Another unit</source>
@@ -8788,17 +8776,67 @@ sin guardar</translation>
         <translation>Mantener esta unidad</translation>
     </message>
     <message>
-        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
-        <translation>No se puede tallar desde abajo: la fresa está al otro lado del diente. Vuelva a girarlo o pulse V.</translation>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
     <message>
-        <source>The simulated handpiece is active</source>
-        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
-        <translation>La pieza de mano simulada está activa</translation>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
+        <translation>Ya no le quedaban intentos en esta lección, así que esta calificación no se guarda.</translation>
     </message>
     <message>
-        <source>Save the X-ray pictures</source>
-        <translation>Guardar las radiografías</translation>
+        <source>You can save your work as a recording.</source>
+        <translation>Puede guardar su trabajo como grabación.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>La base de datos de la escuela aún no responde. Puede seguir tallando; su petición se completará cuando responda.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::ResumeOffer</name>
+    <message>
+        <source>Resume</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>%1: un intento (%2) quedó sin terminar.</translation>
+    </message>
+    <message>
+        <source>The attempt was discarded; it is kept for seven days.</source>
+        <translation>El intento se descartó; se conserva siete días.</translation>
+    </message>
+    <message>
+        <source>Restore it</source>
+        <translation>Recuperarlo</translation>
+    </message>
+    <message>
+        <source>&amp;Continue it</source>
+        <translation>&amp;Continuarlo</translation>
+    </message>
+    <message>
+        <source>This exam would be discarded without a score.</source>
+        <translation>Este examen se descartaría sin puntuación.</translation>
+    </message>
+    <message>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
+        <translation>Cuenta igualmente como intento. Justo después podrá recuperarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::LessonController</name>
+    <message>
+        <source>The tooth was reset.</source>
+        <translation>El diente se ha restablecido.</translation>
+    </message>
+    <message>
+        <source>Restore my work</source>
+        <translation>Recuperar mi trabajo</translation>
     </message>
     <message>
         <source>Only a tooth with decay has an ideal preparation.</source>
@@ -8809,16 +8847,62 @@ sin guardar</translation>
         <translation>El tiempo de esta lección ha terminado. Continúe cuanto quiera o pulse G para la calificación.</translation>
     </message>
     <message>
-        <source>Resume</source>
-        <translation>Continuar</translation>
+        <source>The exercise starts again.</source>
+        <translation>El ejercicio empieza de nuevo.</translation>
     </message>
     <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
+        <source>Another attempt at the exam begins.</source>
+        <translation>Empieza otro intento del examen.</translation>
     </message>
     <message>
-        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
-        <translation>Este archivo no es una lección válida, así que no se puede editar. Corrija primero los errores indicados.</translation>
+        <source>Another attempt at the lesson begins.</source>
+        <translation>Empieza otro intento de la lección.</translation>
+    </message>
+    <message>
+        <source>The time for this exam is over: cutting is disabled.</source>
+        <translation>El tiempo de este examen ha terminado: ya no se puede tallar.</translation>
+    </message>
+    <message>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
+        <translation>Este examen ha terminado, pero aún no está calificado. Pulse G para calificarlo.</translation>
+    </message>
+    <message>
+        <source>Another attempt begins.</source>
+        <translation>Empieza otro intento.</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>El contorno no está disponible en un examen.</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>Este diente no tiene una preparación ideal.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::PracticeController</name>
+    <message>
+        <source>You can undo the stroke.</source>
+        <translation>Puede deshacer la pasada.</translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation>Diente perforado</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa abierta</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::ReplayView</name>
+    <message>
+        <source>The recording has ended.</source>
+        <translation>La grabación ha terminado.</translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation>Detener la reproducción</translation>
     </message>
     <message>
         <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
@@ -8829,30 +8913,12 @@ sin guardar</translation>
         <translation>La pieza de mano ya no está disponible, así que la guía se detuvo.</translation>
     </message>
     <message>
-        <source>The exercise starts again.</source>
-        <translation>El ejercicio empieza de nuevo.</translation>
+        <source>From a file …</source>
+        <translation>De un archivo …</translation>
     </message>
-    <message>
-        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
-        <translation>El editor de lecciones no está disponible durante un examen, porque muestra el ideal. Pulse G para terminar el examen o empiece otra lección.</translation>
-    </message>
-    <message>
-        <source>%1: an attempt of %2 was not finished.</source>
-        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
-        <translation>%1: un intento (%2) quedó sin terminar.</translation>
-    </message>
-    <message>
-        <source>Another attempt at the exam begins.</source>
-        <translation>Empieza otro intento del examen.</translation>
-    </message>
-    <message>
-        <source>The attempt was discarded; it is kept for seven days.</source>
-        <translation>El intento se descartó; se conserva siete días.</translation>
-    </message>
-    <message>
-        <source>Restore it</source>
-        <translation>Recuperarlo</translation>
-    </message>
+</context>
+<context>
+    <name>ui::window::HardnessController</name>
     <message>
         <source>Import a hardness preset</source>
         <translation>Importar un ajuste de dureza</translation>
@@ -8891,99 +8957,63 @@ sin guardar</translation>
         <translation>Esta lección fija su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
     </message>
     <message>
-        <source>The exam would end without a score.</source>
-        <translation>El examen terminaría sin puntuación.</translation>
+        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
+        <translation>No hay ningún ajuste de dureza «%1». Hay: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::AccountController</name>
+    <message>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
+        <translation>El código de un solo uso ya no es válido. Pida otro a un administrador.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::LessonEditing</name>
+    <message>
+        <source>This file is not a valid lesson, so it cannot be edited. Fix the listed errors first.</source>
+        <translation>Este archivo no es una lección válida, así que no se puede editar. Corrija primero los errores indicados.</translation>
     </message>
     <message>
-        <source>It still counts as an attempt. Your work cannot be graded later.</source>
-        <translation>Cuenta igualmente como intento. Su trabajo no podrá calificarse más tarde.</translation>
-    </message>
-    <message>
-        <source>&amp;Grade it now</source>
-        <translation>&amp;Calificar ahora</translation>
+        <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
+        <translation>El editor de lecciones no está disponible durante un examen, porque muestra el ideal. Pulse G para terminar el examen o empiece otra lección.</translation>
     </message>
     <message>
         <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
         <translation>Solo los docentes pueden editar lecciones: inicie sesión como docente. Para practicar la lección, elíjala en la lista.</translation>
     </message>
+</context>
+<context>
+    <name>ui::window::MainWindow</name>
     <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
     </message>
     <message>
-        <source>Another attempt at the lesson begins.</source>
-        <translation>Empieza otro intento de la lección.</translation>
+        <source>%1 – Cusp</source>
+        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
+        <translation>%1 – Cusp</translation>
     </message>
     <message>
-        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
-        <translation>No hay ningún ajuste de dureza «%1». Hay: %2.</translation>
+        <source>This is a replay. Stop it to grade your own work.</source>
+        <translation>Esto es una reproducción. Deténgala para que se califique su propio trabajo.</translation>
+    </message>
+    <message>
+        <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
+        <translation>No se puede tallar desde abajo: la fresa está al otro lado del diente. Vuelva a girarlo o pulse V.</translation>
+    </message>
+    <message>
+        <source>The simulated handpiece is active</source>
+        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
+        <translation>La pieza de mano simulada está activa</translation>
+    </message>
+    <message>
+        <source>Save the X-ray pictures</source>
+        <translation>Guardar las radiografías</translation>
     </message>
     <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
-    </message>
-    <message>
-        <source>From a file …</source>
-        <translation>De un archivo …</translation>
-    </message>
-    <message>
-        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
-        <translation>Ya no le quedaban intentos en esta lección, así que esta calificación no se guarda.</translation>
-    </message>
-    <message>
-        <source>You can save your work as a recording.</source>
-        <translation>Puede guardar su trabajo como grabación.</translation>
-    </message>
-    <message>
-        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
-        <translation>La base de datos de la escuela aún no responde. Puede seguir tallando; su petición se completará cuando responda.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n grade(s) are not saved yet and would be lost.</source>
-        <translation>
-            <numerusform>%n calificación aún no está guardada y se perdería.</numerusform>
-            <numerusform>%n calificaciones aún no están guardadas y se perderían.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
-        <translation>No se puede escribir en el disco. Cusp lo vuelve a intentar cada pocos segundos mientras está abierto. Libere espacio en el disco o revise los permisos de la carpeta.</translation>
-    </message>
-    <message>
-        <source>The time for this exam is over: cutting is disabled.</source>
-        <translation>El tiempo de este examen ha terminado: ya no se puede tallar.</translation>
-    </message>
-    <message>
-        <source>This exam is over but not graded yet. Press G to grade it.</source>
-        <translation>Este examen ha terminado, pero aún no está calificado. Pulse G para calificarlo.</translation>
-    </message>
-    <message>
-        <source>&amp;Continue it</source>
-        <translation>&amp;Continuarlo</translation>
-    </message>
-    <message>
-        <source>Another attempt begins.</source>
-        <translation>Empieza otro intento.</translation>
-    </message>
-    <message>
-        <source>This exam would be discarded without a score.</source>
-        <translation>Este examen se descartaría sin puntuación.</translation>
-    </message>
-    <message>
-        <source>It still counts as an attempt. You can restore it right afterwards.</source>
-        <translation>Cuenta igualmente como intento. Justo después podrá recuperarlo.</translation>
-    </message>
-    <message>
-        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
-        <translation>El código de un solo uso ya no es válido. Pida otro a un administrador.</translation>
-    </message>
-    <message>
-        <source>The outline is not available in an exam.</source>
-        <translation>El contorno no está disponible en un examen.</translation>
-    </message>
-    <message>
-        <source>This tooth has no ideal preparation.</source>
-        <translation>Este diente no tiene una preparación ideal.</translation>
     </message>
 </context>
 <context>

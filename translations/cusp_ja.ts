@@ -8643,18 +8643,143 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::window::MainWindow</name>
+    <name>ui::window::UnsavedWork</name>
+    <message>
+        <source>Your work would be lost.</source>
+        <translation>切削した内容が失われます。</translation>
+    </message>
+    <message>
+        <source>Your latest cuts are not saved as a recording.</source>
+        <translation>最後の切削以降、記録として保存されていません。</translation>
+    </message>
+    <message>
+        <source>&amp;Save the recording …</source>
+        <translation>記録を保存(&amp;S) …</translation>
+    </message>
+    <message>
+        <source>The exam would end without a score.</source>
+        <translation>試験は採点されないまま中断されます。</translation>
+    </message>
+    <message>
+        <source>It still counts as an attempt. Your work cannot be graded later.</source>
+        <translation>それでも1回の試行として数えられます。切削したものは後から採点できません。</translation>
+    </message>
+    <message>
+        <source>&amp;Grade it now</source>
+        <translation>今すぐ採点(&amp;G)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n grade(s) are not saved yet and would be lost.</source>
+        <translation>
+            <numerusform>%n 件の評価がまだ保存されておらず、失われます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
+        <translation>現在ディスクに書き込めません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::CommandSender</name>
+    <message>
+        <source>Cusp was still busy and did not do that. Try again.</source>
+        <translation>Cuspは前の処理中のため、その操作を行いませんでした。もう一度お試しください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::Notices</name>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>このスキャンに関する注意%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Another unit</source>
+        <translation>別の単位</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>Keep this unit</source>
+        <translation>この単位のままにする</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>記録を%1として保存しました。</translation>
+    </message>
+    <message>
+        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
+        <translation>スキャン（OBJ、STL、PLY）でも記録でもありません。どちらかをドロップしてください。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
+        <translation>この課題の試行回数はすでに使い切られているため、この成績は保存されません。</translation>
+    </message>
+    <message>
+        <source>You can save your work as a recording.</source>
+        <translation>作業は記録として保存できます。</translation>
+    </message>
+    <message>
+        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
+        <translation>学校のデータベースがまだ応答しません。切削は続けられます。要求した内容は、応答があり次第処理されます。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::ResumeOffer</name>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>%1：%2の試行が未完了です。</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>The attempt was discarded; it is kept for seven days.</source>
+        <translation>試行を破棄しました。7日間保管されます。</translation>
+    </message>
+    <message>
+        <source>Restore it</source>
+        <translation>復元する</translation>
+    </message>
+    <message>
+        <source>&amp;Continue it</source>
+        <translation>続ける(&amp;G)</translation>
+    </message>
+    <message>
+        <source>This exam would be discarded without a score.</source>
+        <translation>この試験は得点なしで破棄されます。</translation>
+    </message>
+    <message>
+        <source>It still counts as an attempt. You can restore it right afterwards.</source>
+        <translation>それでも1回の試行として数えられます。直後であればまだ元に戻せます。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::LessonController</name>
     <message>
         <source>The time for this lesson is over. Continue as long as you like, or press G for the grade.</source>
         <translation>この課題の時間が終わりました。好きなだけ続けるか、Gで採点してください。</translation>
-    </message>
-    <message>
-        <source>Save the X-ray pictures</source>
-        <translation>X線画像を保存</translation>
-    </message>
-    <message>
-        <source>Cusp</source>
-        <translation>Cusp</translation>
     </message>
     <message>
         <source>Another attempt at the exam begins.</source>
@@ -8673,9 +8798,74 @@ unsaved</source>
         <translation>作業を復元</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to grade your own work.</source>
-        <translation>再生中です。ご自身の作業の採点を受けるには停止してください。</translation>
+        <source>Only a tooth with decay has an ideal preparation.</source>
+        <translation>理想形があるのは、う蝕のある歯だけです。</translation>
     </message>
+    <message>
+        <source>Another attempt at the lesson begins.</source>
+        <translation>課題の新しい試行を始めます。</translation>
+    </message>
+    <message>
+        <source>The time for this exam is over: cutting is disabled.</source>
+        <translation>この試験の時間は終わりました。これ以上切削できません。</translation>
+    </message>
+    <message>
+        <source>This exam is over but not graded yet. Press G to grade it.</source>
+        <translation>この試験は終わりましたが、まだ採点されていません。Gで採点します。</translation>
+    </message>
+    <message>
+        <source>Another attempt begins.</source>
+        <translation>新しい試行を始めます。</translation>
+    </message>
+    <message>
+        <source>The outline is not available in an exam.</source>
+        <translation>試験では外形線を使用できません。</translation>
+    </message>
+    <message>
+        <source>This tooth has no ideal preparation.</source>
+        <translation>この歯には理想的な窩洞がありません。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::PracticeController</name>
+    <message>
+        <source>You can undo the stroke.</source>
+        <translation>「元に戻す」でこのストロークを取り消せます。</translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation>歯に穿孔しました</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>露髄しました</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::ReplayView</name>
+    <message>
+        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
+        <translation>押し返したため、誘導を終えました。もう一度誘導を始めるにはAを押してください。</translation>
+    </message>
+    <message>
+        <source>The handpiece is no longer available, so the guidance stopped.</source>
+        <translation>ハンドピースが使えなくなったため、誘導を終えました。</translation>
+    </message>
+    <message>
+        <source>The recording has ended.</source>
+        <translation>記録の終わりです。</translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation>再生を停止</translation>
+    </message>
+    <message>
+        <source>From a file …</source>
+        <translation>ファイルから …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::HardnessController</name>
     <message>
         <source>Import a hardness preset</source>
         <translation>硬さのプリセットを読み込む</translation>
@@ -8714,6 +8904,20 @@ unsaved</source>
         <translation>この課題には固有の硬さがあります。変更できるのは力だけです。</translation>
     </message>
     <message>
+        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
+        <translation>硬さプリセット「%1」はありません。あるもの：%2。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::AccountController</name>
+    <message>
+        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
+        <translation>ワンタイムコードは無効になりました。新しいコードを管理者に依頼してください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::LessonEditing</name>
+    <message>
         <source>The lesson editor is not available during an exam, because it shows the ideal. Press G to finish the exam, or start another lesson.</source>
         <translation>課題エディターは理想形を表示するため、試験中は使えません。Gで試験を終えるか、別の課題を始めてください。</translation>
     </message>
@@ -8722,62 +8926,27 @@ unsaved</source>
         <translation>このファイルは有効な課題ではないため、編集できません。先に示された誤りを直してください。</translation>
     </message>
     <message>
-        <source>You pushed against the guidance, so it stopped. Press A to start it again.</source>
-        <translation>押し返したため、誘導を終えました。もう一度誘導を始めるにはAを押してください。</translation>
+        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
+        <translation>課題を変更できるのは教員です。教員としてログインしてください。課題を行うには一覧から選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::window::MainWindow</name>
+    <message>
+        <source>Save the X-ray pictures</source>
+        <translation>X線画像を保存</translation>
     </message>
     <message>
-        <source>The handpiece is no longer available, so the guidance stopped.</source>
-        <translation>ハンドピースが使えなくなったため、誘導を終えました。</translation>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
     </message>
     <message>
-        <source>Only a tooth with decay has an ideal preparation.</source>
-        <translation>理想形があるのは、う蝕のある歯だけです。</translation>
+        <source>This is a replay. Stop it to grade your own work.</source>
+        <translation>再生中です。ご自身の作業の採点を受けるには停止してください。</translation>
     </message>
     <message>
         <source>You cannot drill from below: the bur is on the other side of the tooth. Turn the tooth back, or press V.</source>
         <translation>下からは切削できません：バーは歯の反対側で動いています。向きを戻すか、Vを押してください。</translation>
-    </message>
-    <message>
-        <source>You can undo the stroke.</source>
-        <translation>「元に戻す」でこのストロークを取り消せます。</translation>
-    </message>
-    <message>
-        <source>Tooth perforated</source>
-        <translation>歯に穿孔しました</translation>
-    </message>
-    <message>
-        <source>Pulp opened</source>
-        <translation>露髄しました</translation>
-    </message>
-    <message>
-        <source>Cusp was still busy and did not do that. Try again.</source>
-        <translation>Cuspは前の処理中のため、その操作を行いませんでした。もう一度お試しください。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n note(s) about this scan</source>
-        <translation>
-            <numerusform>このスキャンに関する注意%n件</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Another unit</source>
-        <translation>別の単位</translation>
-    </message>
-    <message>
-        <source>Millimetres</source>
-        <translation>ミリメートル</translation>
-    </message>
-    <message>
-        <source>Centimetres</source>
-        <translation>センチメートル</translation>
-    </message>
-    <message>
-        <source>Metres</source>
-        <translation>メートル</translation>
-    </message>
-    <message>
-        <source>Keep this unit</source>
-        <translation>この単位のままにする</translation>
     </message>
     <message>
         <source>The simulated handpiece is active</source>
@@ -8790,147 +8959,8 @@ unsaved</source>
         <translation>%1 – Cusp</translation>
     </message>
     <message>
-        <source>%1: an attempt of %2 was not finished.</source>
-        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
-        <translation>%1：%2の試行が未完了です。</translation>
-    </message>
-    <message>
-        <source>Resume</source>
-        <translation>再開</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>破棄</translation>
-    </message>
-    <message>
-        <source>The attempt was discarded; it is kept for seven days.</source>
-        <translation>試行を破棄しました。7日間保管されます。</translation>
-    </message>
-    <message>
-        <source>Restore it</source>
-        <translation>復元する</translation>
-    </message>
-    <message>
-        <source>The recording was saved as %1.</source>
-        <translation>記録を%1として保存しました。</translation>
-    </message>
-    <message>
-        <source>The recording has ended.</source>
-        <translation>記録の終わりです。</translation>
-    </message>
-    <message>
-        <source>Stop the replay</source>
-        <translation>再生を停止</translation>
-    </message>
-    <message>
-        <source>Your work would be lost.</source>
-        <translation>切削した内容が失われます。</translation>
-    </message>
-    <message>
-        <source>Your latest cuts are not saved as a recording.</source>
-        <translation>最後の切削以降、記録として保存されていません。</translation>
-    </message>
-    <message>
-        <source>&amp;Save the recording …</source>
-        <translation>記録を保存(&amp;S) …</translation>
-    </message>
-    <message>
-        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
-        <translation>スキャン（OBJ、STL、PLY）でも記録でもありません。どちらかをドロップしてください。</translation>
-    </message>
-    <message>
-        <source>The exam would end without a score.</source>
-        <translation>試験は採点されないまま中断されます。</translation>
-    </message>
-    <message>
-        <source>It still counts as an attempt. Your work cannot be graded later.</source>
-        <translation>それでも1回の試行として数えられます。切削したものは後から採点できません。</translation>
-    </message>
-    <message>
-        <source>&amp;Grade it now</source>
-        <translation>今すぐ採点(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Only teachers can edit lessons: log in as a teacher. To practise the lesson, choose it in the list.</source>
-        <translation>課題を変更できるのは教員です。教員としてログインしてください。課題を行うには一覧から選んでください。</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
-        <source>Another attempt at the lesson begins.</source>
-        <translation>課題の新しい試行を始めます。</translation>
-    </message>
-    <message>
-        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
-        <translation>硬さプリセット「%1」はありません。あるもの：%2。</translation>
-    </message>
-    <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
-    </message>
-    <message>
-        <source>From a file …</source>
-        <translation>ファイルから …</translation>
-    </message>
-    <message>
-        <source>You had no attempts left at this lesson, so this grade is not saved.</source>
-        <translation>この課題の試行回数はすでに使い切られているため、この成績は保存されません。</translation>
-    </message>
-    <message>
-        <source>You can save your work as a recording.</source>
-        <translation>作業は記録として保存できます。</translation>
-    </message>
-    <message>
-        <source>The school&apos;s database does not answer yet. You can continue drilling; your request is completed when it answers.</source>
-        <translation>学校のデータベースがまだ応答しません。切削は続けられます。要求した内容は、応答があり次第処理されます。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n grade(s) are not saved yet and would be lost.</source>
-        <translation>
-            <numerusform>%n 件の評価がまだ保存されておらず、失われます。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The disk cannot be written to. Cusp tries again every few seconds while it runs. Free some disk space, or check the permissions of the folder.</source>
-        <translation>現在ディスクに書き込めません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
-    </message>
-    <message>
-        <source>The time for this exam is over: cutting is disabled.</source>
-        <translation>この試験の時間は終わりました。これ以上切削できません。</translation>
-    </message>
-    <message>
-        <source>This exam is over but not graded yet. Press G to grade it.</source>
-        <translation>この試験は終わりましたが、まだ採点されていません。Gで採点します。</translation>
-    </message>
-    <message>
-        <source>&amp;Continue it</source>
-        <translation>続ける(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Another attempt begins.</source>
-        <translation>新しい試行を始めます。</translation>
-    </message>
-    <message>
-        <source>This exam would be discarded without a score.</source>
-        <translation>この試験は得点なしで破棄されます。</translation>
-    </message>
-    <message>
-        <source>It still counts as an attempt. You can restore it right afterwards.</source>
-        <translation>それでも1回の試行として数えられます。直後であればまだ元に戻せます。</translation>
-    </message>
-    <message>
-        <source>The one-time code is no longer valid. Ask an admin for a new one.</source>
-        <translation>ワンタイムコードは無効になりました。新しいコードを管理者に依頼してください。</translation>
-    </message>
-    <message>
-        <source>The outline is not available in an exam.</source>
-        <translation>試験では外形線を使用できません。</translation>
-    </message>
-    <message>
-        <source>This tooth has no ideal preparation.</source>
-        <translation>この歯には理想的な窩洞がありません。</translation>
     </message>
 </context>
 <context>

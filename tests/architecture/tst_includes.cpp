@@ -154,7 +154,8 @@ const QList<Arrows> kArrows{
     {"ui/settings", "core/settings ui/console ui/kit ui/text"},
     {"ui/lessoneditor", "core/base core/preparation lessons ui/catalog ui/charts ui/inside ui/kit ui/text"},
     {"ui/report", "lessons database ui/charts ui/kit ui/people ui/scoring ui/text"},
-    {"ui/window", "core/base core/bur core/grading core/imaging core/servo core/session core/settings core/teeth "
+    {"ui/window", "core/base core/bur core/grading core/guidance core/imaging core/servo core/session core/settings "
+                  "core/teeth core/terrain "
                   "lessons database ui/admin ui/catalog ui/console ui/devices ui/inside ui/kit ui/lessoneditor "
                   "ui/people ui/practice ui/presets ui/replay ui/scoring ui/settings ui/text ui/tooth ui/toothchooser"},
     {"app/threads", "core/rt core/session haptics"},
