@@ -121,6 +121,36 @@ QString wrongKind(FailedOperation failed)
     return {};
 }
 
+QString unwritable(FailedOperation failed)
+{
+    if (failed == FailedOperation::KeepingGrade)  // a grade waits there until the school has it
+        return QCoreApplication::translate("Error", "The folder “outbox”, where grades wait for the school, "
+                                                    "cannot be written. Make room on the disk, or make that "
+                                                    "folder writable.");
+    if (failed == FailedOperation::KeepingGrades || failed == FailedOperation::ReadingSchool ||
+        failed == FailedOperation::ChangingSchool || failed == FailedOperation::Reporting)
+        return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
+                                                    "or make its folder writable.");
+    return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
+                                                "on the disk.");
+}
+
+QString tooLarge(FailedOperation failed)
+{
+    if (failed == FailedOperation::OpeningScan)
+        return QCoreApplication::translate("Error", "The file is too large. Export it with fewer triangles.");
+    return QCoreApplication::translate("Error", "The file is too large.");
+}
+
+QString connectionLost(FailedOperation failed)
+{
+    if (failed == FailedOperation::ChangingSchool ||
+        failed == FailedOperation::Reporting)  // Cusp does not repeat these by itself
+        return QCoreApplication::translate(
+            "Error", "The school's server does not answer. Try it again when the server answers.");
+    return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
+}
+
 QString reason(core::ErrorCode code, FailedOperation failed)
 {
     const auto andRemedy = [failed](const QString& fault) { return fault + u' ' + remedy(failed); };
@@ -131,24 +161,13 @@ QString reason(core::ErrorCode code, FailedOperation failed)
         return QCoreApplication::translate("Error", "The file cannot be read. Check that it is a file and that you may "
                                                     "open it.");
     case core::ErrorCode::FileUnwritable:
-        if (failed == FailedOperation::KeepingGrade)  // it lies there until the school has it
-            return QCoreApplication::translate("Error", "The folder “outbox”, where grades wait for the school, "
-                                                        "cannot be written. Make room on the disk, or make that "
-                                                        "folder writable.");
-        if (failed == FailedOperation::KeepingGrades || failed == FailedOperation::ReadingSchool ||
-            failed == FailedOperation::ChangingSchool || failed == FailedOperation::Reporting)
-            return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
-                                                        "or make its folder writable.");
-        return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
-                                                    "on the disk.");
+        return unwritable(failed);
     case core::ErrorCode::FileEmpty:
         return andRemedy(QCoreApplication::translate("Error", "The file is empty."));
     case core::ErrorCode::FileTruncated:
         return andRemedy(QCoreApplication::translate("Error", "The file ends too early."));
     case core::ErrorCode::FileTooLarge:
-        if (failed == FailedOperation::OpeningScan)
-            return QCoreApplication::translate("Error", "The file is too large. Export it with fewer triangles.");
-        return QCoreApplication::translate("Error", "The file is too large.");
+        return tooLarge(failed);
     case core::ErrorCode::WrongKind:
         return wrongKind(failed);
     case core::ErrorCode::NewerVersion:
@@ -180,11 +199,7 @@ QString reason(core::ErrorCode code, FailedOperation failed)
             "open. Only one at a time can: close that one. For several computers an admin keeps them on a "
             "PostgreSQL server.");
     case core::ErrorCode::ConnectionLost:
-        if (failed == FailedOperation::ChangingSchool ||
-            failed == FailedOperation::Reporting)  // nobody does it again but who wanted it
-            return QCoreApplication::translate(
-                "Error", "The school's server does not answer. Try it again when the server answers.");
-        return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
+        return connectionLost(failed);
     case core::ErrorCode::OutcomeUnknown:
         return QCoreApplication::translate("Error",
                                            "The school's server went away while this was being done, and nobody "
