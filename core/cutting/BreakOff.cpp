@@ -24,15 +24,15 @@ constexpr std::array<Direction, 8> kDirections{{{1, 0, 1.0},
                                                 {0, -1, 1.0},
                                                 {1, -1, kDiagonal}}};
 
-/// How many columns from (i, j) on, which is cut, belong to something too thin to stand; 0 if it stands.
-/// @param base  height of the ground that it stands on
+/// Returns the number of columns from the cut column (i, j) on that are too thin to stand; 0 if they stand.
+/// @param base  set to the height of the ground below them
 int thinColumns(const terrain::Tooth& tooth, int i, int j, const Direction& towards, double slenderness, double& base)
 {
     const terrain::Grid& grid = tooth.grid();
     const double mmHigh = slenderness * grid.cellMm * towards.cells;  // for each column of width
-    // Of a perforated column nothing is left: what is beside it stands no higher than from its own bottom.
+    // A perforated column is gone: the columns beside it are no higher than their own length.
     auto ground = static_cast<double>(tooth.top[grid.index(i, j)]);
-    double lowest = 1.0e9;  // of what stands
+    double lowest = 1.0e9;  // top of the columns so far
     for (int count = 0;; ++count) {
         const int nextI = i + towards.di * (count + 1);
         const int nextJ = j + towards.dj * (count + 1);
@@ -42,7 +42,7 @@ int thinColumns(const terrain::Tooth& tooth, int i, int j, const Direction& towa
             base = std::max(ground, next);
             return count;
         }
-        // One more makes it wider: is that still high enough, if nothing stands behind it?
+        // With one more column the wall is wider. Is it high enough to break, if there is no column behind it?
         lowest = std::min(lowest, next);
         if (isThere)
             ground = std::max(ground, static_cast<double>(tooth.bottom[grid.index(nextI, nextJ)]));
@@ -51,7 +51,7 @@ int thinColumns(const terrain::Tooth& tooth, int i, int j, const Direction& towa
     }
 }
 
-/// Lowers column (i, j) to `base` and adds what that takes away.
+/// Lowers column (i, j) to `base` and adds the removed volume to `broken`.
 void lower(contact::LiveTooth& live, int i, int j, double base, terrain::PerMaterial& broken) noexcept
 {
     const terrain::Tooth& tooth = live.tooth();
@@ -63,8 +63,8 @@ void lower(contact::LiveTooth& live, int i, int j, double base, terrain::PerMate
     live.lower(i, j, to);
 }
 
-/// Marks the cut columns of row j, from i0 on, beside which any stands higher by more than `rise`: only there may
-/// something be thin. For most columns of a cut this is all that is asked, so it is asked of many at a time.
+/// Marks the cut columns of row j, from i0 on, that have a neighbour higher by more than `rise`: only there can a wall
+/// be too thin. For most columns of a cut this is the only test, so it is made for many columns at a time.
 void markEdges(const terrain::Tooth& tooth, int j, int i0, int i1, float rise,
                std::array<std::uint8_t, terrain::kMaxGridSide>& marks) noexcept
 {
@@ -116,7 +116,7 @@ terrain::PerMaterial breakOff(contact::LiveTooth& live, double slenderness, CutR
                     changed = {std::min(changed.i0, atI), std::min(changed.j0, atJ), std::max(changed.i1, atI),
                                std::max(changed.j1, atJ)};
                 }
-                if (count > 0)  // it may have made another edge
+                if (count > 0)  // breaking off may have made another edge
                     markEdges(tooth, j, i, cut.i1, rise, marks);
             }
         }

@@ -14,26 +14,26 @@
 namespace core::cutting {
 namespace {
 
-/// Tries at finding the advance. It is found when removal uses from 95 to 100 % of the time granted; what is left goes
-/// to the next tick.
+/// Most tries at finding the advance. It is found when the removal uses 95 to 100 % of the granted time; the rest of
+/// the time goes to the next tick.
 constexpr int kMaxTries = 6;
-constexpr double kMostExcess = 8.0;      ///< times what is granted: a try that is far beyond says no more than that
-constexpr double kFarther = 4.0;         ///< times the advance, at most, that was tried last
+constexpr double kMostExcess = 8.0;      ///< times the granted time: a needed time beyond that counts as this much
+constexpr double kFarther = 4.0;         ///< times the last advance tried, at most
 constexpr double kFirstGuessMm = 0.001;  ///< advance tried first in fresh material
-constexpr double kTightMm = 0.0005;      ///< a bracket this narrow holds a wall, not the advance
+constexpr double kTightMm = 0.0005;      ///< a bracket this narrow contains a wall, not the advance
 constexpr double kCloseEnough = 0.95;
-constexpr double kAim = 0.975;  ///< of the time granted: while it is not known how far is too far
-/// Of the way a column has to go: less is a material that does not yield to this force.
+constexpr double kAim = 0.975;  ///< of the granted time: aim while no upper end is known
+/// Share of the way of a column. Below this, the material does not yield to the force.
 constexpr double kLeastShare = 1.0e-6;
 constexpr double kRoundingMm = 1.0e-5;  ///< heights are floats
 constexpr double kRoundingCells = 1.0e-3;
-/// Seconds a mm3 of what does not yield to the force.
+/// Seconds per mm3 of a material that does not yield to the force.
 constexpr double kNever = 1.0e30;
-/// Impulse of a touch, N s, until which it is a brush: 0.3 N for 20 ms must leave no mark (dentists, 2011), which the
-/// threshold of force alone would let a ball's tip make 30 um deep.
+/// Impulse, N s, up to which a touch is a brush. A touch of 0.3 N for 20 ms must leave no mark (dentists, 2011); with
+/// the threshold of force alone, the tip of a ball would leave one 30 um deep.
 constexpr double kBrushNS = 0.008;
 
-/// One advance of the bur: the tooth, where the tip began, and copies of the columns it may meet.
+/// One advance of the bur: the tooth, the start of the tip, and copies of the columns that the bur may meet.
 struct Advance
 {
     contact::LiveTooth& tooth;
@@ -50,13 +50,14 @@ struct Advance
         return {static_cast<float>(tip.z), static_cast<float>(std::max(tip.z, beginZ))};
     }
 
-    /// Copies the columns that a bur moving from `from` towards `towards` for up to `reachMm` may lower: none is
-    /// missed, some are copied in vain. False if there are too many.
+    /// Copies the columns that a bur may lower when it moves from `from` towards `towards` by up to `reachMm`. None is
+    /// missed, and some are copied in vain. Returns false if there are too many.
     bool collect(const glm::dvec3& from, const glm::dvec3& towards, double reachMm) noexcept
     {
         const double sideways = reachMm * std::sqrt(towards.x * towards.x + towards.y * towards.y);
         const double radius = static_cast<double>(tooth.mask().radiusMm) + sideways;
-        // (r - sideways)^2 is no less than r^2 - 2 radius sideways anywhere in the circle: no square root a column.
+        // (r - sideways)^2 is at least r^2 - 2 radius sideways everywhere in the circle, so no column needs a square
+        // root.
         const contact::Reach reach{radius / tooth.grid().cellMm + kRoundingCells,
                                    static_cast<float>(2.0 * radius * sideways + kRoundingMm),
                                    static_cast<float>(from.z + std::min(0.0, reachMm * towards.z) - kRoundingMm)};
@@ -68,20 +69,20 @@ struct Advance
         return true;
     }
 
-    /// Time that it takes to remove what is under a bur with its tip at `tip`.
+    /// Returns the time to remove the material under a bur with its tip at `tip`.
     [[nodiscard]] double secondsTo(const glm::dvec3& tip, const contact::RemovalTimes& secondsPerMm3) const noexcept
     {
         return tooth.kernels().secondsToRemove(columns, headAt(tip), descentTo(tip), secondsPerMm3);
     }
 
-    /// Lowers the copy of every column that a bur with its tip at `tip` would lower, by a share of the way, and adds to
-    /// `done` what that takes away.
+    /// Lowers the copy of every column that a bur with its tip at `tip` would lower, by a share of the way, and adds
+    /// the removed volume to `done`.
     void removeTo(const glm::dvec3& tip, float share, Cut& done) const noexcept
     {
         tooth.kernels().remove(columns, headAt(tip), descentTo(tip), share, done.removedMm3);
     }
 
-    /// Lowers the tooth to the copies, and says where it changed.
+    /// Lowers the tooth to the copies, and returns where it changed.
     [[nodiscard]] CutRect giveBack() const noexcept
     {
         CutRect rect;
@@ -146,8 +147,8 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     const glm::dvec3 towards = pull / gap;
     const contact::RemovalTimes secondsPerMm3 = removalTimes(tooth, towards, forceN);
 
-    // The time that removal takes rises with the advance: bracket it, beginning with the last tick's pace, then
-    // close in by false position, kept honest by halving when one end does not move (Illinois).
+    // The time that removal takes rises with the advance. The advance is bracketed, from the speed of the last tick on,
+    // and then found by false position. If one end does not move, its value is halved (Illinois).
     const double granted = seconds + m_leftS;
     const double aim = kAim * granted;
     double near = 0.0;
@@ -158,13 +159,13 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     double spent = 0.0;
     double tried = std::min(gap, std::max(m_lastMmPerS * aim, kFirstGuessMm));
     int side = 0;
-    double listed = -1.0;  // the list holds what an advance up to here meets
+    double listed = -1.0;  // the list holds the columns up to this advance
     Advance advance{tooth, anchor.z, {}};
     for (int attempt = 0; attempt < kMaxTries; ++attempt) {
         if (tried > listed) {
             listed = std::min(gap, 2.0 * tried);
             while (!advance.collect(anchor, towards, listed))
-                listed *= 0.5;  // a long way sideways: go half of it
+                listed *= 0.5;  // too far sideways: take half the way
             tried = std::min(tried, listed);
         }
         const double needed = advance.secondsTo(anchor + towards * tried, secondsPerMm3);
@@ -192,14 +193,14 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         else
             tried = std::min(gap, tried * std::min(kFarther, needed > 0.0 ? aim / needed : kFarther));
     }
-    // One that met next to nothing says little of what comes.
+    // A tick that removed hardly any material is no measure for the next.
     m_lastMmPerS = spent > 0.0 ? near / std::max(spent, 0.5 * granted) : far > 0.0 ? far / farNeeded : 0.0;
     done.tipMm = anchor + towards * near;
     if (spent > 0.0)
         advance.removeTo(done.tipMm, 1.0F, done);
 
-    // A column of a high wall comes under the rim of the bur all at once and costs more than a tick has: no advance
-    // uses the time. Then the columns just beyond are lowered by that share of their way which the time pays for.
+    // When the rim of the bur reaches a column of a high wall, that column may need more than a tick: then no advance
+    // uses up the time. The columns just beyond are lowered by the share of their way that fits the time.
     if (far > 0.0 && spent < kCloseEnough * granted) {
         const glm::dvec3 beyond = anchor + towards * far;
         const double part = (granted - spent) / (farNeeded - spent);

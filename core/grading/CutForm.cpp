@@ -20,10 +20,10 @@ using terrain::Grid;
 using terrain::NodeRect;
 using terrain::ToothAnatomy;
 
-constexpr double kAsideMm = 1.5;  ///< the cut of an isthmus is looked for so far beside the isthmus
+constexpr double kAsideMm = 1.5;  ///< half the width in which the cut at an isthmus is searched
 
 /// Returns the distance along a direction at which the cut begins, from a place outside it, or ends, from a place
-/// inside it. Nothing if that is not within mostMm.
+/// inside it. Empty if it does not within mostMm.
 std::optional<double> edgeAlong(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, double stepMm,
                                 double mostMm)
 {
@@ -47,7 +47,7 @@ public:
         : m_cut(cut), m_startMm(startMm), m_inwards(inwards)
     {}
 
-    /// Returns the depth, mm. Nothing if the line meets no tooth at the height of the floor.
+    /// Returns the depth, mm. Empty if the line meets no tooth at the height of the floor.
     [[nodiscard]] std::optional<double> depthMm(double floorMm) const
     {
         constexpr double kReachMm = 6.0;
@@ -85,17 +85,17 @@ private:
 // ---------------------------------------------------------------------------------------------------------- walls
 
 constexpr double kLeastHeightMm = 0.3;  ///< a lower one is no wall
-constexpr double kFootMm = 0.5;         ///< the foot of a wall is looked for so far around a place on it
+constexpr double kFootMm = 0.5;         ///< radius in which the foot of a wall is searched around a place on it
 constexpr double kBandTop = 0.02;       ///< of the way from the cavosurface down to the foot
 constexpr double kBandFoot = 0.75;
 constexpr double kHalfStretchMm = 0.35;
 constexpr double kInwardsMm = 0.6;
 constexpr double kOutwardsMm = 0.15;
-/// Cosine of the largest angle between a stretch and what rises at a place of it.
+/// Cosine of the largest angle between a stretch and the uphill direction of a place that belongs to it.
 constexpr double kSameWay = 0.7;
-constexpr std::size_t kMostStretches = 800;  ///< more say nothing more
+constexpr std::size_t kMostStretches = 800;  ///< more add no information
 constexpr std::size_t kLeastPlaces = 6;
-/// A stretch tells the angle if its heights vary by so much of the wall's height that nothing else explains.
+/// Share of the wall's height. A stretch is used only if its heights vary by more than the rest explains.
 constexpr double kLeastSpread = 0.07;
 
 /// A column on the slope of a wall.
@@ -167,7 +167,7 @@ void Slopes::findFeet(const NodeRect& area)
         }
 }
 
-/// Which way the cut surface rises around a node (Sobel); zero where it is level.
+/// Returns the direction in which the cut surface rises around a node (Sobel); zero if it is level.
 glm::dvec2 Slopes::uphillAt(int i, int j) const
 {
     const Grid& grid = m_cut.anatomy.grid;
@@ -188,7 +188,7 @@ glm::dvec2 Slopes::uphillAt(int i, int j) const
 Slopes::Slopes(const CutSurface& cut) : m_cut(cut), m_foot(cut.anatomy.top), m_number(cut.anatomy.grid.count(), -1)
 {
     const Grid& grid = cut.anatomy.grid;
-    // The ground just outside a cut has a foot as well: there begins its wall.
+    // The ground just outside a cut also has a foot: the wall of the cut begins there.
     const NodeRect area = terrain::grown(cutArea(), 2, grid);
     if (area.isEmpty())
         return;
@@ -207,7 +207,7 @@ Slopes::Slopes(const CutSurface& cut) : m_cut(cut), m_foot(cut.anatomy.top), m_n
     }
 }
 
-/// A short stretch of wall: how far out its places lie, along it and how high.
+/// A short stretch of wall: offset outwards, position along it and height of its places.
 class Stretch
 {
 public:
@@ -226,11 +226,11 @@ public:
         m_wallMm += place.wallMm;
     }
 
-    /// The tangent of out = a + b along + c along^2 + tangent height, by least squares; nothing where the heights say
-    /// nothing.
+    /// Fits out = a + b along + c along^2 + tangent height by least squares. Returns the tangent, or empty if the
+    /// heights do not determine it.
     [[nodiscard]] std::optional<double> fittedTangent();
     [[nodiscard]] std::size_t count() const { return m_out.size(); }
-    /// Of the area that the slope covers seen from above over the area seen from the side.
+    /// Returns the tangent from the area of the slope seen from above over its area seen from the side.
     [[nodiscard]] double tangentByArea(double cellMm) const
     {
         if (m_out.empty())
@@ -255,7 +255,7 @@ double dotOf(const std::vector<double>& a, const std::vector<double>& b)
     return sum;
 }
 
-/// Takes out of `from` what is along `what`.
+/// Removes the component along `what` from `from`.
 void takeOut(std::vector<double>& from, const std::vector<double>& what)
 {
     const double length2 = dotOf(what, what);
@@ -270,7 +270,7 @@ std::optional<double> Stretch::fittedTangent()
 {
     if (count() < kLeastPlaces)
         return {};
-    // Gram-Schmidt: what the direction and the bend of the stretch explain goes first.
+    // Gram-Schmidt: the direction and the curvature of the stretch are removed first.
     std::vector<double> base(count(), 1.0);
     std::vector<double> line = m_along;
     std::vector<double> bend = m_along;
@@ -290,8 +290,7 @@ std::optional<double> Stretch::fittedTangent()
     return dotOf(m_out, m_height) / spread2;
 }
 
-/// The way in which the outline looks around a segment, and whether it goes on the same way there: a corner belongs to
-/// no wall.
+/// Direction of the outline around a segment, and whether the outline is straight there. A corner belongs to no wall.
 struct Facing
 {
     glm::dvec2 outwards{};
@@ -301,7 +300,8 @@ struct Facing
 Facing facingOf(const Outline& outline, const Outline::Segment& segment)
 {
     constexpr double kAroundMm = 0.3;
-    // Of the mean of unit vectors: a circle of 0.45 mm has 0.93, as has a right angle 0.27 mm from its corner.
+    // Length of the mean of unit vectors. A circle of 0.45 mm has 0.93, and so has a right angle 0.27 mm from its
+    // corner.
     constexpr double kStraight = 0.93;
     glm::dvec2 sum(0.0);
     double length = 0.0;
@@ -317,7 +317,7 @@ Facing facingOf(const Outline& outline, const Outline::Segment& segment)
     return {sum / mean, mean >= kStraight * length};
 }
 
-/// The places on the slope of the wall at `middle` of the outline.
+/// Collects the places on the slope of the wall at `middle` of the outline.
 void gather(const Grid& grid, const Slopes& slopes, glm::dvec2 middle, glm::dvec2 outwards, Stretch& stretch)
 {
     const double farthestMm = std::sqrt(kInwardsMm * kInwardsMm + kHalfStretchMm * kHalfStretchMm);
@@ -352,7 +352,7 @@ double atanDeg(double tangent)
 {
     constexpr double kDegreesPerRadian = 57.29577951308232;
     const double size = std::abs(tangent);
-    // tan(x / 2) from tan x, twice: 11.25 degrees at most are left for the series.
+    // tan(x / 2) from tan x, twice: at most 11.25 degrees remain for the series.
     double t = size > 1.0 ? 1.0 / size : size;
     for (int half = 0; half < 2; ++half)
         t /= 1.0 + std::sqrt(1.0 + t * t);
@@ -420,7 +420,7 @@ std::optional<Placed> axialDepthOf(const CutSurface& cut, const Preparation::Box
 
 std::optional<Placed> obliqueRidgeOf(const CutSurface& cut, std::span<const glm::dvec2> crest)
 {
-    constexpr double kReachMm = 2.5;  // a cavity farther from the crest is none beside it
+    constexpr double kReachMm = 2.5;  // a cavity farther from the crest is not beside it
     const double stepMm = 0.5 * cut.anatomy.grid.cellMm;
     std::optional<Placed> narrowest;
     for (std::size_t n = 1; n + 1 < crest.size(); ++n) {
@@ -467,7 +467,7 @@ std::optional<Placed> ridgeOf(const CutSurface& cut, int sign)
             ++n;
         if (rim == grid.side || n == grid.side)
             continue;
-        // Both in cells from the outermost node: where the silhouette of this row ends, and where the cut begins.
+        // Both in cells from the outermost node: the end of the silhouette in this row, and the start of the cut.
         const double rimWidth = static_cast<double>(anatomy.areaMm2[grid.index(column(rim), j)]);
         const double outside = rim + 0.5 - std::clamp(rimWidth / (grid.cellMm * grid.cellMm), 0.0, 1.5);
         double edge = n;
@@ -504,7 +504,7 @@ void measureWalls(const CutSurface& cut, Form& form)
     const Grid& grid = cut.anatomy.grid;
     const Slopes slopes(cut);
     Stretch stretch;
-    // Neighbouring segments have nearly the same stretch: some hundred of them say it all.
+    // Neighbouring segments have nearly the same stretch: some hundred of them are enough.
     const std::span<const Outline::Segment> segments = cut.outline.segments();
     const std::size_t stride = segments.size() / kMostStretches + 1;
     for (std::size_t s = 0; s < segments.size(); s += stride) {

@@ -29,8 +29,8 @@ using terrain::ToothAnatomy;
 
 constexpr double kPercentile = 0.95;
 
-/// Where columns ended before, end now and ought to end, top >= now and top >= ideal, all at or above the tooth's under
-/// surface.
+/// Heights at which columns ended before, end now and should end. top >= now, top >= ideal, and all are at or above the
+/// under surface of the tooth.
 struct Ends
 {
     const ToothAnatomy& anatomy;
@@ -52,20 +52,20 @@ struct Ends
     [[nodiscard]] double idealAt(std::size_t k) const { return static_cast<double>(ideal[k]); }
     [[nodiscard]] double area(std::size_t k) const { return static_cast<double>(anatomy.areaMm2[k]); }
     [[nodiscard]] bool isTarget(std::size_t k) const { return ideal[k] < anatomy.top[k]; }
-    /// Length of a column that is gone between two heights.
+    /// Returns the removed length of a column between two heights.
     [[nodiscard]] double goneBetween(std::size_t k, double low, double high) const
     {
         return std::max(0.0, high - std::max(low, nowAt(k)));
     }
 };
 
-/// Whether column k has enamel on dentin.
+/// Returns whether column k has enamel on dentin.
 bool hasJunction(const ToothAnatomy& anatomy, std::size_t k)
 {
     return wasSolid(anatomy, k) && anatomy.layers[k].dej > anatomy.bottom[k] && anatomy.layers[k].dej < anatomy.top[k];
 }
 
-/// The smallest value such that this share of all the weight has no greater one.
+/// Returns the smallest value for which this share of the total weight has no greater value.
 double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, double share)
 {
     std::sort(valuesAndWeights.begin(), valuesAndWeights.end());
@@ -81,7 +81,7 @@ double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, doub
     return valuesAndWeights.empty() ? 0.0 : valuesAndWeights.back().first;
 }
 
-/// Counts nodes of a kind in any rectangle at once, from sums over the rectangles that begin at the first node.
+/// Counts nodes of a kind in any rectangle in constant time, from sums over rectangles that begin at the first node.
 class Census
 {
 public:
@@ -94,7 +94,7 @@ public:
                 m_before[at(i + 1, j + 1)] = (is(grid.index(i, j)) ? 1 : 0) + m_before[at(i, j + 1)] +
                                              m_before[at(i + 1, j)] - m_before[at(i, j)];
     }
-    /// In a rectangle that lies inside the grid.
+    /// Returns the count in a rectangle inside the grid.
     [[nodiscard]] int in(const NodeRect& rect) const
     {
         return m_before[at(rect.endI, rect.endJ)] - m_before[at(rect.beginI, rect.endJ)] -
@@ -144,7 +144,7 @@ void measureVolumes(const Ends& ends, Deviation& result)
 
 // ---------------------------------------------------------------------------------------------------------- floor
 
-/// The columns that speak for a floor, in index order.
+/// Returns the columns that represent a floor, in index order.
 template <class IsFloor>
 std::vector<std::size_t> floorOf(const Ends& ends, const IsFloor& isFloor)
 {
@@ -200,11 +200,11 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     return error;
 }
 
-/// The error in height of a box's gingival floor.
+/// Returns the error in height of the gingival floor of a box.
 std::optional<Placed> gingivalErrorOf(const Ends& ends, const std::vector<Part>& parts, const Preparation::Box& box)
 {
     constexpr double kSameLevelMm = 0.01;
-    constexpr double kDeepestMm = 4.0;  // into the tooth
+    constexpr double kDeepestMm = 4.0;  // depth into the tooth
     const glm::dvec2 across(-box.outwards.y, box.outwards.x);
     const auto isInBox = [&](std::size_t k) {
         const glm::dvec2 way = ends.anatomy.grid.nodeMm(k) - box.atMm;
@@ -227,7 +227,8 @@ std::optional<Placed> gingivalErrorOf(const Ends& ends, const std::vector<Part>&
     return Placed{percentile(sizes, kPercentile), worst.node};
 }
 
-/// Also where the floor is too narrow to speak for itself: a wall aside does not lower it.
+/// Returns the deepest gouge in the floor. It also works for a floor too narrow for the height error: a wall at its
+/// side does not lower it.
 Placed gougeOf(const Ends& ends, const std::vector<Part>& parts)
 {
     AreaExcess gouge;
@@ -237,7 +238,7 @@ Placed gougeOf(const Ends& ends, const std::vector<Part>& parts)
     return gouge.over(kLocalMm2);
 }
 
-/// The columns of each separate piece of the ideal's floor, in index order.
+/// Returns the columns of each separate piece of the ideal's floor, in index order.
 std::vector<std::vector<std::size_t>> piecesOf(const Ends& ends, const std::vector<Part>& parts)
 {
     const Grid& grid = ends.anatomy.grid;
@@ -266,7 +267,7 @@ std::vector<std::vector<std::size_t>> piecesOf(const Ends& ends, const std::vect
     return pieces;
 }
 
-/// @param speaks  for each column, whether it is far enough from a wall; if no column of the piece is, all are used
+/// @param speaks  for each column, whether it is far enough from a wall; if none of the piece is, all are used
 PieceError pieceErrorOf(const Ends& ends, const std::vector<std::size_t>& piece, const std::vector<bool>& speaks)
 {
     const bool anySpeaks = std::any_of(piece.begin(), piece.end(), [&](std::size_t k) { return speaks[k]; });
@@ -304,7 +305,7 @@ std::optional<PieceError> worstPieceOf(const Ends& ends, const std::vector<Part>
     return worst;
 }
 
-/// @param box  its gingival floor is left out if there is a pulpal floor: towards the outside it has to end in enamel
+/// @param box  its gingival floor is left out if there is a pulpal floor: it ends in enamel towards the outside
 std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor,
                                    const std::optional<Preparation::Box>& box)
 {
@@ -337,7 +338,7 @@ double errorAt(const Ends& ends, std::size_t k)
     return ends.nowAt(k) - ends.idealAt(k);
 }
 
-/// The plane that fits best, with a weight for each column; nothing for columns in a row.
+/// Returns the weighted plane of best fit; empty if all columns are in a row.
 std::optional<ErrorPlane> planeThrough(const Ends& ends, const std::vector<std::size_t>& columns,
                                        const std::vector<double>& weights)
 {
@@ -371,8 +372,9 @@ std::optional<ErrorPlane> planeThrough(const Ends& ends, const std::vector<std::
     return plane;
 }
 
-/// How most of a floor slopes along x or y: the median over pairs of its columns kSlopeRunMm apart, so that a gouge, a
-/// step or waves do not tilt it. 0 where few have such a neighbour: a narrow floor says nothing of its slope across.
+/// Returns the slope of most of a floor along x or y: the median over pairs of its columns kSlopeRunMm apart, so that a
+/// gouge, a step or waves do not change it. Returns 0 if few columns have such a partner: a narrow floor has no
+/// measurable slope across.
 double slopeOfMost(const Ends& ends, const std::vector<std::size_t>& floor, glm::ivec2 along)
 {
     const Grid& grid = ends.anatomy.grid;
@@ -398,7 +400,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
                                      const std::optional<Preparation::Box>& box)
 {
     const Grid& grid = ends.anatomy.grid;
-    // In an untouched place there is no floor yet.
+    // An untouched place has no floor yet.
     std::vector<std::size_t> cut;
     std::vector<double> areas;
     double area = 0.0;
@@ -431,7 +433,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
         for (const auto& [ni, nj] : {std::pair(i + run, j), std::pair(i, j + run)}) {
             if (!grid.contains(ni, nj))
                 continue;
-            // No number where there is no floor: then this is no step.
+            // NaN where there is no floor: then this is no step.
             const double step = std::abs(rest[grid.index(ni, nj)] - rest[k]);
             if (step > form.stepMm.value)
                 form.stepMm = {step, k};
@@ -444,8 +446,8 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
 
 Placed roughnessOf(const Outline& cut, const Outline& ideal)
 {
-    constexpr double kFarMm = 0.3;       // a wall that is farther off is in the wrong place, and not rough
-    constexpr double kSameFacing = 0.5;  // cosine: the wall across and the one behind a corner are others
+    constexpr double kFarMm = 0.3;       // a wall farther away is misplaced, not rough
+    constexpr double kSameFacing = 0.5;  // cosine: the opposite wall, and one behind a corner, do not count
     const std::span<const Outline::Segment> segments = cut.segments();
     std::vector<double> off;
     off.reserve(segments.size());
@@ -534,9 +536,9 @@ constexpr double kSliceMm = 0.05;
 constexpr double kCoarseSliceMm = 0.25;
 constexpr double kLeastStepMm = 0.02;  ///< along a rod, where that is more than a quarter of a cell
 
-/// Follows enamel rods down to the enamel-dentin junction. The foot of the rod through a place is the node of the
-/// junction that is nearest: there the way from it stands upright on the junction. It is sought downhill from the foot
-/// of the place below.
+/// Follows enamel rods down to the enamel-dentin junction. The foot of the rod through a place is the nearest node of
+/// the junction: the way from there is at right angles to the junction. The search goes downhill from the foot of the
+/// place below.
 class Rods
 {
 public:
@@ -545,7 +547,7 @@ public:
           m_harm(m_grid, [&](std::size_t k) { return isCut(tooth, k) || decayIn(tooth, k).any(); })
     {}
 
-    /// Height of the enamel in column (i, j) that stands on nothing.
+    /// Returns the height of the unsupported enamel in column (i, j).
     [[nodiscard]] double unsupportedMm(int i, int j) const
     {
         const std::size_t k = m_grid.index(i, j);
@@ -576,7 +578,7 @@ private:
         return static_cast<double>(m_anatomy.layers[m_grid.index(node.x, node.y)].dej);
     }
 
-    /// Whether anything was cut or decayed between a column and the feet of its rods.
+    /// Returns whether a cut or decay lies between a column and the feet of its rods.
     [[nodiscard]] bool mayComeToHarm(glm::ivec2 column, double junction, double top) const
     {
         NodeRect feet{column.x, column.y, column.x + 1, column.y + 1};
@@ -613,7 +615,7 @@ private:
         return from;
     }
 
-    /// Whether the rod through a place is whole down to its foot and stands on dentin.
+    /// Returns whether the rod through a place is whole down to its foot and ends on dentin.
     [[nodiscard]] bool stands(glm::ivec2 column, double z, glm::ivec2 foot) const
     {
         const glm::dvec2 way(foot - column);
@@ -623,7 +625,7 @@ private:
             const double share = static_cast<double>(step) / steps;
             const glm::ivec2 node(glm::dvec2(column) + way * share + 0.5);
             const std::size_t k = m_grid.index(node.x, node.y);
-            // Above the uncut surface, in a fissure, nothing was cut away.
+            // Above the uncut surface, in a fissure, there was no material to cut.
             const double height = z + (junctionAt(foot) - z) * share;
             if (wasSolid(m_anatomy, k) && static_cast<double>(endOf(m_tooth, k)) < height &&
                 height <= static_cast<double>(m_anatomy.top[k]))
@@ -632,7 +634,7 @@ private:
         return !isDecayUnder(m_grid.index(foot.x, foot.y));
     }
 
-    /// Whether decay is left at the junction of a column.
+    /// Returns whether decay remains at the junction of a column.
     [[nodiscard]] bool isDecayUnder(std::size_t k) const
     {
         const Decay decay = decayIn(m_tooth, k);
@@ -670,7 +672,7 @@ std::optional<Placed> unsupportedEnamelOf(const Tooth& tooth)
 
 // ---------------------------------------------------------------------------------------------------------- zones
 
-/// The target column nearest to a column beside the target, and how far apart the two are.
+/// The target column nearest to a column beside the target, and the distance between the two.
 struct Nearest
 {
     int cells2 = std::numeric_limits<int>::max();
@@ -738,7 +740,7 @@ Zones zonesOf(const Ends& ends, const Outline& ideal, const Leeway& leeway)
         double share = 0.0;  // of the column's cell that is leeway
         double floor = under;
         if (nearest[k].cells2 < std::numeric_limits<int>::max()) {
-            // A target shallower than an outline is known to half a cell.
+            // A target shallower than an outline is known only to half a cell.
             const double apartMm = ideal.segments().empty()
                                        ? grid.cellMm * (std::sqrt(static_cast<double>(nearest[k].cells2)) - 0.5)
                                        : ideal.distanceMm(grid.nodeMm(k));
@@ -773,7 +775,7 @@ Status check(const Tooth& tooth, const Preparation& ideal, const std::optional<L
     if (ideal.isthmus) {
         const Preparation::Isthmus& isthmus = *ideal.isthmus;
         const double across2 = glm::dot(isthmus.across, isthmus.across);
-        // Not written with < and >, so that what is no number is refused too.
+        // Not written with < and >, so that NaN is refused too.
         const bool isSound = std::isfinite(isthmus.atMm.x) && std::isfinite(isthmus.atMm.y) &&
                              std::abs(across2 - 1.0) <= 1.0e-6 && isthmus.lengthMm >= 0.0 && isthmus.lengthMm <= 100.0;
         if (!isSound)

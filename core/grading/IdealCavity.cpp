@@ -9,7 +9,8 @@
 namespace core::grading {
 namespace {
 
-constexpr float kRoundingMm = 1.0e-4F;  ///< no decay is counted at the junction because heights are rounded to floats
+constexpr float kRoundingMm = 1.0e-4F;  ///< heights are rounded to floats: no decay is counted at the junction below
+                                        ///< this
 
 }  // namespace
 
@@ -38,7 +39,7 @@ IdealTop idealCavity(const terrain::ToothAnatomy& anatomy)
         const terrain::ColumnLayers& column = anatomy.layers[k];
         const float down = decayGoesDownTo(anatomy, k);
         const float floor = std::max(down, anatomy.bottom[k]);
-        // A lesion that reaches up beyond the surface is open; one that begins there has nothing inside the tooth.
+        // A lesion that reaches above the surface is open. One that begins there has no part inside the tooth.
         if (column.cariesRoof <= down || floor >= top[k] || column.cariesRoof <= anatomy.bottom[k])
             continue;
         top[k] = floor > anatomy.bottom[k] ? floor : terrain::kEmptyTop;

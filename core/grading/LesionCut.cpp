@@ -25,7 +25,7 @@ using terrain::Grid;
 using terrain::Tooth;
 using terrain::ToothAnatomy;
 
-/// The columns of the smallest cavity, and where it ends.
+/// The columns of the smallest cavity, and their lower ends.
 class Cavity
 {
 public:
@@ -49,7 +49,7 @@ public:
     {
         return static_cast<double>(std::max((*m_top)[k], m_anatomy.bottom[k]));
     }
-    /// Distance, seen from above, from a place outside to the nearest column.
+    /// Returns the distance, seen from above, from a place outside to the nearest column.
     [[nodiscard]] double distanceMm(glm::dvec2 placeMm) const
     {
         double least = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ public:
             least = std::min(least, glm::dot(edge - placeMm, edge - placeMm));
         return std::sqrt(least);
     }
-    /// The lowest floor within kLesionReachMm of a node; nothing where there is no cavity as near as that.
+    /// Returns the lowest floor within kLesionReachMm of a node; empty if no cavity is that near.
     [[nodiscard]] std::optional<double> lowestFloorMm(int i, int j) const
     {
         const Grid& grid = m_anatomy.grid;
@@ -78,7 +78,7 @@ private:
     std::vector<glm::dvec2> m_edge;
 };
 
-/// Adds the decay that is left in a column to one of the two areas.
+/// Adds the remaining decay of a column to one of the two areas.
 void addDecayLeft(const Tooth& tooth, std::size_t k, LesionCut& result, double& mostAtJunction, double& mostOnFloor)
 {
     const Decay left = decayIn(tooth, k);
@@ -98,7 +98,7 @@ void addDecayLeft(const Tooth& tooth, std::size_t k, LesionCut& result, double& 
     }
 }
 
-/// Decay of the zones that is left, column by column.
+/// Sums of the remaining decay of the zones, column by column.
 class ZoneSums
 {
 public:

@@ -26,7 +26,7 @@ double removed(const Measured& m, Material material)
     return m.measures.removedMm3[static_cast<std::size_t>(material)];
 }
 
-/// What `say` answers of the deviation; nothing without one.
+/// Returns the result of `say` for the deviation; empty if there is no deviation.
 template <class Say>
 auto ofDeviation(const Measured& m, Say say) -> decltype(say(*m.deviation))
 {
@@ -35,7 +35,7 @@ auto ofDeviation(const Measured& m, Say say) -> decltype(say(*m.deviation))
     return say(*m.deviation);
 }
 
-/// The same of a part of it that may be absent.
+/// Returns the result of `say` for a part of the deviation; empty if the part is absent.
 template <class Answer, class Part, class Say>
 Answer ofPart(const Measured& m, std::optional<Part> Deviation::*part, Say say)
 {
@@ -50,7 +50,7 @@ Value ofProcess(const Measured& m, Say say)
     return m.process ? Value(say(*m.process)) : std::nullopt;
 }
 
-/// What `say` answers of an exercise of this kind; nothing of another.
+/// Returns the result of `say` for an exercise of this kind; empty for another kind.
 template <class Kind, class Say>
 Value ofExercise(const Measured& m, Say say)
 {
@@ -68,7 +68,7 @@ Node nodeOf(const std::optional<Placed>& placed)
     return placed ? Node(placed->node) : std::nullopt;
 }
 
-/// Where a size that is 0 at best is greatest; nowhere if it is 0.
+/// Returns the place where a size that is 0 at best is greatest; no place if it is 0.
 Node worstOf(const Placed& placed)
 {
     return placed.value > 0.0 ? Node(placed.node) : std::nullopt;
@@ -89,7 +89,7 @@ std::optional<Placed> wall(const Measured& m, Side side)
     return m.deviation ? m.deviation->form.wallDeg.at(static_cast<std::size_t>(side)) : std::nullopt;
 }
 
-/// The wall of a tooth of which somebody knows which side is which.
+/// Returns the wall of a side, if the sides of the tooth are known.
 std::optional<Placed> namedWall(const Measured& m, Side side)
 {
     return m.deviation && m.deviation->buccalSign != 0 ? wall(m, side) : std::nullopt;
@@ -113,7 +113,7 @@ Node nodeOfLesionCut(const Measured& m, Placed LesionCut::*part)
     return m.lesion ? worstOf((*m.lesion).*part) : std::nullopt;
 }
 
-/// Returns how much of a marginal ridge is missing. Ridges that a box goes through do not count.
+/// Returns how much of a marginal ridge is missing. Ridges that a box passes through do not count.
 std::optional<Placed> ridgeLost(const Measured& m)
 {
     constexpr double kLeftByIdealMm = 0.3;
@@ -143,7 +143,7 @@ Node nodeOfZones(const Measured& m, Placed DecayZonesLeft::*part)
     return m.lesion && m.lesion->zones ? worstOf((*m.lesion->zones).*part) : std::nullopt;
 }
 
-/// The wall that leans most (`sign` 1) or least (-1).
+/// Returns the wall that leans most (`sign` 1) or least (-1).
 std::optional<Placed> extremeWall(const Measured& m, double sign)
 {
     std::optional<Placed> most;
@@ -153,19 +153,19 @@ std::optional<Placed> extremeWall(const Measured& m, double sign)
     return most;
 }
 
-/// Whether so much of the ideal is cut that its walls and floor can be judged. Those of some holes in it are none.
+/// Returns whether enough of the ideal is cut to judge its walls and floor. Some holes in it are not enough.
 bool isFormed(const Measured& m)
 {
     return m.deviation && m.deviation->undercutMm3 <= (1.0 - kFormedShare) * m.deviation->idealMm3;
 }
 
-/// The floor of a cut that has one.
+/// Returns the floor of a cut, if it has one.
 std::optional<FloorForm> formedFloor(const Measured& m)
 {
     return isFormed(m) ? m.deviation->floor : std::nullopt;
 }
 
-/// The wall whose angle differs most from the ideal's on the same side, and by how much.
+/// Returns the wall whose angle differs most from the ideal's on the same side, and the difference.
 std::optional<Placed> wallError(const Measured& m)
 {
     std::optional<Placed> most;
@@ -188,7 +188,7 @@ Node worstStep(const Measured& m)
     return floor ? Node(worstOf(floor->stepMm)) : std::nullopt;
 }
 
-/// When the last of the points was touched; nothing before all are.
+/// Returns when the last point was touched; empty until all are touched.
 Value allTouchedS(const Touched& touched)
 {
     Value last;
@@ -200,7 +200,7 @@ Value allTouchedS(const Touched& touched)
     return last;
 }
 
-/// A size of the cut less that of the ideal.
+/// Returns a size of the cut minus the ideal's.
 Value formError(const Measured& m, std::optional<Placed> Form::*part)
 {
     const auto here = inForm(m, part);
@@ -209,7 +209,7 @@ Value formError(const Measured& m, std::optional<Placed> Form::*part)
     return here->value - (m.deviation->idealForm.*part)->value;
 }
 
-/// The mesial ridge (`inDeviation` and `inLesion` name it) or the distal one, in a preparation or where decay was
+/// Returns the mesial or the distal ridge (named by `inDeviation` and `inLesion`), in a preparation or after decay was
 /// removed.
 std::optional<Placed> ridge(const Measured& m, std::optional<Placed> Form::*inDeviation,
                             std::optional<Placed> LesionCut::*inLesion)
@@ -766,7 +766,7 @@ bool isOfExercise(const MeasureInfo& measure)
 {
     Measured done;
     bool isTold = false;
-    // There is one kind at a time.
+    // Only one kind exists at a time.
     for (const Practised& practised : {Practised(Touched{{0.0}}), Practised(Held{1.0, 1.0, 1.0, 1.0, 0.0, true}),
                                        Practised(Named{{terrain::Material::Enamel}, 1})}) {
         done.practised = practised;

@@ -82,7 +82,7 @@ double largestIsland(const Tooth& tooth)
 
 constexpr int kTileSide = 8;
 
-/// A square of columns and the height of the one that counts most for nearness: the lowest end, or the highest roof.
+/// A square of columns and its extreme height: the lowest end, or the highest roof.
 struct Tile
 {
     int i = 0;
@@ -90,7 +90,7 @@ struct Tile
     double heightMm = 0.0;
 };
 
-/// The tiles in which `heightOf` has anything to say (it answers NaN otherwise); `sign` -1 keeps lowest heights.
+/// Returns the tiles in which `heightOf` has a value that is not NaN; `sign` -1 keeps lowest heights.
 template <class HeightOf>
 std::vector<Tile> tilesWith(const terrain::Grid& grid, double sign, HeightOf heightOf)
 {
@@ -115,8 +115,8 @@ struct NearestPulp
     std::optional<std::size_t> node;  ///< the cut column
 };
 
-/// Shortest distance from any cut surface to any pulp, at most kFarMm. Pairs of tiles that cannot hold a shorter one
-/// than is known are left out, the rest is compared column by column.
+/// Returns the shortest distance from any cut surface to any pulp, at most kFarMm. Pairs of tiles that cannot contain a
+/// shorter one are skipped; the others are compared column by column.
 NearestPulp remainingOverPulp(const Tooth& tooth)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
@@ -158,7 +158,7 @@ NearestPulp remainingOverPulp(const Tooth& tooth)
         }
     };
 
-    // The most promising pair first: what it finds rules out nearly all others.
+    // The most promising pair comes first: its result rules out nearly all others.
     const Tile* bestPulp = nullptr;
     const Tile* bestCut = nullptr;
     double promise = kFarMm;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBinSide = 8;
 
-/// 1 2 1 over neighbours `stride` apart, along rows or columns; nothing lies beyond the border.
+/// Applies the weights 1 2 1 over neighbours `stride` apart, along rows or columns. Beyond the border the values are 0.
 void blur(std::vector<double>& map, const terrain::Grid& grid, bool alongX)
 {
     const auto side = static_cast<std::size_t>(grid.side);
@@ -85,8 +85,8 @@ glm::ivec2 Outline::binAt(glm::dvec2 pointMm) const
     return {glm::clamp(bin, glm::dvec2(0.0), glm::dvec2(m_binsASide - 1))};
 }
 
-/// Adds the segments between node (i, j) and the next ones (marching squares; where two opposite corners are inside,
-/// the mean of the four says whether they hang together).
+/// Adds the segments between node (i, j) and the next ones (marching squares). If two opposite corners are inside, the
+/// mean of the four decides whether they are connected.
 void Outline::trace(int i, int j)
 {
     // Corners counter-clockwise from (i, j).
@@ -137,7 +137,7 @@ void Outline::trace(int i, int j)
 
 double Outline::distanceMm(glm::dvec2 pointMm) const
 {
-    // Squares in rings around the point's own: those of ring n are at least n - 1 squares away.
+    // Squares in rings around the square of the point: those of ring n are at least n - 1 squares away.
     const glm::ivec2 own = binAt(pointMm);
     const double binMm = kBinSide * m_grid.cellMm;
     double best = std::numeric_limits<double>::infinity();

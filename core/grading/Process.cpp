@@ -9,7 +9,7 @@
 namespace core::grading {
 namespace {
 
-constexpr std::int64_t kStrokeGapUs = 150'000;  ///< as in the servo loop, where a stroke is an undo step
+constexpr std::int64_t kStrokeGapUs = 150'000;  ///< the servo loop ends a stroke, an undo step, after the same gap
 constexpr std::int64_t kLiftUs = 50'000;
 constexpr std::int64_t kBlockUs = 50'000;
 constexpr double kLeastWayMm = 0.1;  ///< two counts of the Falcon's encoders (docs/facts/haptics.md, section 5)
@@ -133,7 +133,7 @@ void ProcessMeter::takeContact(const servo::ServoState& state, Micros dt) noexce
     m_histogram[static_cast<std::size_t>(std::clamp(newtons / kBinN, 0.0, kBins - 1.0))] += dt;
 }
 
-/// Of which the next jerk would be made.
+/// Forgets the samples from which the next jerk would be computed.
 void ProcessMeter::forgetMotion() noexcept
 {
     m_blockFor = 0;
@@ -183,7 +183,7 @@ Process::Force ProcessMeter::force() const noexcept
         }
         below += here;
     }
-    // Beyond the last bin only the largest is known.
+    // Beyond the last bin only the largest force is known.
     if (force.p95N > kBinN * (kBins - 1.0))
         force.p95N = m_largestN;
     return force;

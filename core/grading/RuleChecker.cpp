@@ -20,10 +20,10 @@ using terrain::Grid;
 using terrain::ToothAnatomy;
 
 constexpr float kScratchMm = 0.1F;
-/// Looking for holes floods the whole tooth, so it is done this often at most.
+/// The search for holes floods the whole tooth, so it is made at most this often.
 constexpr std::uint64_t kTicksBetweenHoles = 50;
 
-/// How far each column lies outside what the ideal cuts; 0 inside.
+/// Returns how far each column lies outside the ideal's cut; 0 inside.
 std::vector<float> besideOf(const ToothAnatomy& anatomy, const std::vector<float>& ideal)
 {
     std::vector<std::uint8_t> kept(anatomy.top.size());
@@ -32,7 +32,8 @@ std::vector<float> besideOf(const ToothAnatomy& anatomy, const std::vector<float
     return teeth::distanceInside(anatomy.grid, kept, teeth::Beyond::Marked);
 }
 
-/// Along x from each column to the nearer end of its row, over the middle half of the rows; beyond those far away.
+/// Returns the distance along x from each column to the nearer end of its row, over the middle half of the rows. Beyond
+/// them it is infinite.
 std::vector<float> ridgeOf(const ToothAnatomy& anatomy)
 {
     const Grid& grid = anatomy.grid;
@@ -91,7 +92,7 @@ std::vector<Infraction> RuleChecker::look(const servo::ServoState& state, const 
     m_now.tick = state.tick;
     m_now.seconds = std::chrono::duration<double>(m_time).count();
     m_now.placeMm = state.anchorMm;
-    // Without a device there is no bur, neither in the air nor anywhere: it is time and nothing else.
+    // Without a device there is no bur: only the time counts.
     if ((state.health & servo::kDeviceLost) != 0) {
         m_pressed = {};
         return {};
@@ -155,7 +156,7 @@ void RuleChecker::lookBeside(const servo::ServoState& state)
             }
         }
     }
-    // Told once until the bur has left it, however often it is stopped there.
+    // Reported once until the bur has left, however often it is stopped there.
     if (!isIn)
         standing(RuleViolation::NeighbourHit) = false;
     else if (state.drillOn)
@@ -199,7 +200,7 @@ void RuleChecker::restored(const terrain::Tooth& tooth)
     for (const RuleViolation mended : {RuleViolation::PulpExposed, RuleViolation::Perforated, RuleViolation::TooDeep,
                                        RuleViolation::RidgeCut, RuleViolation::WrongPlace})
         standing(mended) = false;
-    // What the earlier state had broken already is not told again.
+    // Damage of the earlier state is not reported again.
     m_found.clear();
     lookAtColumns({0, 0, tooth.grid().side - 1, tooth.grid().side - 1}, tooth);
     if (m_mayBeHole && hasHole(tooth))

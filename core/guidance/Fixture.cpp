@@ -12,13 +12,13 @@
 namespace core::guidance {
 namespace {
 
-constexpr double kBeginsOverMm = 0.5;  ///< the crown's top; it is whole as far below
+constexpr double kBeginsOverMm = 0.5;  ///< over the top of the crown; at full strength as far below it
 constexpr double kFadesMm = 1.0;
-/// So much nearer to the outline than its own radius a bur's axis may come: a shape is as wide as the bur that cuts it,
-/// and a grid knows an edge to half a cell.
+/// The axis of a bur may come this much nearer to the outline than its radius: a shape is as wide as the bur that cuts
+/// it, and a grid has an edge only to half a cell.
 constexpr double kSlackMm = 0.1;
 
-/// Nought to one and back to level at both ends, with its slope.
+/// Smoothstep from 0 to 1, and its slope.
 struct Ease
 {
     double value;
@@ -53,7 +53,7 @@ Fixture::Fixture(const terrain::ToothAnatomy& anatomy, const std::vector<float>&
             marked[k] = mayBe ? 0 : 1;
             fits = fits || mayBe;
         }
-        // A bur that fits nowhere into the shape is led nowhere.
+        // A bur that does not fit into the shape gets no lead.
         m_besideMm.push_back(fits ? teeth::distanceInside(m_grid, marked, teeth::Beyond::Marked)
                                   : std::vector<float>(inside.size(), 0.0F));
     }
@@ -64,7 +64,7 @@ glm::dvec3 Fixture::forceN(const glm::dvec3& tip, std::size_t bur) const noexcep
     const glm::dvec2 at = m_grid.latticeOf({tip.x, tip.y});
     const double i0 = std::floor(at.x);
     const double j0 = std::floor(at.y);
-    // The slope at a node needs its neighbours. False for NaN as well.
+    // The slope at a node needs its neighbours. The condition is false for NaN as well.
     if (!(i0 >= 1.0 && j0 >= 1.0 && i0 + 3.0 <= m_grid.side && j0 + 3.0 <= m_grid.side) || bur >= m_mapOfBur.size())
         return glm::dvec3(0.0);
     const int i = static_cast<int>(i0);

@@ -140,7 +140,7 @@ std::vector<PlacedLandmark> findLandmark(Landmark landmark, const terrain::Tooth
         if (node)
             found.push_back({which, anatomy.grid.nodeMm(*node)});
     };
-    // Without a central pit, the other two reach to the middle.
+    // Without a central pit, the other two pits reach to the middle.
     const double middleEnds = hasCentralPit(anatomy.fdi) ? kMiddleEnds : 0.0;
     const auto mesial = [&] { return crown.ridge(-1.0); };
     const auto distal = [&] { return crown.ridge(1.0); };

@@ -30,7 +30,7 @@ const Removed& RemovedTally::of(const TiledHeights& top)
             columnsGone += known.columnsGone;
         }
     }
-    // A search over the whole map, so only when it may have another end than before.
+    // This searches the whole map, so it runs only when the columns have changed.
     if (columnsGone != m_columnsGone)
         m_removed.perforated = !terrain::perforations(terrain::restored(m_anatomy, top.flat())).empty();
     m_columnsGone = columnsGone;

@@ -30,7 +30,7 @@ UndoTree::Node& UndoTree::add(ToothMoment moment, Node* parent)
     return node;
 }
 
-/// A moment that nothing follows from, or the first one, if but one follows from it.
+/// Removes a moment without successors, or the first one if it has a single successor.
 void UndoTree::remove(Node& node)
 {
     // A moment that others came from stays, unless it is the first and has one way on.
@@ -147,7 +147,7 @@ bool UndoTree::forgetOne()
         remove(beside->second);
         return true;
     }
-    // All that is left is one line.
+    // The remaining moments are one line.
     if (m_undoSteps > 1) {
         remove(*m_first);
         --m_undoSteps;

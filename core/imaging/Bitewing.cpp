@@ -17,11 +17,11 @@ using terrain::ToothAnatomy;
 constexpr double kFilmWidthMm = 41.0;
 constexpr double kOverTipsMm = 2.0;
 constexpr double kUnderTipsMm = 13.5;
-/// Two outlines are compared on rows so far apart.
+/// Distance between the rows on which two outlines are compared.
 constexpr double kRowMm = 0.05;
 
-/// Where the outline of a tooth ends on the row at y towards +x (side 1) or -x (side -1); -infinity times the side
-/// where there is no tooth.
+/// Returns where the outline of a tooth ends on the row at y towards +x (side 1) or -x (side -1). If the row has no
+/// tooth, it is -infinity times the side.
 double edgeMm(const ToothAnatomy& anatomy, bool mirrored, double y, int side)
 {
     const Grid& grid = anatomy.grid;
@@ -37,7 +37,7 @@ double edgeMm(const ToothAnatomy& anatomy, bool mirrored, double y, int side)
     return edge * side;
 }
 
-/// How far along x the distal one of two teeth must stand from the mesial one for their outlines to touch.
+/// Returns how far the distal one of two teeth is from the mesial one along x when their outlines touch.
 double contactMm(const ToothAnatomy& mesial, bool mesialMirrored, const ToothAnatomy& distal, bool distalMirrored)
 {
     const double reach = 0.5 * mesial.grid.cellMm * mesial.grid.side;

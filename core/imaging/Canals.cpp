@@ -24,11 +24,11 @@ using terrain::Grid;
 using terrain::ToothAnatomy;
 
 constexpr double kLevelMm = 0.25;     ///< between two sections of a root
-constexpr double kLeastRootMm = 2.5;  ///< a shorter one is a bump of the under surface and no root
+constexpr double kLeastRootMm = 2.5;  ///< a shorter one is a bump of the under surface, not a root
 // A root tapers: near its tip it has at most this share of the area of its neck. A scan may end in a flat face, which
 // is no apex.
 constexpr double kTaper = 0.6;
-constexpr double kFurcationMm = 1.5;   ///< below a furcation, where roots widen towards each other and canals do not
+constexpr double kFurcationMm = 1.5;   ///< below a furcation: there roots widen towards each other, and canals do not
 constexpr double kOverlapMm = 1.5;     ///< length of a canal inside the pulp of the model, in a tooth with one root
 constexpr double kAboveApexMm = 0.5;   ///< distance between the end of a canal and the apex: the apical constriction
 constexpr double kCanalAcross = 0.17;  ///< width of a canal at its orifice, as a share of the width of the root
@@ -41,7 +41,7 @@ constexpr double kLeastDentinMm = 0.55;  ///< least thickness of the dentin belo
 /// width of each, as a share of that of a single canal.
 constexpr double kAsideShare = 0.5;
 constexpr double kOfTwoShare = 0.55;
-constexpr double kJoinMm = 6.0;  ///< a canal that ends no further below the chamber is joined to it
+constexpr double kJoinMm = 6.0;  ///< a canal that ends nearer to the chamber is joined to it
 
 /// The section of a root at one height.
 struct RootSection
@@ -312,7 +312,7 @@ std::shared_ptr<const ToothAnatomy> made(const std::shared_ptr<const ToothAnatom
     auto pictured = std::make_shared<ToothAnatomy>(*anatomy);
     for (Root& root : roots) {
         const glm::dvec2 mouth = isSingle ? glm::dvec2(lowest) : mouthOver(pulp, root.sections.back().middleMm);
-        // In a single root the pulp of the model is the canal as well, as far as it comes.
+        // In a single root the pulp of the model is also the canal, as far as it reaches.
         const double topMm = isSingle ? std::min(reachMm, lowest.z + kOverlapMm) : reachMm;
         const double neckMm = std::min(root.sections.back().heightMm, topMm) - kFurcationMm;
         while (root.sections.size() > 1 && root.sections.back().heightMm > neckMm)
