@@ -113,7 +113,7 @@ private:
     };
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-    /// Returns the node that stands for the island of a node.
+    /// Returns the representative node of the island of a node.
     std::size_t islandOf(std::size_t k)
     {
         while (m_parent[k] != k) {

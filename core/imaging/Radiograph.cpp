@@ -22,10 +22,10 @@ using terrain::Grid;
 using terrain::Tooth;
 using terrain::ToothAnatomy;
 
-/// Optical density of a film that was developed unexposed, and of one that is all black.
+/// Optical density of a film that was developed unexposed, and of a fully black one.
 constexpr double kFog = 0.2;
 constexpr double kBlackest = 3.0;
-/// Below this a direction counts as square to an axis.
+/// Below this a direction counts as perpendicular to an axis.
 constexpr double kSquare = 1.0e-12;
 
 /// The beam and the film in the common frame. A point is u * across + v * up + q * along, q the way along the ray.
@@ -44,7 +44,7 @@ struct Film
     [[nodiscard]] double v(double s, double z) const { return z * cosTilt - s * sinTilt; }
 };
 
-/// A point of a film without a roll on the film that is turned by one.
+/// Returns the place of a point of a film without a roll on the film turned by the roll.
 glm::dvec2 rolled(glm::dvec2 point, double rollRad)
 {
     const double cosine = std::cos(rollRad);
@@ -52,7 +52,7 @@ glm::dvec2 rolled(glm::dvec2 point, double rollRad)
     return {cosine * point.x + sine * point.y, cosine * point.y - sine * point.x};
 }
 
-/// The shadow between its pixels; nothing beyond its rim.
+/// Returns the attenuation between pixels; 0 beyond the rim.
 float attenuationAt(const Shadow& shadow, glm::dvec2 point)
 {
     const double column = (point.x - shadow.area.lowMm.x) / shadow.pixelMm - 0.5;
@@ -67,7 +67,7 @@ float attenuationAt(const Shadow& shadow, glm::dvec2 point)
     return static_cast<float>(sum);
 }
 
-/// A film of this part of space, in pixels of this size.
+/// Returns an empty film of this area, with pixels of this size.
 Shadow emptyShadow(const FilmArea& area, double pixelMm)
 {
     Shadow shadow;
@@ -80,7 +80,7 @@ Shadow emptyShadow(const FilmArea& area, double pixelMm)
     return shadow;
 }
 
-/// Cuts the part [low, high] out of [from, to] in which base + q * slope lies between `lowest` and `highest`.
+/// Limits [from, to] to the part in which base + q * slope is between `lowest` and `highest`.
 void clip(double base, double slope, double lowest, double highest, double& from, double& to)
 {
     if (std::abs(slope) < kSquare) {
@@ -94,7 +94,7 @@ void clip(double base, double slope, double lowest, double highest, double& from
     to = std::min(to, std::max(a, b));
 }
 
-/// The rays of one column of pixels: they lie in one vertical plane and cross the same columns of a tooth.
+/// The rays of one column of pixels. They are in one vertical plane and cross the same columns of a tooth.
 class PixelColumn
 {
 public:
@@ -105,7 +105,7 @@ public:
     void clear() { std::fill(m_sum.begin(), m_sum.end(), 0.0); }
     [[nodiscard]] const std::vector<double>& sum() const { return m_sum; }
 
-    /// Adds what the rectangle [s0, s1] x [low, high] of the plane weakens each ray.
+    /// Adds the attenuation of the rectangle [s0, s1] x [low, high] of the plane to each ray.
     void add(double s0, double s1, double low, double high, double perMm)
     {
         const double corners[] = {m_film.v(s0, low), m_film.v(s1, low), m_film.v(s0, high), m_film.v(s1, high)};
@@ -151,7 +151,7 @@ void walkCells(const Grid& grid, glm::dvec2 start, glm::dvec2 direction, const a
         return;
     const auto cellAt = [&](double base, double slope) {
         const double place = base + slope * s;
-        // On the border between two cells the one ahead is entered.
+        // On the border between two cells, the next one is entered.
         const double cell = slope < 0.0 ? std::ceil(place - 1.0e-9) - 1.0 : std::floor(place + 1.0e-9);
         return static_cast<int>(std::clamp(cell, 0.0, grid.side - 1.0));
     };
@@ -200,7 +200,7 @@ void addTooth(const XrayedTooth& xrayed, const Film& film, double u, const terra
     });
 }
 
-/// Casts the shadow without the roll, over all that the turned film covers, and turns it.
+/// Casts the shadow without the roll, over the whole area of the turned film, and turns it.
 Shadow turnedShadow(std::span<const XrayedTooth> teeth, const Beam& beam, const FilmArea& area, double pixelMm,
                     const terrain::PerMaterial& perMm)
 {
@@ -302,7 +302,7 @@ double usualExposure(const terrain::ToothAnatomy& anatomy, const Beam& beam)
     constexpr float kTooth = 0.05F;      // a weaker shadow is the rim of the tooth
     constexpr double kCrownShare = 0.9;  // of the rays through the tooth: the crown is where it weakens most
     constexpr double kMolar = 1.95;      // attenuation of that ray through a molar
-    // Borrowed: the tooth does not outlive the call.
+    // The tooth does not own the anatomy; it ends with this call.
     const Tooth tooth(std::shared_ptr<const ToothAnatomy>(std::shared_ptr<const ToothAnatomy>(), &anatomy));
     const XrayedTooth one{&tooth};
     Shadow shadow = castShadow(std::span(&one, 1), beam, shadowArea(std::span(&one, 1), beam, 0.0), kPixelMm);

@@ -17,7 +17,7 @@ using terrain::Material;
 using terrain::Tooth;
 using terrain::ToothAnatomy;
 
-/// The four nodes around a point and what each counts for.
+/// The four nodes around a point, and their weights.
 struct Corners
 {
     std::array<std::size_t, 4> node{};
@@ -32,7 +32,7 @@ float mixed(const Corners& around, const auto& value)
     return sum;
 }
 
-/// A layer with two interfaces: mixed where all four columns have it, else as the nearest column has it.
+/// Mixes a layer with two interfaces if all four columns have it; otherwise takes that of the nearest column.
 void mixLens(const Corners& around, const auto& roof, const auto& floor, float& mixedRoof, float& mixedFloor)
 {
     const bool everywhere =

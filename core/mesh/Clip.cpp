@@ -48,7 +48,7 @@ private:
         return m_kept[vertex];
     }
 
-    /// Where an edge crosses the plane: one vertex for both its triangles.
+    /// Returns the vertex where an edge crosses the plane. Both triangles of the edge share it.
     std::uint32_t crossing(std::uint32_t a, std::uint32_t b)
     {
         const auto [low, high] = std::minmax(a, b);
@@ -62,7 +62,7 @@ private:
         return found->second;
     }
 
-    /// The part of a triangle above the plane has three corners or four.
+    /// Adds the part of a triangle above the plane, which has three corners or four.
     void add(const std::array<std::uint32_t, 3>& triangle)
     {
         std::array<std::uint32_t, 4> corners{};

@@ -42,7 +42,7 @@ private:
     std::vector<std::uint32_t> m_parent;
 };
 
-/// One use of an edge by a face, filed under the edge's lower vertex.
+/// One use of an edge by a face, stored under the edge's lower vertex.
 struct EdgeUse
 {
     std::uint32_t highVertex;
@@ -55,7 +55,7 @@ struct EdgeUses
     std::vector<EdgeUse> uses;         ///< by lower vertex, then by higher vertex, then by face
 };
 
-/// Counting sort by lower vertex, then each vertex's few edges among themselves.
+/// Sorts by lower vertex (counting sort), and then the few edges of each vertex.
 EdgeUses collectEdges(const TriangleMesh& mesh)
 {
     EdgeUses edges;
@@ -89,7 +89,7 @@ EdgeUses collectEdges(const TriangleMesh& mesh)
 
 std::size_t countDuplicates(const TriangleMesh& mesh)
 {
-    // Filed by lowest vertex; a vertex carries few faces, so each file is short.
+    // Stored by lowest vertex. A vertex has few faces, so each list is short.
     std::vector<std::uint32_t> begin(mesh.vertices.size() + 1, 0);
     for (const Corners& t : mesh.triangles)
         if (!isCollapsed(t))
@@ -114,7 +114,7 @@ std::size_t countDuplicates(const TriangleMesh& mesh)
     return duplicates;
 }
 
-/// Does a ray from the point along +z leave the shell, that is, cross it an odd number of times?
+/// Returns whether a ray from the point along +z crosses the shell an odd number of times.
 bool encloses(const TriangleMesh& mesh, const MeshFacts& facts, std::uint32_t shell, const glm::dvec3& p)
 {
     bool odd = false;
@@ -140,7 +140,7 @@ bool encloses(const TriangleMesh& mesh, const MeshFacts& facts, std::uint32_t sh
 
 void findNested(const TriangleMesh& mesh, MeshFacts& facts)
 {
-    // Every test runs over the whole mesh.
+    // Every test visits the whole mesh.
     if (facts.shells.size() < 2 || facts.shells.size() > kMostNestedShells)
         return;
     std::vector<glm::dvec3> probe(facts.shells.size());
@@ -173,7 +173,7 @@ void measure(const TriangleMesh& mesh, MeshFacts& facts)
         shell.low = facts.high;
         shell.high = facts.low;
     }
-    // About the middle of the box, to lose no digits far from the origin.
+    // About the middle of the box, so that no digits are lost far from the origin.
     const glm::dvec3 middle = (facts.low + facts.high) * 0.5;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         const Corners& t = mesh.triangles[k];
@@ -236,7 +236,7 @@ MeshFacts analyse(const TriangleMesh& mesh)
         }
     }
 
-    // Debris of millions of pieces is possible: make room once.
+    // Debris of millions of pieces is possible, so memory is reserved once.
     std::size_t pieceCount = 0;
     for (std::uint32_t k = 0; k < mesh.triangles.size(); ++k)
         pieceCount += pieces.find(k) == k && !isCollapsed(mesh.triangles[k]) ? 1U : 0U;

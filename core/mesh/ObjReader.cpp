@@ -92,7 +92,8 @@ private:
         return {};
     }
 
-    /// The position's index out of "7", "7/1", "7//3" or "-1/1/1". Vertices may come after the face that names them.
+    /// Returns the index of the position from "7", "7/1", "7//3" or "-1/1/1". Vertices may follow the face that names
+    /// them.
     std::optional<std::uint32_t> cornerIndex(std::string_view word)
     {
         std::int64_t number = 0;

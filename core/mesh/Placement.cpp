@@ -21,12 +21,12 @@ constexpr std::array<std::pair<std::string_view, Axis>, 6> kAxisNames{{{"+x", Ax
                                                                        {"+z", Axis::PlusZ},
                                                                        {"-z", Axis::MinusZ}}};
 
-// A human tooth with its roots is 18 to 32 mm long, a crown 5 to 14 mm wide (reference values of Wheeler). A decade
-// around that, so that mm, cm and m leave no gap between them and do not overlap.
+// A human tooth with its roots is 18 to 32 mm long, a crown 5 to 14 mm wide (reference values of Wheeler). The limits
+// span a decade around that, so that mm, cm and m neither overlap nor leave a gap.
 constexpr double kLeastSizeMm = 4.0;
 constexpr double kMostSizeMm = 40.0;
-// With a unit that a person gave, what a height map may still hold; beyond the above it is only warned: the sentinels
-// of empty columns lie at 1e6.
+// With a unit that a person gave, the limits are those of a height map; beyond the ones above there is only a warning.
+// The sentinels of empty columns are at 1e6.
 constexpr double kLeastGivenMm = 0.5;
 constexpr double kMostGivenMm = 100.0;
 constexpr double kMostCoordinateMm = 1.0e4;
@@ -73,8 +73,8 @@ LengthUnit guessUnit(double size, std::string& reason, std::vector<std::string>&
     return fitted;
 }
 
-/// Area of the faces within `depth` of one end of the axis, projected on it. Of an end that narrows steadily it is the
-/// cross-section at that depth, whichever way the faces look: large for a crown, small for roots.
+/// Returns the area of the faces within `depth` of one end of the axis, projected on it. If the end narrows steadily,
+/// that is the cross-section at that depth, whatever the direction of the faces: large for a crown, small for roots.
 double endArea(const TriangleMesh& mesh, const MeshFacts& facts, int axis, double sign, double depth)
 {
     double sum = 0.0;
@@ -102,7 +102,7 @@ std::string fileAxis(int axis)
 Axis guessUp(const TriangleMesh& mesh, const MeshFacts& facts, std::string& reason, std::vector<std::string>& warnings)
 {
     const glm::dvec3 size = facts.high - facts.low;
-    // 1. An open scan shows its opening: the faces' area vectors add up to a vector that points away from it.
+    // 1. An open scan: the area vectors of the faces add up to a vector that points away from the opening.
     const glm::dvec3 v = facts.areaVector;
     int axis = std::abs(v.x) > std::abs(v.y) ? 0 : 1;
     axis = std::abs(v.z) > std::abs(v[axis]) ? 2 : axis;
@@ -111,7 +111,7 @@ Axis guessUp(const TriangleMesh& mesh, const MeshFacts& facts, std::string& reas
         reason = "guessed: the scan is open and its opening looks the other way";
         return up;
     }
-    // 2. A model cut off flat stands on that side.
+    // 2. A model cut off flat: the flat side is below.
     int flatSides = 0;
     Axis flatUp = Axis::PlusZ;
     for (int k = 0; k < 3; ++k)
@@ -126,7 +126,7 @@ Axis guessUp(const TriangleMesh& mesh, const MeshFacts& facts, std::string& reas
         reason = "guessed: the model is cut off flat on the other side";
         return flatUp;
     }
-    // 3. A whole tooth is longest along its axis, and its crown is the end that narrows less.
+    // 3. A whole tooth is longest along its axis, and the crown is the end that narrows less.
     axis = size.x > size.y ? 0 : 1;
     axis = size.z >= size[axis] ? 2 : axis;
     const double next = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
@@ -165,7 +165,7 @@ glm::dvec3 turned(Axis up, const glm::dvec3& p)
     return p;
 }
 
-/// Middle of the box around the crown seen from above, at the height of its highest point.
+/// Returns the middle of the box around the crown, seen from above, at the height of its highest point.
 glm::dvec3 crownOrigin(const TriangleMesh& mesh, const Placement& placement)
 {
     double highest = -std::numeric_limits<double>::max();

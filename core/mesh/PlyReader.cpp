@@ -52,7 +52,7 @@ struct Property
 {
     std::string name;
     Scalar type = Scalar::Float32;
-    std::optional<Scalar> countType;  ///< a list, and what its length is written as
+    std::optional<Scalar> countType;  ///< type of the length of a list; empty for a scalar
 };
 
 struct Element
@@ -64,18 +64,18 @@ struct Element
 
 enum class Encoding { Ascii, LittleEndian, BigEndian };
 
-/// The values of the body one after the other, whatever their encoding. Doubles hold every PLY scalar exactly.
+/// The values of the body in order, whatever their encoding. Doubles hold every PLY scalar exactly.
 class Body
 {
 public:
     Body(std::string_view bytes, Encoding encoding) : m_rest(bytes), m_encoding(encoding) {}
 
-    /// Nothing at the end of the file, or where text is no number.
+    /// Returns the next value; empty at the end of the file, or if the text is no number.
     std::optional<double> take(Scalar type) { return m_encoding == Encoding::Ascii ? takeText() : takeBinary(type); }
 
     [[nodiscard]] std::size_t bytesLeft() const { return m_rest.size(); }
 
-    /// Fewest bytes that one such value can take.
+    /// Returns the fewest bytes that one such value can take.
     [[nodiscard]] std::size_t leastBytes(Scalar type) const { return m_encoding == Encoding::Ascii ? 1 : sizeOf(type); }
 
 private:
@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    /// Where the body begins; nothing, with m_headerFault set, when there is no usable header.
+    /// Returns where the body begins; empty, with m_headerFault set, if there is no usable header.
     std::optional<std::size_t> readHeader(std::string_view bytes)
     {
         bool encodingGiven = false;
@@ -227,7 +227,7 @@ private:
 
     Status takeElement(const Element& element, Body& body)
     {
-        // A count may claim anything; the bytes that are left say what can be true. No loop runs on a claim alone.
+        // A count may be any number. The remaining bytes limit it, so that no loop runs on the count alone.
         std::size_t rowBytes = 0;
         for (const Property& property : element.properties)
             rowBytes += body.leastBytes(property.countType.value_or(property.type));

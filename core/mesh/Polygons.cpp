@@ -12,24 +12,24 @@
 namespace core::mesh {
 namespace {
 
-/// A fan of more would be needles, which cost the rasteriser dearly; ears are taken all around.
+/// A larger fan would be needles, which cost the rasteriser much time. Ears are cut all around instead.
 constexpr std::size_t kMostFanCorners = 32;
-/// Tests of a point against an ear that one file may cost, a few nanoseconds each.
+/// Tests of a point against an ear that one file may take, a few nanoseconds each.
 constexpr double kMostTests = 1.0e9;
 
-/// Twice the signed area: positive where a, b, c turn to the left. Differences of floats leave little to round.
+/// Returns twice the signed area: positive if a, b, c turn left. Differences of floats need little rounding.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Cuts one polygon after the other; keeps its memory.
+/// Cuts polygons one by one, and reuses its memory.
 class EarCutter
 {
 public:
     explicit EarCutter(TriangleMesh& mesh) : m_mesh(mesh) {}
 
-    /// Takes a polygon and says what its cutting costs: 0 if it may stay a fan, nothing if it cannot be cut because it
+    /// Takes a polygon and returns the cost of cutting it: 0 if it may stay a fan, empty if it cannot be cut because it
     /// has no area or winds around more than once.
     std::optional<double> take(const Polygon& polygon)
     {
@@ -54,7 +54,7 @@ public:
         return static_cast<double>(count) * (1.0 + static_cast<double>(blunt));
     }
 
-    /// Writes the triangles of the polygon taken last; false, and they stay as they were, if it crosses itself.
+    /// Writes the triangles of the last polygon taken. Returns false and writes none if it crosses itself.
     bool cut(const Polygon& polygon)
     {
         const auto count = static_cast<std::uint32_t>(m_index.size());
@@ -74,7 +74,7 @@ public:
         std::uint32_t at = 0;
         std::uint32_t sinceLast = 0;  // corners looked at since the last ear
         for (std::uint32_t left = count; left > 3;) {
-            // Only when nothing else is left: a spike or a corner on a straight line, which has no area.
+            // Only as a last resort: a spike or a corner on a straight line, which has no area.
             const bool goes = m_isEar[at] || (sinceLast >= left && turnAt(at) == 0.0);
             if (!goes && ++sinceLast > 2 * left)
                 return false;
@@ -83,7 +83,7 @@ public:
                 clip(at);
                 --left;
                 sinceLast = 0;
-                at = m_after[next];  // not its neighbour: every second corner goes, so no ear becomes a needle
+                at = m_after[next];  // not its neighbour: cutting every second corner makes no needles
             } else {
                 at = next;
             }
@@ -96,7 +96,8 @@ public:
     }
 
 private:
-    /// Into the plane of two axes along which the polygon is seen largest, counter-clockwise; false if it has no area.
+    /// Projects onto the plane of two axes in which the polygon is largest, counter-clockwise. Returns false if it has
+    /// no area.
     bool project()
     {
         const glm::dvec3 origin(m_mesh.vertices[m_index[0]]);
@@ -126,7 +127,8 @@ private:
         return turn(m_flat[m_before[k]], m_flat[k], m_flat[m_after[k]]);
     }
 
-    /// A sharp corner whose triangle holds no other corner. Only blunt ones need to be asked (Meisters 1975).
+    /// Returns whether a corner is sharp and its triangle contains no other corner. Only blunt corners need the test
+    /// (Meisters 1975).
     [[nodiscard]] bool isEar(std::uint32_t k) const
     {
         const glm::dvec2& a = m_flat[m_before[k]];
@@ -136,7 +138,7 @@ private:
             return false;
         for (const std::uint32_t other : m_blunt) {
             const glm::dvec2& p = m_flat[other];
-            // Where a bridge leads to a hole, two corners share a place.
+            // Where a bridge leads to a hole, two corners have the same place.
             if (p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0)
                 return false;
         }
@@ -157,11 +159,11 @@ private:
     }
 
     TriangleMesh& m_mesh;
-    std::vector<std::uint32_t> m_index;  ///< the vertex of each corner
-    std::vector<glm::dvec2> m_flat;      ///< its place
+    std::vector<std::uint32_t> m_index;  ///< vertex of each corner
+    std::vector<glm::dvec2> m_flat;      ///< place of each corner
     std::vector<std::uint32_t> m_before;
     std::vector<std::uint32_t> m_after;
-    std::vector<std::uint32_t> m_blunt;  ///< corners that are left and do not turn to the left
+    std::vector<std::uint32_t> m_blunt;  ///< remaining corners that do not turn left
     std::vector<bool> m_isEar;
     std::vector<std::array<std::uint32_t, 3>> m_cut;
 };

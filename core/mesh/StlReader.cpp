@@ -10,7 +10,7 @@ namespace core::mesh {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84;  // 80 of text, 4 of count
-constexpr std::size_t kRecordBytes = 50;  // normal, three corners, two bytes nobody agrees about
+constexpr std::size_t kRecordBytes = 50;  // normal, three corners, two unused bytes
 constexpr std::size_t kNormalBytes = 12;
 
 std::uint32_t littleEndian(std::string_view bytes, std::size_t at)
@@ -121,7 +121,7 @@ Result<MeshFile> readAscii(std::string_view text, const std::string& name)
 Result<MeshFile> readStl(std::string_view bytes, std::string_view name)
 {
     const std::string file(name);
-    // Binary files may begin with "solid" too; a count that fits the size to the byte decides.
+    // Binary files may also begin with "solid". A count that matches the size to the byte decides.
     const bool hasHeader = bytes.size() >= kHeaderBytes;
     const std::uint32_t count = hasHeader ? littleEndian(bytes, kHeaderBytes - 4) : 0;
     const std::uint64_t stated = kHeaderBytes + kRecordBytes * static_cast<std::uint64_t>(count);

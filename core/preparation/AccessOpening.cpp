@@ -26,9 +26,9 @@ namespace {
 
 using grading::Part;
 
-/// The chamber begins where its roof is this much below the highest horn; deeper is canal.
+/// The roof of the chamber is at most this much below the highest horn. Anything deeper is a canal.
 constexpr double kChamberMm = 3.5;
-/// Of an incisor's edge, so much stays in front of the opening: 1 mm of dentin and the enamel behind the edge.
+/// Distance that the opening keeps from an incisor's edge: 1 mm of dentin and the enamel behind the edge.
 constexpr double kEdgeMm = 0.9;
 
 /// Convex hull of points, counter-clockwise (Andrew's monotone chain).
@@ -71,7 +71,7 @@ Side supportOf(const std::vector<glm::dvec2>& hull, glm::dvec2 out)
     return side;
 }
 
-/// Corners of the polygon that its sides, in counter-clockwise order, enclose.
+/// Returns the corners of the polygon enclosed by the sides, which are in counter-clockwise order.
 std::vector<glm::dvec2> cornersOf(const std::vector<Side>& sides)
 {
     std::vector<glm::dvec2> corners;
@@ -84,7 +84,7 @@ std::vector<glm::dvec2> cornersOf(const std::vector<Side>& sides)
     return corners;
 }
 
-/// Area of a convex polygon, mm2.
+/// Returns the area of a convex polygon, mm2.
 double areaOf(const std::vector<glm::dvec2>& corners)
 {
     double doubled = 0.0;
@@ -96,8 +96,8 @@ double areaOf(const std::vector<glm::dvec2>& corners)
     return 0.5 * doubled;
 }
 
-/// The smallest trapezoid around the chamber of a lower molar: its longer parallel side is mesial, over two canals, and
-/// its buccal and lingual sides converge distally.
+/// Returns the smallest trapezoid around the chamber of a lower molar. Its longer parallel side is mesial, over two
+/// canals, and its buccal and lingual sides converge distally.
 std::vector<glm::dvec2> trapezoidAround(const std::vector<glm::dvec2>& hull)
 {
     std::vector<glm::dvec2> best;
@@ -116,8 +116,8 @@ std::vector<glm::dvec2> trapezoidAround(const std::vector<glm::dvec2>& hull)
     return best;
 }
 
-/// The smallest triangle around the chamber with its base along the edge and its tip towards the cingulum.
-/// @param lingual  -1 or 1: the side of y where the tongue is
+/// Returns the smallest triangle around the chamber with its base along the edge and its tip towards the cingulum.
+/// @param lingual  -1 or 1: side of y where the tongue is
 /// @param isBlunt  whether it ends where the chamber does, instead of at its tip
 std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, double lingual, bool isBlunt)
 {
@@ -140,7 +140,8 @@ std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, doub
     return best;
 }
 
-/// A polygon so much smaller all round; what a bur's axis keeps to while its side follows the polygon.
+/// Returns a polygon that is smaller all round. The axis of a bur stays in it while the side of the bur follows the
+/// polygon.
 std::vector<glm::dvec2> shrunk(const std::vector<glm::dvec2>& corners, double byMm)
 {
     std::vector<Side> sides;
@@ -152,8 +153,8 @@ std::vector<glm::dvec2> shrunk(const std::vector<glm::dvec2>& corners, double by
     return cornersOf(sides);
 }
 
-/// Where the axis of the bur goes, so that its side comes round a polygon with the margin asked for. A bur rounds the
-/// corners of the polygon: where a molar's chamber reaches into one, the margin is made wider until the bur takes that.
+/// Returns the region of the bur's axis for which its side follows a polygon with the margin. A bur rounds the corners
+/// of the polygon. If a molar's chamber reaches into a corner, the margin is widened until the bur removes that.
 AxisRegion axisAround(const std::vector<glm::dvec2>& around, const std::vector<glm::dvec2>& chamber,
                       const ToothDesign& design)
 {
@@ -168,7 +169,7 @@ AxisRegion axisAround(const std::vector<glm::dvec2>& around, const std::vector<g
     }
 }
 
-/// 0 straight in front of the axis' region, on its labial side, rising to 1 beside and behind it.
+/// Returns 0 straight in front of the axis' region, on its labial side, rising to 1 beside and behind it.
 double awayFromLabial(const AxisRegion& axis, glm::dvec2 point, double lingual)
 {
     constexpr double kStepMm = 1.0e-3;
@@ -179,7 +180,7 @@ double awayFromLabial(const AxisRegion& axis, glm::dvec2 point, double lingual)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// The highest place of the pulp, mm.
+/// Returns the height of the highest place of the pulp, mm.
 double highestPulpMm(const terrain::ToothAnatomy& anatomy)
 {
     double highest = -std::numeric_limits<double>::max();
@@ -276,12 +277,12 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
         return unexpected(
             ErrorCode::BadStructure,
             LocalizableText{"tooth %1 has no pulp chamber that could be opened from above", {noted(anatomy.name)}});
-    // Half of a molar's chamber has its floor in common, whatever canals leave it, and so has a chamber seen from the
-    // side, where the floor is its labial wall. From its edge an incisor's chamber has none: it is opened towards where
-    // its horns have joined.
+    // Half of a molar's chamber has one floor, whatever canals leave it. So has a chamber seen from the side, where the
+    // floor is its labial wall. A chamber seen from the incisor's edge has none: it is opened to where its horns have
+    // joined.
     std::nth_element(floors.begin(), floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2), floors.end());
     const double chamberMm = isMolar || fromLingual ? floors[floors.size() / 2] : highest - kChamberMm;
-    // Nothing is asked for that no bur reaches.
+    // The ideal is no deeper than a bur reaches.
     const double floorMm = std::max(chamberMm, bur::lowestTipMm(anatomy));
 
     const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
@@ -297,19 +298,19 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
             if (!(anatomy.top[k] > anatomy.bottom[k]))
                 continue;
             const double away = region.distance(grid.nodeMm(i, j));
-            // The floor of the chamber itself is never touched: what lies within the opening ends where the pulp does.
+            // The floor of the chamber itself is never touched: within the opening, the ideal ends where the pulp does.
             const bool overPulp = terrain::hasPulp(anatomy, k);
             double height = floorMm;
             bool wall = false;
             if (away > radius) {
-                // The labial wall of an incisor stands upright, or it would take the edge.
+                // The labial wall of an incisor is upright; otherwise it would remove the edge.
                 const double share = isMolar ? 1.0 : awayFromLabial(region, grid.nodeMm(i, j), lingual);
                 if (share <= 0.0)
                     continue;
                 height = floorMm + (away - radius) / (share * tangent);
                 wall = true;
             } else if (!overPulp) {
-                // Beside the chamber, within the trapezoid: down to where its wall begins.
+                // Beside the chamber, within the trapezoid: down to the start of its wall.
                 height = floorMm;
                 wall = true;
             }

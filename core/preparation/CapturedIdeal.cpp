@@ -35,7 +35,7 @@ Status checkTolerances(const Tolerances& tolerances)
     return validateNumbers(std::span<const NumberField<Tolerances>>(kTolerances), tolerances);
 }
 
-/// Where a Class I of this tooth has its isthmus, if the ideal is cut there.
+/// Returns the place of the isthmus of a Class I of this tooth, if the ideal is cut there.
 std::optional<grading::Preparation::Isthmus> isthmusIn(const grading::Preparation& ideal,
                                                        const terrain::ToothAnatomy& anatomy)
 {
@@ -51,7 +51,7 @@ std::optional<grading::Preparation::Isthmus> isthmusIn(const grading::Preparatio
     return isCut ? usual->isthmus : std::nullopt;
 }
 
-/// The four bytes of each height apart: like stands beside like, and packs better.
+/// Writes the four byte planes of the heights one after another: similar bytes together compress better.
 void putHeights(ByteWriter& out, const std::vector<float>& heights)
 {
     for (unsigned shift = 0; shift < 32; shift += 8)
@@ -101,7 +101,7 @@ bool isPlace(double mm)
     return std::isfinite(mm) && std::abs(mm) < 1.0e4;
 }
 
-/// Not too long, and still UTF-8 where it was cut.
+/// Returns a text of limited length, cut so that it is still UTF-8.
 std::string shortened(std::string words)
 {
     words.resize(std::min(words.size(), kLongestWords));

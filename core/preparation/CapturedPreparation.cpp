@@ -13,8 +13,8 @@ namespace {
 
 using grading::Part;
 
-constexpr float kCutMm = 0.02F;    ///< less is a brush
-constexpr double kAcrossMm = 0.3;  ///< slopes are taken over this
+constexpr float kCutMm = 0.02F;    ///< a shallower cut is a brush
+constexpr double kAcrossMm = 0.3;  ///< distance over which slopes are measured
 constexpr float kSteepest = 1.0F;  ///< of a floor, mm per mm
 
 bool wasCut(const terrain::Tooth& attempt, std::size_t k)
@@ -22,7 +22,7 @@ bool wasCut(const terrain::Tooth& attempt, std::size_t k)
     return !attempt.isSolid(k) || attempt.top[k] < attempt.anatomy->top[k] - kCutMm;
 }
 
-/// The mean of several outlines, for columns that half of the attempts cut.
+/// The mean of several outlines, for columns that are cut in half of the attempts.
 class MeanOutline
 {
 public:
@@ -44,10 +44,10 @@ public:
 
 private:
     std::span<const terrain::Tooth* const> m_attempts;
-    std::vector<grading::Outline> m_outlines;  ///< made when the first is asked for
+    std::vector<grading::Outline> m_outlines;  ///< made at the first use
 };
 
-/// Floor or wall, by how steep it is around a column.
+/// Marks columns as floor or wall, by the slope around them.
 void tellFloorFromWall(const terrain::Grid& grid, const std::vector<float>& top, std::vector<Part>& parts)
 {
     constexpr float kUnknown = 1.0e9F;
@@ -63,7 +63,8 @@ void tellFloorFromWall(const terrain::Grid& grid, const std::vector<float>& top,
             bool atRim = false;
             float slope = 0.0F;
             for (const auto& [di, dj] : {std::pair(1, 0), std::pair(0, 1)}) {
-                // Of the two ways along an axis the gentler one: a floor's own edge beside a wall is still floor.
+                // Of the two directions along an axis the gentler one: the edge of a floor beside a wall is still
+                // floor.
                 float gentlest = kUnknown;
                 for (const int sign : {-1, 1}) {
                     atRim = atRim || !isCut(i + sign * di, j + sign * dj);

@@ -17,15 +17,15 @@ using Spot = OcclusalCavity::Spot;
 using Line = std::vector<glm::dvec2>;
 
 constexpr double kStepMm = 0.04;    ///< between the points of a line
-constexpr double kSmoothMm = 0.45;  ///< over which a line forgets the small bends of its groove
-constexpr double kSearchMm = 4.5;   ///< from the middle of the tooth: grooves are looked for so far
-constexpr double kJoinMm = 0.4;     ///< a stroke out of another one begins so far beside it
+constexpr double kSmoothMm = 0.45;  ///< width over which the small bends of a groove are smoothed
+constexpr double kSearchMm = 4.5;   ///< radius around the middle of the tooth in which grooves are searched
+constexpr double kJoinMm = 0.4;     ///< a stroke out of another one begins this far beside it
 constexpr std::size_t kOutlinePoints = 360;
 constexpr double kShortestMm = 0.8;     ///< of a main stroke
-constexpr double kRoundReachMm = 0.6;   ///< two strokes flow together within this of each other
-constexpr double kRoundErrorMm = 0.01;  ///< so much of the ridge a round may take
+constexpr double kRoundReachMm = 0.6;   ///< two strokes are joined within this distance
+constexpr double kRoundErrorMm = 0.01;  ///< a round may remove so much of the ridge
 
-/// Weighted means along a line; beyond its ends it is taken to go straight on.
+/// Returns weighted means along a line, which is continued straight beyond its ends.
 Line smoothed(const Line& line, double sigmaMm)
 {
     if (line.size() < 3)
@@ -77,7 +77,7 @@ public:
     {
         for (const glm::dvec2& point : form.outline(static_cast<int>(kOutlinePoints)))
             m_silhouette.push_back(uv(point));
-        // Turned so that the mesial and the distal quarter are lines of their own.
+        // Turned so that the mesial and the distal quarter are separate lines.
         for (std::size_t k = 0; k <= kOutlinePoints / 4; ++k) {
             m_distal.push_back(m_silhouette[(k + kOutlinePoints * 7 / 8) % kOutlinePoints]);
             m_mesial.push_back(m_silhouette[k + kOutlinePoints * 3 / 8]);
@@ -116,7 +116,7 @@ private:
     [[nodiscard]] glm::dvec2 uv(glm::dvec2 tooth) const { return {tooth.x, tooth.y * m_form.ySign}; }
     [[nodiscard]] glm::dvec2 tooth(glm::dvec2 p) const { return {p.x, p.y * m_form.ySign}; }
 
-    /// Lobes of some groups whose tips lie between two lines from mesial to distal.
+    /// Returns the lobes of some groups whose tips are between two lines from mesial to distal.
     [[nodiscard]] Lobes lobes(std::initializer_list<int> groups, double lowY = -100.0, double highY = 100.0) const
     {
         Lobes found;
@@ -137,7 +137,7 @@ private:
     }
     [[nodiscard]] double mouth(glm::dvec2 p) const { return m_form.mouthMm(tooth(p)); }
 
-    /// Where `over` comes to stand higher than `under` along one coordinate, nearest to a guess.
+    /// Returns where `over` becomes higher than `under` along one coordinate, nearest to a guess.
     [[nodiscard]] std::optional<double> crossing(const std::function<glm::dvec2(double)>& at, const Lobes& under,
                                                  const Lobes& over, double guess) const
     {
@@ -149,7 +149,7 @@ private:
         std::vector<std::optional<double>> known(ends.size());
         const auto rise = [&](double t) { return height(over, at(t)) - height(under, at(t)); };
         const auto riseAtEnd = [&](std::size_t k) { return known[k] ? *known[k] : known[k].emplace(rise(ends[k])); };
-        // Outwards from the guess, until nothing nearer can come.
+        // Outwards from the guess, until no nearer place is possible.
         const std::size_t cells = ends.size() - 1;
         const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, guess);
         auto next = static_cast<std::size_t>(after - ends.begin()) - 1;
@@ -176,7 +176,7 @@ private:
         return best;
     }
 
-    /// The groove between a lingual and a buccal set, from u to u.
+    /// Returns the groove between a lingual and a buccal set, from u to u.
     [[nodiscard]] Line grooveAlongU(const Lobes& lingual, const Lobes& buccal, double fromU, double toU) const
     {
         Line line;
@@ -189,7 +189,7 @@ private:
         return line;
     }
 
-    /// The groove between a mesial and a distal set, from v to v.
+    /// Returns the groove between a mesial and a distal set, from v to v.
     [[nodiscard]] Line grooveAlongV(const Lobes& mesial, const Lobes& distal, double fromV, double toV,
                                     double guess) const
     {
@@ -210,9 +210,10 @@ private:
     {
         return distanceToLine(axis.x < 0.0 ? m_mesial : m_distal, axis) - m_radius - half - leanMm;
     }
-    /// A groove falls off the occlusal table towards the sides: pits are looked for within.
+    /// Returns whether a place is on the occlusal table. A groove falls off the table at the sides, and pits are
+    /// searched on the table only.
     [[nodiscard]] bool isOnTable(glm::dvec2 p) const { return distanceToLine(m_silhouette, p) > 1.4 && p.y > -0.9; }
-    /// Returns the deepest place of a groove on the occlusal table, or nothing where the groove is not on it.
+    /// Returns the deepest place of a groove on the occlusal table; empty if the groove is not on it.
     [[nodiscard]] std::optional<std::size_t> pitOf(const Line& groove) const
     {
         std::optional<std::size_t> pit;
@@ -226,20 +227,20 @@ private:
         return m_crest.empty() || distanceToLine(m_crest, axis) >= m_design.obliqueMm + m_radius + half;
     }
 
-    /// The ridge across the middle of a lower first premolar, between its two cavities.
+    /// Returns whether an outline spares the transverse ridge of a lower first premolar, between its two cavities.
     [[nodiscard]] bool sparesTransverse(glm::dvec2 axis, double half) const
     {
         return m_fdi != 34 || std::abs(axis.x) >= m_design.obliqueMm + m_radius + half;
     }
 
-    /// How much wider the outline gets from the floor to the surface where the wall leans.
+    /// Returns how much wider the outline gets from the floor to the surface because the wall leans.
     [[nodiscard]] double leanMm(glm::dvec2 axis, double floorMm) const
     {
         const double tangent = std::tan(m_design.divergeDeg * std::numbers::pi / 180.0);
         return std::max(0.0, mouth(axis) + 0.4 - floorMm) * tangent;
     }
 
-    /// Where the tooth ends on its mesial or distal side, so far from its middle line.
+    /// Returns a box where the tooth ends on its mesial or distal side, at a distance from its middle line.
     [[nodiscard]] OcclusalCavity::Box proximalAt(double v, bool mesial) const
     {
         std::size_t nearest = mesial ? kOutlinePoints / 2 : 0;
@@ -269,7 +270,7 @@ private:
                                  [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x) < std::abs(b.x); });
     }
 
-    /// As proximalAt(), but nearly square to the tooth.
+    /// Like proximalAt(), but nearly at right angles to the tooth.
     [[nodiscard]] OcclusalCavity::Box squareBoxAt(double v, bool mesial) const
     {
         constexpr double kMostSkew = 0.2;
@@ -282,7 +283,7 @@ private:
     /// Adds a stroke from a place of the axis straight out through a proximal box.
     void openInto(OcclusalCavity& cavity, glm::dvec2 from, bool mesial) const
     {
-        // Between the groove and the contact, which lies further towards the cheek.
+        // Between the groove and the contact, which is further towards the cheek.
         cavity.box = squareBoxAt(0.5 * (from.y + contact(mesial).y), mesial);
         std::vector<Spot> spots;
         const double length = glm::distance(from, cavity.box->atMm);
@@ -291,14 +292,14 @@ private:
         cavity.strokes.push_back(std::move(spots));
     }
 
-    /// A bar across the end of the main stroke, parallel to the marginal ridge: the dovetail.
+    /// Returns a bar across the end of the main stroke, parallel to the marginal ridge: the dovetail.
     [[nodiscard]] std::vector<Spot> bar(glm::dvec2 middle) const
     {
         const double half = std::max(0.0, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius);
         const glm::dvec2 out = proximalAt(middle.y, middle.x < 0.0).outwards;
         glm::dvec2 along{-out.y, out.x};
         along *= along.y < 0.0 ? -1.0 : 1.0;
-        // Half way between the ridge and square to the tooth: grooves fork like that.
+        // Half way between the ridge and the perpendicular of the tooth: grooves fork at such an angle.
         along = glm::normalize(along + glm::dvec2{0.0, 1.0});
         std::vector<Spot> spots;
         const int steps = std::max(1, static_cast<int>(2.0 * half / kStepMm));
@@ -317,8 +318,8 @@ private:
         return std::all_of(spots.begin(), spots.end(), [&](const Spot& spot) { return fits(spot, floorMm); });
     }
 
-    /// What of a bar keeps clear of the ridge: the tooth is hollow beside some. Empty if its middle does not, or less
-    /// than two thirds of it do.
+    /// Returns the part of a bar that spares the ridge: beside some bars the tooth is hollow. Empty if the middle does
+    /// not spare it, or if less than two thirds of the bar remain.
     [[nodiscard]] std::vector<Spot> fittingBar(glm::dvec2 middle, double floorMm) const
     {
         const std::vector<Spot> whole = bar(middle);
@@ -337,7 +338,7 @@ private:
                 whole.begin() + static_cast<std::ptrdiff_t>(last + 1)};
     }
 
-    /// Mean height of the mouth along part of a line, less the depth.
+    /// Returns the mean height of the mouth along part of a line, minus the depth.
     [[nodiscard]] double floorBelow(const Line& line, double fromU, double toU) const
     {
         double sum = 0.0;
@@ -366,7 +367,7 @@ private:
         return best;
     }
 
-    /// Where a ridge's lobe begins to stand above the cusps beside the groove, going along it from the middle.
+    /// Returns where a ridge's lobe becomes higher than the cusps beside the groove, along the groove from the middle.
     [[nodiscard]] double pitTowards(const Line& line, const Lobes& cusps, const Lobes& ridge, bool mesial,
                                     double fromU) const
     {
@@ -386,7 +387,7 @@ private:
         return m_kind == (mesial ? Kind::ClassTwoMesial : Kind::ClassTwoDistal);
     }
 
-    /// A stroke along part of a line.
+    /// Returns a stroke along part of a line.
     [[nodiscard]] std::vector<Spot> stroke(const Line& line, double fromU, double toU) const
     {
         std::vector<Spot> spots;
@@ -406,7 +407,7 @@ private:
         return {};
     }
 
-    /// Out of the main stroke into a groove towards the cheek or the tongue.
+    /// Adds a stroke from the main one into a groove towards the cheek or the tongue.
     void extend(OcclusalCavity& cavity, const Line& main, const Lobes& mesial, const Lobes& distal, bool buccal,
                 double fromU, double toU) const
     {
@@ -439,7 +440,7 @@ private:
         const auto start = branchAt(main, mesial, distal, fromU, toU);
         if (!start)
             return;
-        constexpr double kMostAsideMm = 1.5;  // a groove that runs farther to one side is lost
+        constexpr double kMostAsideMm = 1.5;  // a groove farther to one side is ignored
         constexpr double kAtSurfaceMm = 0.3;
         std::vector<Spot> spots;
         for (const glm::dvec2& p :
@@ -460,9 +461,8 @@ private:
         cavity.strokes.push_back(std::move(spots));
     }
 
-    /// Ends of the main stroke, dovetails at them, isthmus in the middle.
-    /// Whether the round in which a bar and the main stroke join spares the ridge.
-    /// @param end  where the main stroke ends
+    /// Returns whether the round that joins a bar to the main stroke spares the ridge.
+    /// @param end  end of the main stroke
     [[nodiscard]] bool roundFits(const std::vector<Spot>& bar, glm::dvec2 end, double floorMm) const
     {
         const glm::dvec2 middle = bar[bar.size() / 2].atMm;
@@ -505,7 +505,7 @@ private:
             (mesial ? cavity.mesialEndX : cavity.distalEndX) = outermost;
             cavity.strokes.push_back(std::move(spots));
         };
-        // The main stroke stops short of a bar, or their round join would bulge towards the ridge.
+        // The main stroke stops short of a bar; otherwise their round join would bulge towards the ridge.
         const bool mesialStop = mesialBar && !boxIs(true);
         const bool distalStop = distalBar && !boxIs(false);
         const auto stopAt = [&](bool mesial, double end) {
@@ -602,7 +602,7 @@ private:
         return {};
     }
 
-    /// The central fossa mesial of the oblique ridge, and the distal pit behind it.
+    /// Plans the central fossa mesial of the oblique ridge, and the distal pit behind it.
     Status planUpperMolar()
     {
         const Lobes mesiobuccal = lobes({1});
@@ -655,7 +655,7 @@ private:
                          "distal pit", false, {1.4, 0.0});
     }
 
-    /// Two pits on either side of a transverse ridge.
+    /// Plans two pits on either side of a transverse ridge.
     Status planTwoPits()
     {
         constexpr double kLingualV = -2.2;
@@ -671,7 +671,7 @@ private:
                                  : grooveAlongV(cusps, ridge, kLingualV, kBuccalV, 2.0);
             if (groove.size() < 10)
                 return noRoom("pits", "none: the tooth has no such groove");
-            // Where the groove lies beside the table, its line is taken as far inside as the table begins.
+            // If the groove is beside the table, its line is taken as far inside as the table begins.
             std::optional<std::size_t> pit = pitOf(groove);
             for (int step = 0; !pit && step < kMostSteps; ++step) {
                 for (glm::dvec2& p : groove)
@@ -680,7 +680,7 @@ private:
             }
             if (!pit)
                 return noRoom("pits", "none: the groove lies beside the occlusal table");
-            // More of it towards the cheek: the lingual cusp is small.
+            // Wider towards the cheek: the lingual cusp is small.
             const double half = 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius;
             if (Status done = planShort(groove, *pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit",
                                         mesial, {1.6, 1.35});
@@ -690,16 +690,17 @@ private:
         return {};
     }
 
-    /// How far a short stroke may be moved from its pit.
+    /// The distance by which a short stroke may be moved from its pit.
     struct Shift
     {
         double inwardsMm = 0.0;  ///< away from the marginal ridge
         double buccalMm = 0.0;
     };
 
-    /// A short stroke across the tooth through a pit, moved away from the marginal ridge as far as that has to stay.
-    /// @param lingualMm, buccalMm  how far the axis goes to either side of the pit
-    /// @param most  a transverse ridge behind it has to stay as well
+    /// Plans a short stroke across the tooth through a pit, moved away from the marginal ridge so far that the ridge
+    /// keeps its width.
+    /// @param lingualMm, buccalMm  range of the axis to either side of the pit
+    /// @param most  farthest shift: a transverse ridge behind the stroke has to keep its width as well
     Status planShort(const Line& groove, std::size_t pit, double lingualMm, double buccalMm, const char* name,
                      bool mesial, Shift most)
     {
@@ -711,7 +712,7 @@ private:
         for (const glm::dvec2& p : line)
             sum += mouth(p);
         cavity.floorMm = std::min(sum / static_cast<double>(line.size()), mouth(groove[pit])) - m_design.depthMm;
-        // It keeps its place and shape as far as it can: what is changed least comes first.
+        // The changes of its place and shape, smallest first.
         struct Change
         {
             double shift;
@@ -751,7 +752,7 @@ private:
         return noRoom(name, "ridge_mm, oblique_mm, isthmus_mm, dovetail_mm");
     }
 
-    /// On into the box of a Class II, or with an end wall that leans.
+    /// Continues a short stroke into the box of a Class II, or ends it with a leaning wall.
     void finishShort(OcclusalCavity& cavity, std::vector<Spot> spots, bool mesial) const
     {
         if (boxIs(mesial)) {
@@ -765,7 +766,7 @@ private:
         cavity.strokes.push_back(std::move(spots));
     }
 
-    /// On the main stroke, as far from all others as it can be: there it is as narrow as was asked for.
+    /// Places the isthmus on the main stroke, as far from all other strokes as possible: there it has the design width.
     static void placeIsthmus(OcclusalCavity& cavity)
     {
         const std::vector<Spot>& main = cavity.strokes.front();
@@ -788,7 +789,7 @@ private:
             OcclusalCavity::Isthmus{main[best].atMm, {-along.y, along.x}, kStepMm * static_cast<double>(aside)};
     }
 
-    /// Keeps it, in the tooth frame.
+    /// Stores a cavity, in the tooth frame.
     void add(OcclusalCavity cavity)
     {
         for (std::vector<Spot>& spots : cavity.strokes)
@@ -810,7 +811,7 @@ private:
     const teeth::PosteriorForm& m_form;
     const ToothDesign& m_design;
     double m_radius;
-    double m_half;  ///< the axis goes so far beside the groove in the main stroke
+    double m_half;  ///< range of the axis beside the groove in the main stroke
     Line m_silhouette;
     Line m_mesial;  ///< of it, the proximal surfaces
     Line m_distal;
@@ -849,7 +850,7 @@ std::vector<glm::dvec2> obliqueCrest(int fdi, const teeth::PosteriorForm& form)
         const glm::dvec2 along = glm::normalize(to - from);
         const int steps = static_cast<int>(glm::length(to - from) / kStepMm);
         for (int n = 0; n < steps; ++n) {
-            // The ridge wanders off the straight line between its tips: its highest place beside it counts.
+            // The ridge leaves the straight line between its tips. Its highest place beside the line counts.
             const glm::dvec2 middle = from + along * (kStepMm * n);
             glm::dvec2 highest = middle;
             for (double aside = -0.6; aside <= 0.6; aside += 0.02) {
