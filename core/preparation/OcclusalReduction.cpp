@@ -23,16 +23,15 @@ namespace {
 using grading::Part;
 using teeth::Cusp;
 
-constexpr double kValleyRadiusMm =
-    0.8;                           ///< no valley is tighter, so that a bur of 1.0 to 1.2 mm nearly reaches its bottom
-constexpr double kClosedMm = 1.6;  ///< half of the width of the widest valley that is closed
-constexpr float kThinnestCutMm = 0.02F;  ///< a floor that is not so far below the surface is no cut
+constexpr double kValleyRadiusMm = 0.8;  ///< tightest valley, so that a bur of 1.0 to 1.2 mm nearly reaches its bottom
+constexpr double kClosedMm = 1.6;        ///< half of the width of the widest valley that is closed
+constexpr float kThinnestCutMm = 0.02F;  ///< a shallower floor is no cut
 
 /// Heights over a grid, row by row.
 using Heights = std::vector<float>;
 
-/// Raises each height to the highest of x + sign * p, where p is a parabola of the valley's curvature over the row (or
-/// the column) within kClosedMm. `sign` -1 lowers it to the lowest of x + p.
+/// Raises each height to the highest of x + sign * p, where p is a parabola of the valley's curvature along the row (or
+/// column) within kClosedMm. With `sign` -1, lowers it to the lowest of x + p.
 Heights swept(const terrain::Grid& grid, const Heights& heights, bool alongX, bool raises)
 {
     const int reach = static_cast<int>(kClosedMm / grid.cellMm);
@@ -86,8 +85,8 @@ void limitSlope(const terrain::Grid& grid, Heights& heights)
             raise(i, j, -1);
 }
 
-/// How much of the way from the middle of the tooth to the tips of its functional cusps a place is, 0 to 1: 1 from the
-/// tip that is nearest to the middle outwards.
+/// Returns how far a place is from the middle of the tooth to the tips of its functional cusps, 0 to 1. It is 1 from
+/// the tip nearest to the middle outwards.
 class FunctionalShare
 {
 public:
@@ -111,7 +110,8 @@ public:
     }
 
 private:
-    /// Where the tips of these cusps are across the tooth. Each premolar and molar has one on either side.
+    /// Returns the positions of the tips of these cusps across the tooth. Each premolar and molar has one on either
+    /// side.
     [[nodiscard]] std::vector<double> placesOf(std::initializer_list<Cusp> cusps) const
     {
         std::vector<double> places;

@@ -75,7 +75,7 @@ std::span<const int> teethFor(Kind kind)
     }
 }
 
-/// The sizes of a box that differ from those of the Class II on this tooth.
+/// Sets the sizes of a box that differ from those of the Class II on this tooth.
 void shapeBox(Kind kind, int fdi, ToothDesign& design)
 {
     const bool isMolar = fdi % 10 >= 6;

@@ -24,10 +24,10 @@ namespace {
 using grading::Part;
 
 constexpr float kFarMm = 1.0e3F;
-constexpr double kBesideMm = 1.6;     ///< distances are kept so far beyond the bur's axis
-constexpr double kLeastCutMm = 0.02;  ///< a floor that is not so far below the surface is no cut
+constexpr double kBesideMm = 1.6;     ///< distances are computed so far beyond the bur's axis
+constexpr double kLeastCutMm = 0.02;  ///< a shallower floor is no cut
 
-/// Distances over the grid: to the places where the axis goes along one stroke, negative where it goes beside them too.
+/// Computes the distances over the grid to the region of the axis along one stroke; they are negative inside it.
 void sweep(const terrain::Grid& grid, const std::vector<OcclusalCavity::Spot>& spots, std::vector<float>& distance)
 {
     std::fill(distance.begin(), distance.end(), kFarMm);
@@ -47,7 +47,7 @@ void sweep(const terrain::Grid& grid, const std::vector<OcclusalCavity::Spot>& s
     }
 }
 
-/// 0 where the wall is upright, rising to 1 beyond an end of the axis.
+/// Returns 0 where the wall is upright, rising to 1 beyond an end of the axis.
 double leanShare(const OcclusalCavity& cavity, double x, double radiusMm)
 {
     double beyond = 0.0;
@@ -155,7 +155,7 @@ Status checkPulp(Kind kind, const grading::Preparation& ideal, const terrain::To
     return {};
 }
 
-/// Where the axis goes in a box: from beyond the surface of the tooth inwards.
+/// Returns the region of the axis in a box: from beyond the surface of the tooth inwards.
 AxisRegion boxRegion(const OcclusalCavity::Box& box, const ToothDesign& design)
 {
     constexpr double kOutMm = 3.0;
@@ -201,7 +201,7 @@ Result<grading::Preparation> makeOcclusal(Kind kind, const ToothDesign& design, 
     return ideal;
 }
 
-/// A scan has no design to follow, and not every kind is made for every tooth.
+/// Checks that a tooth has a design for the kind: a scan has none, and not every kind is made for every tooth.
 Result<ToothDesign> checkTooth(Kind kind, const terrain::ToothAnatomy& anatomy)
 {
     if (!teeth::isGenerated(anatomy))

@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text)
     return text;
 }
 
-/// Takes the text up to the next separator, which is dropped.
+/// Removes the text up to the next separator, and the separator, and returns the text.
 std::string_view takeUntil(std::string_view& text, char separator)
 {
     const std::size_t end = text.find(separator);
@@ -36,7 +36,7 @@ std::string_view takeUntil(std::string_view& text, char separator)
     return part;
 }
 
-/// Takes one cell of a row, without blanks around it; a quoted cell may hold commas.
+/// Removes one cell of a row and returns it without the blanks around it. A quoted cell may contain commas.
 std::string_view takeCell(std::string_view& row)
 {
     row = trimmed(row);
@@ -72,7 +72,7 @@ std::string shown(std::string_view cell)
     return "'" + text + "'";
 }
 
-/// Takes the text piece by piece, however it is cut.
+/// Parses a text that arrives in pieces, cut anywhere.
 class PathParser
 {
 public:
@@ -192,11 +192,11 @@ private:
     }
 
     bool m_needDrill;
-    std::array<int, kColumns.size()> m_place{};  ///< which column of the file each of ours is, -1 none
-    int m_columns = 0;                           ///< of the header; 0 until it was seen
-    std::string m_line;                          ///< begun, but not ended yet
-    std::size_t m_number = 0;                    ///< of lines that ended
-    bool m_lastWasReturn = false;                ///< the piece before ended with CR: an LF may still belong to it
+    std::array<int, kColumns.size()> m_place{};  ///< column of the file for each of ours, -1 none
+    int m_columns = 0;                           ///< of the header; 0 before it is read
+    std::string m_line;                          ///< the line that has not ended yet
+    std::size_t m_number = 0;                    ///< lines that have ended
+    bool m_lastWasReturn = false;                ///< the last piece ended with CR: an LF may follow
     DevicePath m_path;
 };
 
@@ -204,7 +204,7 @@ private:
 
 std::uint64_t DevicePath::ticks(double rateHz) const
 {
-    // A path made for this rate must not lose its last tick to rounding of its times.
+    // Rounding of its times must not cost a path made for this rate its last tick.
     return static_cast<std::uint64_t>(std::floor(durationS() * rateHz + 1.0e-6)) + 1;
 }
 

@@ -48,7 +48,7 @@ std::string frameBytes(const Frame& frame)
     return out.bytes();
 }
 
-/// Nothing if what is left does not begin with a whole frame; `in` is of no use then.
+/// Returns the next frame; empty if no whole frame is left. Then `in` must not be used again.
 std::optional<Frame> takeFrame(ByteReader& in)
 {
     const std::string_view head = in.takeBytes(sizeof(std::uint32_t) * 2 + sizeof(std::uint64_t));
@@ -78,7 +78,7 @@ std::string headBytes(const Recording& recording, std::int64_t begunUtcMs)
     return bytes + frameBytes({Section::Tooth, 0, pack(toothBytes(*recording.anatomy()))});
 }
 
-/// Where a journal stands until the disk has it.
+/// Returns the path under which a journal is written until it is on the disk.
 fs::path partOf(fs::path path)
 {
     path += kPart;
@@ -92,8 +92,9 @@ tl::unexpected<Error> unwritable(const fs::path& path, int number)
                                                      ".");
 }
 
-/// Whoever looks for attempts may find the file before it is locked, and take away what is empty: then it is made
-/// again. Never one that another program is making. -1: errno says why.
+/// Creates a file, or opens an existing one, and locks it. A search for attempts may find the file before the lock and
+/// remove it because it is empty: then it is created again. A file that another program holds is not taken. Returns -1
+/// with errno set on failure.
 int createLocked(const fs::path& path)
 {
     constexpr int kTries = 50;
@@ -102,7 +103,7 @@ int createLocked(const fs::path& path)
         const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
         if (file < 0)
             return file;
-        // Where files cannot be locked at all there is nobody to be kept out.
+        // If files cannot be locked at all, no other program has to be kept out.
         const bool isTaken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         struct stat made
         {};
@@ -148,7 +149,7 @@ Result<std::shared_ptr<JournalFile>> JournalFile::create(const fs::path& path, c
         written = journal->append(events);
     if (written)
         return journal;
-    fs::remove(partOf(path), failure);  // an older one of that name stays
+    fs::remove(partOf(path), failure);  // removes the new file only; an older one of that name stays
     return tl::unexpected(written.error());
 }
 
@@ -158,7 +159,7 @@ JournalFile::~JournalFile()
         ::close(m_file);
 }
 
-/// All of it or nothing; errno says why not.
+/// Writes all bytes or none; errno is set on failure.
 bool JournalFile::write(std::string_view bytes)
 {
     std::string_view rest = bytes;
@@ -203,7 +204,7 @@ Status JournalFile::sync()
             return unwritable(m_path, errno);
         m_hasItsName = true;
     }
-    // That it has its name is for the disk to know as well.
+    // The directory entry must be on the disk as well.
     if (const int folder = ::open(m_path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
         static_cast<void>(::fsync(folder));
         ::close(folder);
@@ -329,7 +330,7 @@ LockedBytes readLocked(const fs::path& path)
         return {errno == ENOENT ? Access::Missing : Access::Ours, JournalLock(),
                 nothingIn(ErrorCode::FileUnreadable, std::system_category().message(errno))};
     LockedBytes read{Access::Ours, JournalLock(file), std::string()};
-    // Where files cannot be locked at all there is nobody to be kept out.
+    // If files cannot be locked at all, no other program has to be kept out.
     if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         read.access = Access::InUse;
         return read;
@@ -339,7 +340,7 @@ LockedBytes readLocked(const fs::path& path)
         if (took < 0 && errno == EINTR)
             continue;
         if (took < 0)
-            break;  // what could be read may do
+            break;  // the part that was read may be enough
         read.bytes->append(block.data(), static_cast<std::size_t>(took));
         if (read.bytes->size() > kMaxJournalBytes) {
             read.bytes = nothingIn(ErrorCode::FileTooLarge, "its file is larger than any journal");
@@ -349,7 +350,7 @@ LockedBytes readLocked(const fs::path& path)
     return read;
 }
 
-/// A file with nothing in it stays locked by `read`.
+/// Reads an attempt from locked bytes. If there is none, `read` still holds the lock.
 Result<FoundAttempt> attemptIn(LockedBytes& read, const fs::path& path)
 {
     if (!read.bytes)
@@ -384,7 +385,7 @@ Result<std::optional<FoundAttempt>> findAttempt(const fs::path& path)
             fs::remove(partOf(path), ignored);
         }
     }
-    // What did not get as far as its name held moments.
+    // A file that never got its final name holds only the first moments.
     if (!found && !wasThere)
         return std::nullopt;
     if (!found)
@@ -402,7 +403,7 @@ std::optional<fs::path> discardJournal(const fs::path& path)
         fs::remove(path, failure);
         return std::nullopt;
     }
-    // From now on its days are counted.
+    // Its days in the folder count from now.
     fs::last_write_time(folder / path.filename(), fs::file_time_type::clock::now(), failure);
     return folder / path.filename();
 }

@@ -24,14 +24,14 @@ void putSection(ByteWriter& out, Section kind, std::string_view payload)
     out.putAll(std::span(payload.data(), payload.size()));
 }
 
-/// Of a chunk that we have packed, or checked when it was read.
+/// Unpacks a chunk that was packed by this program, or checked when it was read.
 std::vector<ServoEvent> unpackedEvents(std::string_view chunk)
 {
     const auto raw = unpack(chunk, kMaxChunkBytes);
     return (raw ? eventsFrom(*raw) : std::nullopt).value_or(std::vector<ServoEvent>{});
 }
 
-/// @param place  "in its settings"
+/// @param place  where it is damaged: "in its settings"
 tl::unexpected<Error> damaged(std::string_view place)
 {
     return unexpected(ErrorCode::BadStructure, "The recording is damaged " + std::string(place) +

@@ -72,11 +72,11 @@ bool Replayer::play(const ServoEvent& event)
         m_servo->setSpring(event.value);
         break;
     case ServoEvent::Kind::Restore:
-        // A recording was checked when it was read: whatever it goes back to lies behind it.
+        // Reading a recording checks that each moment it returns to comes before.
         swap(m_moments.at(event.value).flat(), false);
         break;
     case ServoEvent::Kind::Resume:
-        if (auto servo = servo::makeServoTick(m_settings))  // with the settings that the attempt began with
+        if (auto servo = servo::makeServoTick(m_settings))  // with the settings of the start of the attempt
             m_servo = std::move(*servo);
         swap(m_tooth->tooth().top, true);
         break;

@@ -13,24 +13,25 @@
 namespace core::servo {
 namespace {
 
-/// Penetration below which the bur is said to hover: a nanometre is rounding, not touch.
+/// Penetration below which the bur counts as hovering: a nanometre is rounding, not touch.
 constexpr double kTouchMm = 1.0e-6;
 
-/// A device that comes back deeper in the tooth than this must be lifted out before it feels a force again.
+/// A device that reconnects deeper in the tooth than this must be lifted out before it feels a force again.
 constexpr double kSunkMm = 1.0;
 
-/// Ground that another state of the tooth, or another bur, puts higher under the tip by more than this has come back.
+/// If another state of the tooth, or another bur, raises the ground under the tip by more than this, ground has come
+/// back.
 constexpr double kComesBackMm = 0.05;
 
-/// No hand is farther from the tooth: such a reading is as bad as none.
+/// A hand cannot be farther from the tooth: such a reading counts as missing.
 constexpr float kFarthestMm = 1000.0F;
 
-/// Rise of the uncut surface, mm a mm, from which on it may be a flank: 70 degrees.
+/// Slope of the uncut surface, mm per mm, from which it may be a flank: 70 degrees.
 constexpr double kFlankRise = 2.75;
-/// A flank is no farther from the outline than this, mm; the wall of a fissure, which is as steep, is.
+/// A flank is no farther from the outline than this, mm. The wall of a fissure is as steep, but farther.
 constexpr double kFlankWidthMm = 0.8;
 
-/// True where the uncut tooth ends or falls off: a depth measured straight down says nothing there.
+/// Returns whether the uncut tooth ends or falls off: a depth measured straight down has no meaning there.
 bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -52,9 +53,9 @@ bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
     return false;
 }
 
-/// No hand moves faster, and none leaps so far in a tick: a reading that does is a bad one (a packet spoilt on its
-/// way), as one that is missing. A few are passed over, as if the hand rested: to let go for a millisecond would throw
-/// a hand that leans on the tooth into it. If they go on, the device is lost.
+/// A hand is never faster and never jumps so far in a tick, so such a reading is bad (a spoilt packet) and counts as
+/// missing. For a few missing readings the hand is taken to rest: without force for a millisecond, a hand that leans on
+/// the tooth would fall into it. If they continue, the device is lost.
 constexpr double kFastestMmPerS = 10'000.0;
 constexpr double kLeastLeapMm = 10.0;
 constexpr std::chrono::milliseconds kPassedOver{10};
@@ -183,8 +184,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
         m_method->restart(m_state.deviceMm);
         m_restart = false;
     }
-    // The handpiece stops at the tooth as the bur does; what is pushed beyond that presses on the crown and cuts
-    // nothing.
+    // The handpiece stops at the tooth like the bur. What is pushed beyond that presses on the crown and does not cut.
     glm::dvec3 reached = m_state.deviceMm;
     m_state.handpieceOnCrown = reached.z < m_tooth->floorMm();
     reached.z = std::max(reached.z, m_tooth->floorMm());
@@ -192,14 +192,14 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.anchorMm = m_method->update(*m_tooth, reached);
     const double stretchMm = glm::length(m_state.anchorMm - reached);
     const bool hasComeBack = m_groundIsNew && stretchMm > before + kComesBackMm;
-    if (hasComeBack)  // ground that comes back under a bur, as by Undo, or meets a wider bur, comes softly
+    if (hasComeBack)  // ground that came back, by an undo or a wider bur, pushes softly
         m_force.drop();
-    // A hand that has sunk in while nothing held it is not thrown out.
+    // A hand that sank in while no force held it must not be thrown out.
     if ((m_wasLost || hasComeBack) && stretchMm > kSunkMm)
         m_mayAct = false;
     m_wasLost = false;
     m_groundIsNew = false;
-    // A bur that begins inside a tooth neither pushes nor cuts until it has been out.
+    // A bur that begins inside a tooth neither pushes nor cuts until it has been outside.
     if (!m_mayAct) {
         const glm::dvec2 over(reached);
         m_mayAct =
@@ -262,7 +262,7 @@ bool ServoTick::leapt(const glm::dvec3& device, double seconds) const noexcept
     return !m_restart && !m_wasLost && glm::dot(way, way) > farthest * farthest;
 }
 
-/// There is no device.
+/// Handles a lost device.
 void ServoTick::lose() noexcept
 {
     letGo();
@@ -273,7 +273,7 @@ void ServoTick::lose() noexcept
     m_unread = {};
 }
 
-/// No force at all, and nothing remembered that could make one.
+/// Sets all forces to zero and forgets the state from which a force could arise.
 void ServoTick::letGo() noexcept
 {
     m_force.drop();
@@ -283,7 +283,7 @@ void ServoTick::letGo() noexcept
     m_state.touching = false;
 }
 
-/// The force of contact and what has nothing to do with the tooth: neither cuts nor counts as contact.
+/// Returns the contact force plus the forces unrelated to the tooth, which neither cut nor count as contact.
 glm::dvec3 ServoTick::around(const glm::dvec3& contactN, double seconds) noexcept
 {
     const glm::dvec3 sum = contactN + m_workArea.update(m_state.deviceMm, seconds) +
@@ -295,7 +295,7 @@ glm::dvec3 ServoTick::around(const glm::dvec3& contactN, double seconds) noexcep
     return newtons > clampN ? sum * (clampN / newtons) : sum;
 }
 
-/// Depth and material under the tip, for the eye: from the nearest column.
+/// Sets depth and material under the tip for the display, from the nearest column.
 void ServoTick::describe() noexcept
 {
     const terrain::Tooth& tooth = m_tooth->tooth();

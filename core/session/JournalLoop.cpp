@@ -92,7 +92,7 @@ void JournalLoop::tellWritten()
     m_somethingWritten.notify_one();
 }
 
-/// In the thread that syncs.
+/// Runs in the thread that syncs.
 void JournalLoop::syncWhenWritten()
 {
     {
@@ -103,7 +103,7 @@ void JournalLoop::syncWhenWritten()
     sync();
 }
 
-/// In the thread that syncs.
+/// Runs in the thread that syncs.
 void JournalLoop::sync()
 {
     std::shared_ptr<recording::JournalFile> file;
@@ -117,7 +117,7 @@ void JournalLoop::sync()
     m_cannotSync = !done;
 }
 
-/// Another attempt. Who takes another tooth has been asked about the one on the table.
+/// Begins with another attempt. The user has already been asked about the unfinished one.
 void JournalLoop::beginWith(std::uint64_t generation)
 {
     setFile(nullptr);

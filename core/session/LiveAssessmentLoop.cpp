@@ -29,7 +29,7 @@ Findings LiveAssessmentLoop::found() const
 
 void LiveAssessmentLoop::tick(std::chrono::microseconds)
 {
-    // A piece at a time, so that who asks meanwhile waits for a few milliseconds at most.
+    // One piece at a time, so that a request waits for at most a few milliseconds.
     for (;;) {
         const std::lock_guard lock(m_mutex);
         const RecordedPart part = m_session.recordedSince(m_generation, m_events);
@@ -54,7 +54,7 @@ std::optional<AttemptSnapshot> LiveAssessmentLoop::conclude()
     auto recording = m_session.recordingSoFar();
     if (!recording)
         return std::nullopt;
-    // Another tooth than the one followed: there is one only since a moment ago.
+    // The tooth has changed since the last run.
     if (const std::uint64_t generation = m_session.recordedGeneration(); generation != m_generation)
         startOver(*recording, generation);
     while (m_generation != 0 && m_events < recording->events()) {
@@ -67,7 +67,7 @@ std::optional<AttemptSnapshot> LiveAssessmentLoop::conclude()
     return AttemptSnapshot{std::move(*recording), std::move(tooth), found()};
 }
 
-/// From the beginning of a recording: what is on it already will be replayed.
+/// Begins with a recording. The events already in it will be replayed.
 void LiveAssessmentLoop::startOver(const recording::Recording& recording, std::uint64_t generation)
 {
     m_events = 0;
@@ -76,10 +76,10 @@ void LiveAssessmentLoop::startOver(const recording::Recording& recording, std::u
     m_generation = 0;
     auto replayer = recording::Replayer::make(recording);
     if (!replayer)
-        return;  // the servo runs with these settings: they are sound
+        return;  // the servo runs with these settings, so they are valid
     m_generation = generation;
     m_replayer = std::move(*replayer);
-    // Whoever opens a tooth says at once what is to be watched; until then nothing is.
+    // The examination for a new tooth is set when the tooth is opened; until then it is empty.
     m_examiner.emplace(generation == m_watchedGeneration ? m_examination : Examination{}, recording.anatomy());
 }
 
@@ -87,14 +87,14 @@ void LiveAssessmentLoop::take(const std::vector<servo::ServoEvent>& events)
 {
     for (const servo::ServoEvent& event : events) {
         if (!play(event)) {
-            m_generation = 0;  // startOver() knows all moments that are on the recording by now
+            m_generation = 0;  // startOver() knows all moments of the recording
             return;
         }
         ++m_events;
     }
 }
 
-/// False where the event goes back to a moment that nobody knows any more.
+/// Returns false if the event goes back to a moment that is not known any more.
 bool LiveAssessmentLoop::play(const servo::ServoEvent& event)
 {
     if (event.kind == servo::ServoEvent::Kind::Restore && !m_replayer->knows(event.value)) {

@@ -14,7 +14,7 @@
 namespace core::session {
 namespace {
 
-/// Grows the tree of moments while a recording is replayed.
+/// Rebuilds the tree of moments while a recording is replayed.
 class HistoryRebuilder
 {
 public:
@@ -37,7 +37,7 @@ public:
         if (m_servo.play(event)) {
             const bool cut = !m_servo.changed().isEmpty();
             m_hasCut = m_hasCut || cut;
-            // A moment in mid-stroke that was gone back to later: it was made one by the undo that took it back.
+            // A moment in mid-stroke to which the attempt returned later: the undo made it a moment.
             if (m_hasCut && m_goneBackTo.contains(m_servo.tick()))
                 m_unfinished = now();
             if (m_stroke.endsWith(cut)) {
@@ -102,8 +102,8 @@ private:
     servo::StrokeDetector m_stroke;
     std::set<std::uint64_t> m_goneBackTo;
     std::map<std::uint64_t, history::MomentId> m_ids;  ///< by tick
-    history::ToothMoment m_unfinished;                 ///< what the stroke under way, or just over, becomes
-    std::uint64_t m_strokeBegan = 0;                   ///< what is older than this belongs to another
+    history::ToothMoment m_unfinished;                 ///< the moment of the current or last stroke
+    std::uint64_t m_strokeBegan = 0;                   ///< older events belong to another stroke
     std::chrono::microseconds m_time{0};
     bool m_hasCut = false;
     int m_strokes = 0;
@@ -118,7 +118,7 @@ Result<std::unique_ptr<ResumableAttempt>> rebuild(recording::Recording recording
         return tl::unexpected(servo.error());
     history::TiledHeights uncut = servo->heights();
     HistoryRebuilder gardener(recording, *servo);
-    // What the tooth was after the last tick: not the same as what it came to, if an undo was the last thing done.
+    // The state after the last tick. It differs from the final state if an undo was the last action.
     bool wentElsewhere = false;
     const auto witness = [&] { return recording::Witness{servo->tick(), terrain::stateHash(servo->tooth().tooth())}; };
     std::optional<recording::Witness> last;

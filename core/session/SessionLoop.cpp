@@ -12,7 +12,7 @@
 namespace core::session {
 namespace {
 
-/// Restored moments that are kept for whoever follows the attempt; one that falls behind more begins anew.
+/// Number of restored moments kept for the loop that follows the attempt. If it falls behind more, it begins anew.
 constexpr std::size_t kRestoredKept = 256;
 
 }  // namespace
@@ -115,7 +115,7 @@ void SessionLoop::applyGroup()
     }
 }
 
-/// The mirror as it is becomes a moment that can be gone back to. The mutex is held.
+/// Makes the present mirror a moment of the history. The mutex is held.
 void SessionLoop::rememberUnfinished()
 {
     if (!m_unfinished)
@@ -127,12 +127,12 @@ void SessionLoop::rememberUnfinished()
 
 void SessionLoop::takeCommands()
 {
-    // A command may hand a tooth to the servo: it is taken only when there is room for that.
+    // A command may hand a tooth to the servo, so it is taken only when the queue has room.
     for (SessionCommand command; m_servo.commands.space() > 0 && m_ui.commands.tryPop(command);)
         std::visit([this](auto&& known) { apply(std::forward<decltype(known)>(known)); }, std::move(command));
 }
 
-/// Goes to another moment, if `go` finds one. What has been cut since the last is one of its own.
+/// Goes to another moment, if `go` finds one. Cuts since the last moment become a moment first.
 void SessionLoop::step(const std::function<bool()>& go)
 {
     if (!m_anatomy)
@@ -192,7 +192,7 @@ void SessionLoop::apply(ResumeAttempt&& resume)
     take(std::move(*resume.attempt), resume.generation, true, std::move(servo));
 }
 
-/// Begins with an attempt, or goes on with it.
+/// Begins with an attempt, or resumes one.
 void SessionLoop::take(ResumableAttempt attempt, std::uint64_t generation, bool resumed,
                        std::unique_ptr<servo::ServoTick> servo)
 {
@@ -215,7 +215,7 @@ void SessionLoop::take(ResumableAttempt attempt, std::uint64_t generation, bool 
         m_removed = history::RemovedTally(m_anatomy);
         m_restored.clear();
         m_group.clear();
-        // The view has been shown the whole tooth.
+        // The view has the whole tooth already.
         const auto cut = history::patchesBetween(m_uncut, m_mirror, tick, m_generation);
         m_toUi.assign(cut.begin(), cut.end());
         m_noted.clear();
@@ -238,7 +238,7 @@ void SessionLoop::apply(const AddNote& added)
     note({servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F), added.code});
 }
 
-/// On the recording, as soon as that is the one of the present tooth. The mutex is held.
+/// Records an event, if the recording is that of the present tooth. The mutex is held.
 void SessionLoop::note(const servo::ServoEvent& event)
 {
     if (m_recordedGeneration != m_generation)
@@ -270,7 +270,7 @@ void SessionLoop::apply(const servo::SetParameter& number)
 void SessionLoop::apply(SetFixture&& held)
 {
     if (m_servo.commands.tryPush(servo::SetFixture{held.fixture.get()}))
-        static_cast<void>(held.fixture.release());  // comes back by retiredFixtures
+        static_cast<void>(held.fixture.release());  // comes back through retiredFixtures
 }
 
 void SessionLoop::apply(const servo::BringHome& home)
@@ -278,7 +278,7 @@ void SessionLoop::apply(const servo::BringHome& home)
     static_cast<void>(m_servo.commands.tryPush(home));
 }
 
-/// Gives the servo the tooth of the present moment and shows the view what that changes.
+/// Gives the servo the tooth of the present moment, and the view the changes.
 void SessionLoop::handOver()
 {
     const history::ToothMoment& moment = m_undo.current();
@@ -327,8 +327,8 @@ std::optional<recording::Recording> SessionLoop::recordingSoFar() const
 {
     const std::lock_guard lock(m_mutex);
     std::optional<recording::Recording> copy = m_recording;
-    // Patches come in groups, so the mirror may be a few ticks behind the events, never ahead: a moment it can vouch
-    // for, unless the recording had to stop before it.
+    // Patches come in groups, so the mirror may be a few ticks behind the events but is never ahead. It is valid for
+    // its own tick, unless the recording had to stop before that.
     if (copy && m_recordedGeneration == m_generation && m_vouchedTick && *m_vouchedTick <= copy->ticks())
         copy->setWitness({*m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
     return copy;

@@ -7,7 +7,7 @@
 namespace core::session {
 namespace {
 
-/// The first byte of such a note. Other notes begin with an ASCII letter.
+/// First byte of a note that holds a sight. Other notes begin with an ASCII letter.
 constexpr std::uint64_t kTag = 0xE7ULL << 56U;
 constexpr std::uint64_t kTagMask = 0xFFULL << 56U;
 

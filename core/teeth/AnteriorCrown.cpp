@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
 constexpr int kFine = 384;
-/// Share of the crown over which the incisal edge is rounded, and what is left of its thickness at the very top.
+/// Share of the crown over which the incisal edge is rounded, and share of its thickness that remains at the very top.
 constexpr double kEdgeShare = 0.07;
 constexpr double kEdgeLeft = 0.12;
 /// Share of the crown below its edge at which it is as wide as the edge is drawn.
 constexpr double kEdgeWidthShare = 0.15;
 
-/// Cubic B-spline over nine even control values, t in 0 .. 1; it starts and ends in the first and the last.
+/// Returns a cubic B-spline over nine even control values at t in 0 .. 1; it starts at the first and ends at the last.
 double on(const Curve& curve, double t)
 {
     const double place = std::clamp(t, 0.0, 1.0) * 8.0;
@@ -29,7 +29,7 @@ double on(const Curve& curve, double t)
     const double u = place - first;
     const double v = 1.0 - u;
     const auto control = [&](int k) {
-        // Past the ends the curve goes straight on.
+        // Beyond its ends the curve is straight.
         if (k < 0)
             return 2.0 * curve[0] - curve[1];
         if (k > 8)
@@ -41,7 +41,7 @@ double on(const Curve& curve, double t)
            6.0;
 }
 
-/// Parabola through the values at the edge, in the middle and at the CEJ.
+/// Returns the parabola through the values at the edge, in the middle and at the CEJ.
 double on(const std::array<double, 3>& three, double t)
 {
     return three[0] * (1.0 - t) * (1.0 - 2.0 * t) + three[1] * 4.0 * t * (1.0 - t) + three[2] * t * (2.0 * t - 1.0);
@@ -59,10 +59,10 @@ double bell(double x, double centre, double width)
     return std::exp(-t * t);
 }
 
-/// How far the lingual surface lies above (towards the lip) or below its envelope.
+/// Returns how far the lingual surface is above (towards the lip) or below its envelope.
 double lingualRelief(const AnteriorDesign& d, double xi, double t)
 {
-    // A bowl that narrows towards the cingulum: a shield between two marginal ridges that meet below.
+    // A bowl that narrows towards the cingulum: a shield between two marginal ridges that meet at its lower end.
     const double down = std::clamp((t - d.fossaFrom) / (d.fossaTo - d.fossaFrom), 0.0, 1.0);
     const double length = 4.0 * down * (1.0 - down) * (1.2 - 0.4 * down);
     const double half = d.fossaHalf * (1.25 - 0.75 * down);
@@ -81,7 +81,7 @@ double labialRelief(const AnteriorDesign& d, double xi, double t)
     return d.labialRidgeMm * ridge - d.labialGrooveMm * grooves;
 }
 
-/// One section, resampled to even steps: labial half first, from the distal to the mesial side, then the lingual half.
+/// Returns one section in even steps: the labial half first, from the distal to the mesial side, then the lingual half.
 std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes, int around, double t)
 {
     const double edge = std::max(1.0 - t / kEdgeShare, 0.0);
@@ -92,7 +92,7 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
     const double labial = on(d.labialY, t);
     const double lingual = on(d.lingualY, t);
     const double middle = 0.5 * (labial + lingual);
-    // The uppermost sections are narrower, but lie on the same edge: none of those below rises above it.
+    // The uppermost sections are narrower but on the same edge: no lower one rises above it.
     const double edgeFrom = on(d.mesialX, std::max(t, kEdgeWidthShare));
     const double edgeTo = on(d.distalX, std::max(t, kEdgeWidthShare));
 
@@ -111,7 +111,7 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
             y = middle + (labial - middle + labialRelief(d, xi, t) * std::min(out * 2.0, 1.0)) * out * thickness;
         else
             y = middle + (lingual - middle + lingualRelief(d, xi, t) * std::min(out * 2.0, 1.0)) * out * thickness;
-        // The lingual side is narrower than the labial one, most of all at the cingulum.
+        // The lingual side is narrower than the labial one, most at the cingulum.
         const double taper = front ? 0.0 : d.lingualTaper * easing(0.1, 0.8, t) * out * out;
         const double shift = front ? 0.0 : d.cingulumX * t * out * out;
         const double x = 0.5 * (mesial + distal) + 0.5 * (distal - mesial) * xi * (1.0 - taper) + shift;
@@ -151,7 +151,7 @@ MeshBuilder::Ring buildAnteriorCrown(MeshBuilder& builder, const AnteriorDesign&
     const auto around = static_cast<std::size_t>(detail.edgeAround);
     MeshBuilder::Ring above;
     for (int r = 0; r <= detail.edgeSections; ++r) {
-        // Sections lie closer where the incisal edge turns over.
+        // Sections are closer where the incisal edge turns over.
         const double t = std::pow(static_cast<double>(r) / detail.edgeSections, 1.5);
         const std::vector<glm::dvec3> points = section(design, sizes, detail.edgeAround, t);
         MeshBuilder::Ring ring;

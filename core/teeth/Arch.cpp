@@ -19,24 +19,24 @@
 namespace core::teeth {
 namespace {
 
-/// Lean of the long axis, crown towards lip or cheek, degrees, central incisor to third molar: 33 and 27 for the
-/// central incisors falling to about 0 at the second premolars, then rising above and falling below (Tong and others
-/// 2012, 76 persons); the figures between from textbooks, rounded.
+/// Lean of the long axis, crown towards lip or cheek, degrees, central incisor to third molar. It is 33 and 27 for the
+/// central incisors, falls to about 0 at the second premolars, and then rises in the upper and falls in the lower jaw
+/// (Tong and others 2012, 76 persons). The values in between are from textbooks, rounded.
 constexpr std::array<double, 8> kUpperLeanDeg{28, 26, 16, 5, 0, 6, 8, 10};
 constexpr std::array<double, 8> kLowerLeanDeg{24, 22, 12, 5, 0, -8, -14, -18};
 
-/// The hinge of the jaw joints, behind and above the incisal edges, mm: Bonwill's triangle has sides of 100 mm, and
-/// the joints lie some 35 mm above the occlusal plane.
+/// The hinge of the jaw joints, behind and above the incisal edges, mm. Bonwill's triangle has sides of 100 mm, and the
+/// joints are some 35 mm above the occlusal plane.
 constexpr double kHingeBackMm = 85.0;
 constexpr double kHingeUpMm = 35.0;
 /// The upper incisal edges bite in front of and over the lower ones, mm (textbook means).
 constexpr double kOverjetMm = 2.5;
 constexpr double kOverbiteMm = 2.0;
 
-/// Teeth are that near where they count as touching, mm.
+/// Distance at which teeth count as touching, mm.
 constexpr double kTouchMm = 0.12;
 constexpr double kContactCellMm = 0.08;
-/// The papilla's tip lies so far below the contact, and no higher than that above the margin; mm.
+/// Height of the papilla's tip: so far below the contact, but no higher than that above the margin; mm.
 constexpr double kBelowContactMm = 0.2;
 constexpr double kHighestPapillaMm = 3.6;
 
@@ -112,7 +112,7 @@ glm::dmat4 standAt(const ArchCurve& curve, int fdi, const glm::dvec3& point, dou
     return stand;
 }
 
-/// The side of a crown as seen along the arch: how far it reaches over (across the arch, z).
+/// Returns the side of a crown along the arch: its extent over (across the arch, z).
 SampleMap sideOf(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, glm::dvec2 along, bool farSide)
 {
     const glm::dvec2 across{along.y, -along.x};
@@ -122,7 +122,7 @@ SampleMap sideOf(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, glm::
         const glm::dvec3 p(jawFromTooth * glm::dvec4(tooth.mesh.vertices[k], 1.0));
         points.emplace_back(glm::dot(glm::dvec2(p), across), p.z, glm::dot(glm::dvec2(p), along));
     }
-    // One frame for all: across the arch no jaw is wider than this.
+    // One frame for all: no jaw is wider than this across the arch.
     SampleMap map({-60.0, -12.0}, {60.0, 1.0}, kContactCellMm, farSide ? -1.0e9 : 1.0e9);
     for (const auto& t : tooth.mesh.triangles) {
         if (std::max({t[0], t[1], t[2]}) >= tooth.crownVertices)
@@ -134,7 +134,7 @@ SampleMap sideOf(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, glm::
     return map;
 }
 
-/// Least distance along the arch, and where.
+/// Returns the least distance along the arch, and its place.
 ArchContact contactOf(const SampleMap& far, const SampleMap& near, glm::dvec2 along)
 {
     ArchContact contact;
@@ -162,16 +162,16 @@ ArchContact contactOf(const SampleMap& far, const SampleMap& near, glm::dvec2 al
     return contact;
 }
 
-/// Roots end so far below the CEJ once the gum is laid over them: nobody sees more. mm.
+/// Length below the CEJ at which roots are cut off under the gum, mm: they are not visible any deeper.
 constexpr double kRootStumpMm = 2.5;
 
-/// Where the gum beside a single tooth begins to fade and where it has vanished, below the neck of the tooth; and the
-/// root of a neighbour.
+/// Depths below the neck at which the gum beside a single tooth begins to fade and has vanished; and the root of a
+/// neighbour.
 constexpr double kFadeFromMm = 0.8;
 constexpr double kFadeToMm = 3.8;
 constexpr double kRootFadeFromMm = -0.2;
 constexpr double kRootFadeToMm = 0.9;
-/// The same from where the gum would go on to the next tooth.
+/// The same at the place where the gum would continue to the next tooth.
 constexpr double kEndFadeFromMm = 0.8;
 constexpr double kEndFadeToMm = 5.0;
 
@@ -187,7 +187,7 @@ void cutRoot(LookMesh& mesh, const CoarseTooth& tooth)
                         [&](std::uint32_t v) { return mesh.vertices[v].positionMm.z > end; }))
             left.insert(left.end(), mesh.indices.data() + k, mesh.indices.data() + k + 3);
     mesh.indices = std::move(left);
-    // Vertices that no triangle uses would still be uploaded.
+    // Unused vertices would still be uploaded.
     std::vector<std::uint32_t> moved(mesh.vertices.size(), 0xFFFFFFFFU);
     std::vector<LookVertex> vertices;
     for (std::uint32_t& k : mesh.indices) {
@@ -227,7 +227,7 @@ glm::dmat4 mouthFromJaw(Jaw jaw, double openRad)
     if (jaw == Jaw::Upper)
         return glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, -1.0));
     const glm::dvec3 hinge(0.0, kHingeBackMm, kHingeUpMm);
-    // About +x forward (-y) goes down.
+    // About +x, forward (-y) turns down.
     glm::dmat4 open = glm::translate(glm::dmat4(1.0), hinge);
     open = glm::rotate(open, openRad, glm::dvec3(1.0, 0.0, 0.0));
     open = glm::translate(open, -hinge);
@@ -254,7 +254,7 @@ const CoarseTooth& Arch::tooth(int fdi) const
     return m_teeth.at(indexOf(fdi));
 }
 
-/// From the midline backwards, each tooth up to the one before.
+/// Places the teeth from the midline backwards, each against the one before.
 void Arch::place(Jaw jaw)
 {
     const ArchCurve curve(jaw);
@@ -306,7 +306,7 @@ void Arch::place(Jaw jaw)
     }
 }
 
-/// Meshes to look at: teeth, gums, and how the light falls between them.
+/// Builds the display meshes: teeth, gums, and the light between them.
 void Arch::dress(Jaw jaw)
 {
     const ArchCurve curve(jaw);
@@ -411,7 +411,7 @@ std::vector<ArchPiece> Arch::neighbours(int fdi) const
     return pieces;
 }
 
-/// Where a tooth touches the next one, or the one before it; null behind the last.
+/// Returns the contact of a tooth with the next or the previous one; null behind the last.
 const ArchContact* Arch::endOf(int fdi, bool distal) const
 {
     const auto found = std::find_if(m_contacts.begin(), m_contacts.end(), [&](const ArchContact& contact) {
@@ -420,7 +420,7 @@ const ArchContact* Arch::endOf(int fdi, bool distal) const
     return found == m_contacts.end() ? nullptr : &*found;
 }
 
-/// Height of the neck of a tooth in the frame of its jaw: the mean of its CEJ.
+/// Returns the height of the neck of a tooth in the frame of its jaw: the mean of its CEJ.
 double Arch::neckMm(int fdi) const
 {
     const CoarseTooth& one = tooth(fdi);
@@ -430,7 +430,7 @@ double Arch::neckMm(int fdi) const
     return sum / static_cast<double>(one.cervix.size());
 }
 
-/// A copy of a tooth or of its gum that fades below the neck and towards one end.
+/// Returns a copy of a tooth or its gum that fades below the neck and towards one end.
 std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchContact* end) const
 {
     auto faded = std::make_shared<LookMesh>();
@@ -446,7 +446,7 @@ std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchConta
     }
     const ArchCurve curve(piece.jaw);
     const double endMm = end != nullptr ? curve.placeOf(glm::dvec2(end->middleMm)).alongMm : 0.0;
-    // Between two teeth the heights of their necks pass into each other.
+    // Between two teeth, the heights of their necks are blended.
     struct Neck
     {
         glm::dvec2 at{0.0};

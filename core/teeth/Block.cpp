@@ -28,11 +28,11 @@ constexpr std::array<NumberField<BlockDesign>, 10> kFields{{
     {"line_angle_mm", "radius between floor and wall", "mm", &BlockDesign::lineAngleMm, 0.0, 1.0},
 }};
 
-constexpr double kMarginMm = 0.5;       ///< of block that stays around and below a shape
-constexpr double kLeastIslandMm = 0.5;  ///< what a ring or frame stands around
-constexpr double kPadSoftMm = 2.0;      ///< a pad's material goes so deep
-constexpr double kBetweenPitsMm = 0.5;  ///< of block that stays between two pits
-constexpr double kWaveMm = 3.5;         ///< from a thick place of the enamel over a junction to a thin one
+constexpr double kMarginMm = 0.5;       ///< block that stays around and below a shape
+constexpr double kLeastIslandMm = 0.5;  ///< smallest island that a ring or frame surrounds
+constexpr double kPadSoftMm = 2.0;      ///< depth of the soft material of a pad
+constexpr double kBetweenPitsMm = 0.5;  ///< block that stays between two pits
+constexpr double kWaveMm = 3.5;         ///< distance from thick to thin enamel over a junction
 
 Status misfit(const char* sentence, std::vector<LocalizableText> values = {})
 {
@@ -44,7 +44,7 @@ LocalizableText number(double value)
     return noted(plainNumber(value));
 }
 
-/// Boxes side by side that share their corners: heights over a lattice of rectangles, as one closed surface.
+/// Boxes side by side with shared corners: heights over a lattice of rectangles, as one closed surface.
 class Steps
 {
 public:
@@ -61,7 +61,7 @@ public:
                      {m_x[a], m_y[b + 1], z});
                 quad({m_x[a], m_y[b + 1], m_bottom}, {m_x[a + 1], m_y[b + 1], m_bottom}, {m_x[a + 1], m_y[b], m_bottom},
                      {m_x[a], m_y[b], m_bottom});
-                // Each wall belongs to the higher of its neighbours.
+                // Each wall belongs to the higher of its two neighbours.
                 const glm::dvec2 sw{m_x[a], m_y[b]};
                 const glm::dvec2 se{m_x[a + 1], m_y[b]};
                 const glm::dvec2 ne{m_x[a + 1], m_y[b + 1]};
@@ -79,7 +79,7 @@ private:
 
     void wall(glm::dvec2 from, glm::dvec2 to, double high, double low)
     {
-        // Cut at every level, so that walls of different height that share an edge share its corners.
+        // Cut at every level, so that walls of different height share the corners of their common edge.
         std::vector<double> levels{high, low};
         for (const double z : m_heights)
             if (z < high && z > low)
@@ -106,8 +106,8 @@ private:
     mesh::TriangleMesh m_mesh;
 };
 
-/// Depth of the junction below the top of a block, mm: a smooth random field, stretched so that it runs from enamelMm
-/// to depthMm within the window.
+/// Depth of the junction below the top of a block, mm: a smooth random field, scaled to run from enamelMm to depthMm
+/// within the window.
 class JunctionDepth
 {
 public:
@@ -140,7 +140,7 @@ private:
     double m_most = -1.0;
 };
 
-/// What only some shapes ask for.
+/// Checks the values that only some shapes need.
 Status validateShape(const BlockDesign& design)
 {
     if (design.shape == BlockShape::Staircase && design.lengthMm / design.steps < design.widthMm)

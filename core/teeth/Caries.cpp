@@ -15,16 +15,17 @@
 namespace core::teeth {
 namespace {
 
-constexpr float kOverPulpMm = 0.5F;       ///< dentin that no lesion takes (Murray 2003: below it the pulp is hurt)
-constexpr double kJunctionAt = 0.25;      ///< severity at which a lesion has gone through the enamel
+constexpr float kOverPulpMm = 0.5F;       ///< dentin spared by every lesion (Murray 2003: with less, the pulp is hurt)
+constexpr double kJunctionAt = 0.25;      ///< severity at which a lesion has passed through the enamel
 constexpr double kValleyRadiusMm = 0.7;   ///< half the width of a groove between two inclines
 constexpr double kFissureRadiusMm = 0.3;  ///< half the width of the fissure in it
-constexpr double kTableShare = 0.36;      ///< of the greatest distance from the outline: inside lies the occlusal table
-constexpr double kPitShare = 0.55;        ///< inside lie the pits that a lesion begins in
+constexpr double kTableShare = 0.36;      ///< of the greatest distance from the outline: further inside is the occlusal
+                                          ///< table
+constexpr double kPitShare = 0.55;        ///< further inside are the pits in which a lesion begins
 constexpr float kBelowTipsMm = 1.0F;      ///< and this far below the highest cusp
-constexpr double kWallShare = 0.2;        ///< outside lies the wall, which these lesions leave alone
-constexpr double kLongestMm = 3.5;        ///< of a line, from the pit to either end
-constexpr float kValleyMm = 0.06F;        ///< deeper than this below its shoulders a place is a valley
+constexpr double kWallShare = 0.2;        ///< further outside is the wall, which these lesions spare
+constexpr double kLongestMm = 3.5;        ///< longest path from the pit to either end
+constexpr float kValleyMm = 0.06F;        ///< a place deeper than this below its shoulders is a valley
 
 /// The tooth a lesion grows in.
 struct Ground
@@ -35,12 +36,12 @@ struct Ground
     std::vector<terrain::ColumnLayers>& layers;
     Lattice lattice;
     std::vector<float> sideMm;  ///< [side * side]
-    std::vector<float> limit;   ///< minus the lowest height a lesion may reach, on the lattice; kNoValue: no pulp near
+    std::vector<float> limit;   ///< minus the lowest height for a lesion, on the lattice; kNoValue: no pulp near
     double broadestMm = 0.0;    ///< greatest distance from the outline
 
     [[nodiscard]] bool solid(std::size_t k) const { return top[k] > bottom[k]; }
 
-    /// The lowest height that a lesion may reach in a column.
+    /// Returns the lowest height that a lesion may reach in a column.
     [[nodiscard]] float lowest(int i, int j) const
     {
         const std::size_t k = grid.index(i, j);
@@ -60,14 +61,14 @@ Ground survey(const terrain::Grid& grid, std::span<const float> top, std::span<c
             minusRoof[k] = -layers[k].pulpRoof;
     ground.sideMm = distanceInside(grid, solidNodes(top, bottom));
     ground.broadestMm = static_cast<double>(*std::max_element(ground.sideMm.begin(), ground.sideMm.end()));
-    // A ball of the spared dentin around the pulp, wider by what lies between the lattice's nodes.
+    // A ball of the spared dentin around the pulp, plus the distance between nodes of the lattice.
     const float radius = kOverPulpMm + 1.5F * static_cast<float>(ground.lattice.cellMm());
     ground.limit = ground.lattice.ballsBelow(ground.lattice.pick(minusRoof, kNoValue),
                                              std::vector<float>(ground.lattice.count(), radius));
     return ground;
 }
 
-/// Where a fissure lesion has come to: a place and its distance from the pit it began in.
+/// A place on the path of a fissure lesion, and its distance from the pit where the lesion began.
 struct Stop
 {
     int a = 0;
@@ -94,7 +95,7 @@ public:
 
     [[nodiscard]] const Lattice& lattice() const { return m_lattice; }
 
-    /// The path of a lesion: a pit and the fissure to both sides of it.
+    /// Returns the path of a lesion: a pit, and the fissure on both sides of it.
     [[nodiscard]] std::vector<Stop> walk(std::uint64_t seed, double longestMm) const
     {
         Rng rng(seed ^ 0x66697373757265ULL);
@@ -104,7 +105,7 @@ public:
         take(taken, pit);
         for (int arm = 0; arm < 2; ++arm) {
             Stop at = pit;
-            if (arm == 1 && path.size() > 1) {  // away from where the first arm went
+            if (arm == 1 && path.size() > 1) {  // away from the first arm
                 at.alongA = -path[1].alongA;
                 at.alongB = -path[1].alongB;
             }
@@ -115,7 +116,7 @@ public:
     }
 
 private:
-    static constexpr int kReach = 4;  ///< nodes to each side of the path that it will not come back to
+    static constexpr int kReach = 4;  ///< nodes on each side of the path that stay blocked
 
     [[nodiscard]] bool inTable(std::size_t k) const
     {
@@ -152,7 +153,7 @@ private:
         });
     }
 
-    /// On a crown without a fissure: the lowest place well inside the outline.
+    /// Returns, for a crown without a fissure, the lowest place well inside the outline.
     [[nodiscard]] Stop lowestInside() const
     {
         Stop best{m_lattice.side() / 2, m_lattice.side() / 2};
@@ -173,7 +174,7 @@ private:
 
     void take(std::vector<std::uint8_t>& taken, const Stop& at) const { taken[m_lattice.index(at.a, at.b)] = 1; }
 
-    /// Nodes of the path so far beside (a, b), `at` itself and its surroundings left out.
+    /// Returns whether the path passes within kReach of (a, b), apart from the surroundings of `at`.
     [[nodiscard]] bool touchesPath(int a, int b, const Stop& at, const std::vector<std::uint8_t>& taken) const
     {
         for (int nb = std::max(0, b - kReach); nb <= std::min(m_lattice.side() - 1, b + kReach); ++nb)
@@ -183,7 +184,7 @@ private:
         return false;
     }
 
-    /// Goes on to the deepest neighbour in the valley; false at its end.
+    /// Moves to the deepest neighbour in the valley; returns false at its end.
     bool step(Stop& at, std::vector<std::uint8_t>& taken, Rng& rng) const
     {
         Stop next = at;
@@ -198,7 +199,7 @@ private:
                 const double wander = rng.uniform(0.8, 1.2);
                 if (taken[k] != 0 || m_valley[k] < kValleyMm || touchesPath(a, b, at, taken))
                     continue;
-                // Straight on rather than round a corner, and never back.
+                // Straight on is preferred to a corner, and never back.
                 const int turn = da * at.alongA + db * at.alongB;
                 if (turn < 0)
                     continue;
@@ -211,7 +212,7 @@ private:
         }
         if (best == 0.0)
             return false;
-        // Whatever could have been stepped on instead is no way forward any more.
+        // The other candidates of this step are blocked.
         for (int db = -1; db <= 1; ++db)
             for (int da = -1; da <= 1; ++da)
                 if (at.a + da >= 0 && at.b + db >= 0 && at.a + da < m_lattice.side() && at.b + db < m_lattice.side())
@@ -228,7 +229,7 @@ private:
     std::vector<float> m_valley;  ///< depth below the shoulders, mm
 };
 
-/// Widens a column's lesion to [floor, roof]; what it held stays in.
+/// Extends a column's lesion to include [floor, roof].
 void addInterval(terrain::ColumnLayers& column, float roof, float floor)
 {
     if (!(roof > floor))
