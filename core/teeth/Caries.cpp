@@ -242,8 +242,8 @@ void addInterval(terrain::ColumnLayers& column, float roof, float floor)
     column.cariesFloor = floor;
 }
 
-/// Height of the enamel-dentin junction at a place (in cells; whole numbers on nodes), bilinear over the solid nodes
-/// around it; nothing where there is none.
+/// Returns the height of the enamel-dentin junction at a place (in cells; whole numbers on nodes), bilinear over the
+/// surrounding solid nodes; empty if there is none.
 std::optional<double> junctionAt(const Ground& ground, glm::dvec2 at)
 {
     const int i0 = static_cast<int>(std::floor(at.x));
@@ -261,14 +261,14 @@ std::optional<double> junctionAt(const Ground& ground, glm::dvec2 at)
     return weights > 0.0 ? std::optional(sum / weights) : std::nullopt;
 }
 
-/// The lesion of one severity (0 .. 1) at one stop. Every length grows with the severity, so that lesions nest.
+/// Grows the lesion of one severity (0 .. 1) at one stop. Every length grows with the severity, so that lesions nest.
 void growAt(Ground& ground, const LesionStop& stop, double severity)
 {
     const terrain::Grid& grid = ground.grid;
     glm::dvec2 centre = grid.latticeOf(stop.atMm);
     const glm::dvec2 node(std::round(centre.x), std::round(centre.y));
     if (std::abs(centre.x - node.x) + std::abs(centre.y - node.y) < 1.0e-6)
-        centre = node;  // it was found on this grid
+        centre = node;  // the stop was found on this grid
     const auto junctionHere = junctionAt(ground, centre);
     if (!junctionHere)
         return;
@@ -289,9 +289,9 @@ void growAt(Ground& ground, const LesionStop& stop, double severity)
             terrain::ColumnLayers& column = ground.layers[k];
             const double aside =
                 grid.cellMm * std::sqrt((i - centre.x) * (i - centre.x) + (j - centre.y) * (j - centre.y));
-            // However fine the mouth, it has a node.
+            // The nearest node always belongs to the mouth, however fine it is.
             const bool isNearest = i == static_cast<int>(node.x) && j == static_cast<int>(node.y);
-            // Where enamel fills the whole column there is no junction to run along, and none down the wall.
+            // If enamel fills the whole column, the lesion has no junction to follow, and none down the wall.
             if (!ground.solid(k) || (aside > base && !isNearest) || column.dej - ground.bottom[k] < 0.3F ||
                 column.dej < lowestJunction || static_cast<double>(ground.sideMm[k]) < kWallShare * ground.broadestMm)
                 continue;
@@ -340,13 +340,14 @@ void growAlong(Ground& ground, std::span<const LesionStop> line, double extent)
     }
 }
 
-/// Decay of a smooth surface. Every length grows with the extent, so that lesions nest.
+/// Grows the decay of a smooth surface. Every length grows with the extent, so that lesions nest.
 void growOnSurface(Ground& ground, const SurfaceLesion& lesion, double extent)
 {
-    constexpr double kSmallest = 0.45;    ///< share of its half lengths that decay begins with
+    constexpr double kSmallest = 0.45;    ///< share of the half lengths at the start of decay
     constexpr double kDeepestMm = 2.2;    ///< below the junction
     constexpr double kSecondCone = 0.85;  ///< half lengths of the cone in dentin, share of the outline's
-    constexpr double kThickestMm = 1.6;   ///< enamel that decay goes through; where it is thicker, it ends in enamel
+    constexpr double kThickestMm = 1.6;   ///< thickest enamel that decay passes through; in thicker enamel, it ends
+                                          ///< there
     const terrain::Grid& grid = ground.grid;
     const glm::dvec2 half = lesion.halfMm * (kSmallest + (1.0 - kSmallest) * extent);
     const double through = std::min(1.0, extent / kJunctionAt);
@@ -377,11 +378,11 @@ void growOnSurface(Ground& ground, const SurfaceLesion& lesion, double extent)
     }
 }
 
-/// The 2011 rule: from the lowest point near the centre, depth first, the lower neighbour first.
+/// Follows the 2011 rule: from the lowest point near the centre, depth first, the lower neighbour first.
 void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
 {
     constexpr double kLargestMm2 = 12.0;
-    constexpr float kLowMm = 1.2F;  ///< above the start, still a low point
+    constexpr float kLowMm = 1.2F;  ///< height above the start up to which a point is low
     const terrain::Grid& grid = ground.grid;
     Rng rng(seed ^ 0x6C6F77ULL);
     double x = 0.0;
@@ -405,7 +406,7 @@ void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
                static_cast<double>(ground.sideMm[grid.index(i, j)]) > kTableShare * ground.broadestMm;
     };
     const auto height = [&](int i, int j) { return ground.top[grid.index(i, j)]; };
-    // A seed turns the fill where two ways are about as low.
+    // If two ways are about equally low, the seed decides.
     const ValueNoise lure(seed, 0.8);
     const auto pull = [&](const std::pair<int, int>& at) {
         if (!allowed(at.first, at.second))

@@ -23,25 +23,25 @@ constexpr double kBridgeMm = 3.0;       ///< radius of the curve of the gum betw
 constexpr double kDeepBridgeMm = 15.0;  ///< the same between two roots, near the foot of the gum
 constexpr double kWideMm = 12.0;        ///< longest span along the arch, to either side
 constexpr double kDeepSoftMm = 2.5;     ///< near its foot, the gum is averaged over this length to either side
-constexpr double kNecksMm = -6.0;       ///< about where the one begins to turn into the other,
-constexpr double kEvenFromMm = -12.5;   ///< and where it has
-constexpr double kEvenMm = 7.0;         ///< over which the scallop is evened out further down
+constexpr double kNecksMm = -6.0;       ///< height at which necks begin to turn into the even part
+constexpr double kEvenFromMm = -12.5;   ///< height at which they have turned into it
+constexpr double kEvenMm = 7.0;         ///< length over which the scallop is evened out
 constexpr double kScallop = 2.6;        ///< power: how late the margin rises towards the papilla
-constexpr double kInsideMm = 0.2;       ///< the margin's edge is hidden so deep in the tooth
+constexpr double kInsideMm = 0.2;       ///< depth of the hidden edge of the margin in the tooth
 constexpr double kRollMm = 1.1;         ///< height of the rolled edge of the margin
-constexpr double kSteepestIn = 0.10;    ///< the face falls back under the margin by no more, mm per mm
+constexpr double kSteepestIn = 0.10;    ///< most that the face recedes below the margin, mm per mm
 constexpr int kBaseColumns = 9;
 constexpr int kShellColumns = 6;
-constexpr double kShellMm = 9.0;        ///< how far the shell bulges below the gum's foot,
-constexpr double kShellFrontMm = 16.0;  ///< so far behind its front
+constexpr double kShellMm = 9.0;        ///< the shell bulges this far below the foot of the gum
+constexpr double kShellFrontMm = 16.0;  ///< distance of that bulge behind the front
 
 /// Depths below the margin at which a section has points.
 constexpr std::array kFacialDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1.7, 2.4, 3.3, 4.4, 5.8};
 constexpr std::array kLingualDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1.7, 2.4, 3.3, 4.4, 5.5};
-constexpr int kFootColumns = 3;   ///< from there down to the foot
+constexpr int kFootColumns = 3;   ///< columns from there down to the foot
 constexpr int kCrestColumns = 3;  ///< between the two margins
 
-/// How far the teeth reach to one side, over (along the arch, z), and the same with the hollows between them spanned.
+/// The extent of the teeth to one side, over (along the arch, z), and the same with the hollows between them spanned.
 class Contour
 {
 public:
@@ -70,7 +70,7 @@ public:
     [[nodiscard]] double spanned(double alongMm, double z) const { return read(m_spanned, alongMm, z); }
 
 private:
-    /// Between teeth a straight line from one to the next; where no root reaches down as the row above.
+    /// Spans the gaps between teeth with straight lines. Where no root reaches down, a row is like the one above.
     void fill(int row)
     {
         int before = -1;
@@ -89,8 +89,8 @@ private:
                                                           : 0.0;
     }
 
-    /// The tooth that is drilled is a map of heights, so a hollow between crown and root is filled: the gum has to
-    /// cover the filled tooth.
+    /// Returns the map without undercuts. The drilled tooth is a map of heights, so a hollow between its crown and root
+    /// is filled, and the gum has to cover it.
     [[nodiscard]] SampleMap withoutUndercuts() const
     {
         SampleMap filled = m_reach;
@@ -127,7 +127,7 @@ private:
                 }
                 line[onLine(column)] = most;
             }
-            // Removes the creases where two spans meet.
+            // This removes the creases where two spans meet.
             const int soft = static_cast<int>(std::lround(kDeepSoftMm * deep / kMapCellMm));
             for (int column = 0; column < m_reach.columns; ++column) {
                 double sum = 0.0;
@@ -154,7 +154,7 @@ private:
     SampleMap m_spanned;
 };
 
-/// One side of a section: points from the margin down, as (outwards to that side, z).
+/// One side of a section: points from the margin down, as (outwards on that side, z).
 struct Side
 {
     std::vector<glm::dvec2> points;
@@ -229,7 +229,7 @@ private:
         std::vector<double> all(depths.begin(), depths.end());
         const double foot = margin - kGumFootMm;
         const double evenMargin = evenMarginAt(along, isFacial);
-        // Deep down the rows run straight along the jaw.
+        // Deep down, the rows are straight along the jaw.
         const double deepest = std::clamp(depths.back() + margin - evenMargin, 0.3, std::max(0.9 * foot, 0.3));
         for (double& depth : all)
             depth *= 1.0 + (deepest / depths.back() - 1.0) * depth / depths.back();

@@ -13,7 +13,7 @@ namespace {
 using terrain::Lying;
 using terrain::ToothSide;
 
-/// In the order of terrain::ToothSide, of a tooth whose +y is buccal.
+/// In the order of terrain::ToothSide, for a tooth with +y buccal.
 constexpr std::array<std::string_view, terrain::kToothSideCount> kOfTheMouth{"occlusal", "mesial", "distal", "lingual",
                                                                              "buccal"};
 constexpr std::array<std::string_view, terrain::kToothSideCount> kOfTheFrame{"occlusal", "-x", "+x", "-y", "+y"};

@@ -25,7 +25,7 @@ LaidSolid::LaidSolid(const LaidTooth& laid, Height roof, Height floor) : m_laid(
 
 std::optional<std::pair<float, float>> LaidSolid::along(glm::dvec2 atMm, float top, float bottom) const
 {
-    constexpr double kThinWallMm = 0.2;  ///< less than this between two stretches is none
+    constexpr double kThinWallMm = 0.2;  ///< a wall thinner than this between two stretches is removed
     if (!(atMm.x >= m_lowMm.x && atMm.x <= m_highMm.x && atMm.y >= m_lowMm.y && atMm.y <= m_highMm.y))
         return std::nullopt;
     const auto highest = static_cast<double>(top);
@@ -47,8 +47,8 @@ std::optional<std::pair<float, float>> LaidSolid::along(glm::dvec2 atMm, float t
     return std::pair(static_cast<float>(*roof), static_cast<float>(floor));
 }
 
-/// Roof and floor are linear between the nodes around that have the layer, and its outline runs half way to those that
-/// have it not.
+/// Roof and floor are linear between the surrounding nodes that have the layer. The outline is half way to the nodes
+/// without it.
 bool LaidSolid::holds(const glm::dvec3& ownMm) const
 {
     const terrain::Grid& grid = m_laid.own.grid;

@@ -19,7 +19,7 @@ namespace core::teeth {
 namespace {
 
 constexpr double kThinnestMm = 0.2;         ///< enamel left under the deepest fissure
-constexpr double kFissureHalfMouth = 0.35;  ///< what is narrower than twice this is a fissure, not a fossa
+constexpr double kFissureHalfMouth = 0.35;  ///< a groove narrower than twice this is a fissure, not a fossa
 
 double smoothstep(double low, double high, double value)
 {
@@ -27,7 +27,7 @@ double smoothstep(double low, double high, double value)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// Enamel thickness beside a surface point and the height of the CEJ, over one tooth.
+/// Enamel thickness beside a surface point, and the height of the CEJ, for one tooth.
 class Enamel
 {
 public:
@@ -59,7 +59,8 @@ public:
         m_halfWidth = std::max(grid.cellMm, 0.5 * (right - left));
     }
 
-    /// Height of the CEJ over a place: lowest on the facial and lingual side, curving up mesially (-x) and distally.
+    /// Returns the height of the CEJ at a place. It is lowest on the facial and lingual side and rises mesially (-x)
+    /// and distally.
     [[nodiscard]] double cervixAt(double x) const
     {
         const double u = std::clamp((x - m_centreX) / m_halfWidth, -1.0, 1.0);
@@ -67,7 +68,7 @@ public:
         return m_highest - m_figures.crownHeight + (m_isSteepAside ? rise * u * u : rise);
     }
 
-    /// Takes the neck from the sizes that the program made the tooth by, instead of guessing it from the crown.
+    /// Takes the neck from the sizes with which the program made the tooth, instead of an estimate from the crown.
     void fitNeck(const ToothSizes& made)
     {
         m_figures.sizes = made;
@@ -76,13 +77,13 @@ public:
         m_isSteepAside = m_figures.kind == ToothKind::Premolar || m_figures.kind == ToothKind::Molar;
     }
 
-    /// Person and place: a factor near 1 on every thickness.
+    /// Returns a factor near 1 for every thickness, by person and place.
     [[nodiscard]] double variation(double x, double y) const
     {
         return m_person * (1.0 + 0.08 * m_patches.at(x - m_middle.x, y - m_middle.y));
     }
 
-    /// Enamel on a side wall at a height above the CEJ (docs/teeth.md: within 0.12 of a CT molar).
+    /// Returns the enamel on a side wall at a height above the CEJ (docs/teeth.md: within 0.12 of a CT molar).
     [[nodiscard]] double lateral(double aboveCervix) const
     {
         if (aboveCervix <= 0.0)
@@ -91,17 +92,18 @@ public:
                         m_figures.cuspEnamel);
     }
 
-    /// The height above the CEJ at which lateral() is `thickness`: where the junction meets a wall that far away.
+    /// Returns the height above the CEJ at which lateral() is `thickness`: there the junction meets a wall at that
+    /// distance.
     [[nodiscard]] double heightOf(double thickness) const
     {
         const double low = thickness / (m_figures.enamelPerHeight + kEdge / kEdgeHeight);
         return low < kEdgeHeight ? low : (thickness - kEdge) / m_figures.enamelPerHeight;
     }
 
-    /// Enamel at an incisal edge, along the axis; 0 where there is none.
+    /// Returns the enamel at an incisal edge, along the axis; 0 if there is none.
     [[nodiscard]] double edgeMm() const { return m_figures.edgeEnamel; }
 
-    /// Enamel under a surface point at height z over (x, y), `side` away from the outline.
+    /// Returns the enamel under a surface point at height z over (x, y), `side` away from the outline.
     [[nodiscard]] double thickness(double x, double y, double z, double side) const
     {
         const double above = z - cervixAt(x);
@@ -120,7 +122,7 @@ private:
     static constexpr double kEdgeHeight = 0.2;
 
     TissueFigures m_figures;
-    ValueNoise m_patches;  ///< about the middle of the tooth: its place in the frame does not count
+    ValueNoise m_patches;  ///< relative to the middle of the tooth, so that its place in the frame has no effect
     glm::dvec2 m_middle;
     double m_person = 1.0;
     double m_highest = 0.0;
@@ -131,12 +133,12 @@ private:
     bool m_isSteepAside = false;  ///< towards the sides, the neck rises with the fourth power of the distance
 };
 
-/// The most enamel that a place near a fissure may have: 1.2 below its mouth and 0.25 below its base
-/// (a cavity 1.5 mm deep has its floor in dentin), growing with the distance. kNoValue far from any.
+/// Returns the most enamel at a place near a fissure: 1.2 below its mouth and 0.25 below its base (a cavity 1.5 mm deep
+/// has its floor in dentin), and more with the distance. kNoValue far from any.
 std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Grid& grid, std::span<const float> top,
                                        std::uint64_t seed)
 {
-    constexpr float kFissureMm = 0.15F;  // a shallower groove has the fossa's enamel
+    constexpr float kFissureMm = 0.15F;  // a shallower groove has the enamel of the fossa
     constexpr double kUnderMouth = 1.2;
     constexpr double kUnderBase = 0.25;
     constexpr double kGrowth = 0.4;
@@ -168,15 +170,15 @@ std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Gr
     return limit;
 }
 
-/// The lowest that the junction may lie under an incisal edge: a ridge of dentin follows the edge, with flanks that
-/// fall to the sides. kNoValue far from an edge.
+/// Returns the lowest height of the junction under an incisal edge: a ridge of dentin follows the edge, with flanks
+/// that fall to the sides. kNoValue far from an edge.
 std::vector<float> ridgeUnderEdge(const Lattice& lattice, const terrain::Grid& grid, std::span<const float> surface,
                                   const Enamel& enamel, double edgeEnamelMm)
 {
-    constexpr float kBelowHighestMm = 2.0F;  // what is lower is no edge but the cingulum
+    constexpr float kBelowHighestMm = 2.0F;  // a lower place belongs to the cingulum
     constexpr double kNearMm = 0.5;
-    constexpr double kAlongEdge = 0.15;  // within kNearMm, an edge falls by less than this, its sides by more
-    constexpr double kOffEdge = 3.0;     // the ridge is lower by that much of what a place is beyond it
+    constexpr double kAlongEdge = 0.15;  // within kNearMm, an edge falls by less than this and its sides by more
+    constexpr double kOffEdge = 3.0;     // fall of the ridge per distance beyond the edge
     constexpr double kFlank = 2.5;
     constexpr double kReachMm = 1.0;
     std::vector<float> lowest(lattice.count(), kNoValue);
@@ -209,7 +211,7 @@ std::vector<float> ridgeUnderEdge(const Lattice& lattice, const terrain::Grid& g
     return lowest;
 }
 
-/// Vertical distance per distance along the normal of the underside.
+/// Returns the vertical distance per distance along the normal of the underside.
 double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                       std::span<const float> cervixMm, int i, int j)
 {
@@ -219,7 +221,7 @@ double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std
             if (!grid.contains(i + sign * di, j + sign * dj))
                 continue;
             const std::size_t k = grid.index(i + sign * di, j + sign * dj);
-            // Where the root begins the underside ends.
+            // The underside ends where the root begins.
             if (top[k] > bottom[k] && bottom[k] > cervixMm[k])
                 steepest = std::max(steepest, std::abs(bottom[k] - bottom[grid.index(i, j)]));
         }
@@ -271,12 +273,12 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
             double dej = below == kNoValue ? surface - here : static_cast<double>(below);
             if (const float least = lattice.at(ridge, i, j); least != kNoValue)
                 dej = std::max(dej, static_cast<double>(least));
-            // The wall beside the tooth goes straight down from its outline to the CEJ, thinning all the way.
+            // The wall beside the tooth is vertical from its outline to the CEJ, and thins all the way.
             dej = std::min(dej, cervix + enamel.heightOf(toSide / enamel.variation(at.x, at.y)));
             dej = std::min(dej, surface - std::min({kThinnestMm, here, std::max(0.0, surface - cervix)}));
             if (static_cast<double>(bottom[k]) > cervix) {
-                // The underside of a bulge has its own enamel, measured along its normal and so longer in a column the
-                // steeper the flank is; with that the column may hold no dentin at all.
+                // The underside of a bulge has enamel of its own. It is measured along the normal, so it is longer in a
+                // column on a steeper flank, and the column may have no dentin at all.
                 const double beneath = enamel.lateral(static_cast<double>(bottom[k]) - cervix);
                 if (dej - static_cast<double>(bottom[k]) < beneath * lengthPerDepth(grid, top, bottom, cervixMm, i, j))
                     dej = static_cast<double>(bottom[k]) - beneath;
@@ -288,7 +290,7 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
     }
 }
 
-/// Enamel of a tooth that lies on a side, by places of the frame it is cut in.
+/// Enamel of a tooth that lies on a side, for places of the frame in which it is cut.
 class LaidEnamel
 {
 public:
@@ -300,7 +302,7 @@ public:
             m_enamel.fitNeck(*laid.made);
     }
 
-    /// Thickness under a point of the outer surface.
+    /// Returns the thickness under a point of the outer surface.
     [[nodiscard]] double thickness(const glm::dvec3& cutMm) const
     {
         const glm::dvec3 own = m_laid.ownMm(cutMm);
@@ -308,7 +310,7 @@ public:
     }
 
 private:
-    /// How far inside the outline of the upright tooth a surface point lies; 0 on a wall below the outline.
+    /// Returns how far a surface point is inside the outline of the upright tooth; 0 on a wall below the outline.
     [[nodiscard]] double insideTable(const glm::dvec3& own) const
     {
         constexpr double kOnTopMm = 0.5;
@@ -346,7 +348,7 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
     }
     const std::vector<float> under = lattice.ballsBelow(centres, radius);
     const std::vector<float> sideMm = distanceInside(grid, solidNodes(top, bottom));
-    // No side of the model is a root that would end the underside's enamel: its thickness says where it ends.
+    // No side of the model is a root at which the enamel of the underside would end: its thickness decides that.
     const std::vector<float> noNeck(grid.count(), terrain::kEmptyTop);
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
@@ -364,7 +366,7 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
             double dej = below == kNoValue ? surface - here : static_cast<double>(below);
             dej = std::min(dej, surface - std::min(kThinnestMm, here));
             const double beneath = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), ground));
-            // Beside a wall that stands along the bur a column is enamel throughout.
+            // Beside a wall parallel to the bur, a column is all enamel.
             const double wall = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), 0.5 * (surface + ground)));
             if (static_cast<double>(sideMm[k]) < wall ||
                 dej - ground < beneath * lengthPerDepth(grid, top, bottom, noNeck, i, j))
@@ -374,7 +376,7 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
     }
 }
 
-/// The 2011 rule: layers parallel to the top, and walls a constant distance inside the outline.
+/// Lays layers by the 2011 rule: parallel to the top, and walls a constant distance inside the outline.
 void layConstantDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                       std::span<const float> sideMm, std::vector<terrain::ColumnLayers>& layers)
 {
@@ -416,8 +418,8 @@ std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::s
         for (int i = 0; i < grid.side; ++i)
             cervix[grid.index(i, j)] = static_cast<float>(enamel.cervixAt(grid.nodeMm(i, j).x));
     layEnamel(grid, top, bottom, side, cervix, enamel, options.seed, layers);
-    // Counted from the grid's corner, places do not change even in their last bits with the origin of the frame: of two
-    // equally near ones the same is chosen.
+    // Relative to the grid's corner, places do not change even in their last bits with the origin of the frame. So of
+    // two equally near places the same one is always chosen.
     terrain::Grid fromCorner = grid;
     fromCorner.originMm = {0.0, 0.0};
     hollowPulp(fromCorner, top, bottom, cervix, figures, options.seed, layers);

@@ -31,13 +31,13 @@ constexpr double kHalfHeightMm = 0.9;
 constexpr double kCervicalHalfWidthMm = 1.6;
 constexpr double kContactHalfWidthMm = 1.3;
 constexpr double kWanderMm = 0.4;
-// Pits lie in this part of the crown's height, and so far from its middle, share of half its width.
+// The part of the crown's height with pits, and their distance from its middle as a share of half its width.
 constexpr double kPitFrom = 0.2;
 constexpr double kPitTo = 0.75;
 constexpr double kPitAside = 0.4;
 constexpr double kPitHalfMouthMm = 0.7;
 constexpr float kLeastPitMm = 0.04F;
-constexpr float kGrooveEnd = 0.5F;   ///< share of its greatest depth with which a groove ends
+constexpr float kGrooveEnd = 0.5F;   ///< share of its greatest depth at which a groove ends
 constexpr double kGroovePit = 0.55;  ///< greatest height of the pit of a posterior tooth, share of the crown
 constexpr float kLeastEnamelMm = 0.25F;
 constexpr float kLeastDentinMm = 1.5F;
@@ -56,7 +56,7 @@ public:
         : m_laid(laid), m_grid(grid), m_top(top), m_bottom(bottom)
     {}
 
-    /// The node of the surface for whose point, in the own frame, `cost` is least.
+    /// Returns the node of the surface whose point, in the own frame, has the least `cost`.
     template <class Cost>
     [[nodiscard]] std::size_t best(const Cost& cost) const
     {
@@ -75,9 +75,9 @@ public:
 
     [[nodiscard]] glm::dvec3 ownMm(std::size_t k) const { return m_laid.ownMm({m_grid.nodeMm(k), m_top[k]}); }
 
-    /// The deepest pit in the middle of the crown that has enamel and dentin below it, by how far it is below what a
-    /// disc would close. In a posterior tooth, the place about halfway down the crown in line with the
-    /// deepest groove.
+    /// Returns the deepest pit in the middle of the crown with enamel and dentin below it; its depth is measured from
+    /// the surface closed by a disc. In a posterior tooth, it is the place about halfway down the crown in line with
+    /// the deepest groove.
     [[nodiscard]] std::optional<std::size_t> deepestPit(const std::vector<terrain::ColumnLayers>& layers) const
     {
         const Lattice lattice(m_grid);
@@ -141,7 +141,7 @@ private:
     std::span<const float> m_bottom;
 };
 
-/// The fissure decay of the upright tooth in the columns of the laid one.
+/// Adds the fissure decay of the upright tooth to the columns of the laid one.
 void addFissureLesion(double extent, const LaidTooth& laid, const terrain::Grid& grid, std::span<const float> top,
                       std::span<const float> bottom, std::vector<terrain::ColumnLayers>& layers)
 {
@@ -161,7 +161,7 @@ void addFissureLesion(double extent, const LaidTooth& laid, const terrain::Grid&
 
 SurfaceLesion ellipseAt(glm::dvec2 atMm, double halfWidthMm, const Lying& lying)
 {
-    // Seen along the bur, heights of a side wall are shorter the less the tooth is tilted.
+    // Along the bur, heights of a side wall appear shorter the less the tooth is tilted.
     const double half = kHalfHeightMm * std::sin(glm::radians(lying.tiltDeg));
     return {atMm, showsMesialOrDistal(lying) ? glm::dvec2(half, halfWidthMm) : glm::dvec2(halfWidthMm, half)};
 }

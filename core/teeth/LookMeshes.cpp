@@ -49,7 +49,7 @@ void softenGrooves(LookMesh& mesh, std::size_t count)
         for (std::size_t k = 0; k < count; ++k) {
             LookVertex& v = mesh.vertices[k];
             const glm::vec3 way = sums[k] / std::max(counts[k], 1.0F) - v.positionMm;
-            // In a groove what lies around is higher.
+            // In a groove the surroundings are higher.
             const float out = glm::dot(way, v.normal);
             if (counts[k] > 0.0F && out > 0.0F)
                 v.positionMm += kShare * out * v.normal;
@@ -93,8 +93,8 @@ void shadeGrooves(LookMesh& mesh, std::size_t count)
 void softenShade(LookMesh& mesh)
 {
     constexpr int kPasses = 4;
-    constexpr float kGroove = 0.55F;  ///< as open as this or less: in a groove,
-    constexpr float kFree = 0.85F;    ///< and from here not at all
+    constexpr float kGroove = 0.55F;  ///< openness up to which a vertex is in a groove
+    constexpr float kFree = 0.85F;    ///< openness from which it is not
     struct Shade
     {
         glm::vec3 normal{0.0F};
@@ -162,14 +162,14 @@ void findOpenness(LookMesh& mesh, const glm::dmat4& jawFromMesh, const SampleMap
     for (LookVertex& v : mesh.vertices) {
         const glm::dvec3 p(jawFromMesh * glm::dvec4(v.positionMm, 1.0));
         const glm::dvec3 n = turn * glm::dvec3(v.normal);
-        // What an even half sky gives this slope, with and without what stands around.
+        // Light from an even half sky on this slope, with and without the surroundings.
         double free = 0.0;
         double seen = 0.0;
         for (int way = 0; way < kWays; ++way) {
             const double angle = 2.0 * std::numbers::pi * (way + 0.5) / kWays;
             const glm::dvec2 d{std::cos(angle), std::sin(angle)};
             const double across = n.x * d.x + n.y * d.y;
-            // The surface itself hides what lies behind it.
+            // The surface itself hides the sky behind it.
             const double own = std::max(0.0, std::atan2(-across, std::max(n.z, 0.02)));
             double horizon = own;
             for (const double reach : kReachesMm) {
@@ -180,7 +180,7 @@ void findOpenness(LookMesh& mesh, const glm::dmat4& jawFromMesh, const SampleMap
             free += 1.0 - std::sin(own);
             seen += 1.0 - std::sin(std::min(horizon, 0.5 * std::numbers::pi));
         }
-        // A map of heights says little about walls and overhangs: what looks sideways is taken as fairly open.
+        // A map of heights has little information on walls and overhangs: sideways surfaces count as fairly open.
         constexpr double kWall = 0.88;
         const double level = std::clamp((n.z + 0.1) / 0.6, 0.0, 1.0);
         const double share = std::clamp(free > 1.0e-6 ? seen / free : 1.0, 0.0, 1.0);

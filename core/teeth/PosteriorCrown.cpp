@@ -15,7 +15,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kFullTurn = 2.0 * kPi;
 
-/// Coefficients of the wave a + b cos + c sin + d cos 2 that passes through the four sides.
+/// Returns the coefficients of the wave a + b cos + c sin + d cos 2 through the four sides.
 FourSides waveThrough(const FourSides& sides)
 {
     const auto [distal, buccal, mesial, lingual] = sides;
@@ -39,7 +39,8 @@ double smoothMin(double a, double b, double k)
     return 0.5 * (a + b - std::sqrt((a - b) * (a - b) + k * k));
 }
 
-/// Square [-1, 1]^2 on to the unit disc, keeping areas even (Shirley and Chiu 1997): angle and radius in 0 .. 1.
+/// Maps the square [-1, 1]^2 onto the unit disc with even areas (Shirley and Chiu 1997). Returns angle and radius in 0
+/// .. 1.
 std::pair<double, double> discFromSquare(double a, double b)
 {
     if (a == 0.0 && b == 0.0)
@@ -61,7 +62,7 @@ PosteriorCrown::PosteriorCrown(PosteriorDesign design, std::vector<OcclusalField
 
 void PosteriorCrown::alignSideGrooves()
 {
-    constexpr double kAt = 0.65;  // share of the way out where the fissure becomes the side groove
+    constexpr double kAt = 0.65;  // share of the way out at which the fissure becomes the side groove
     constexpr int kMostDeg = 18;
     for (SideGroove& groove : m_design.sideGrooves) {
         const double mean = groove.angleDeg;
@@ -104,7 +105,7 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
         const double near = std::exp(-degrees * degrees / (groove.widthDeg * groove.widthDeg));
         rho = std::min(rho + groove.depthMm / 5.0 * near * smoothStep(0.3, 0.7, rho) * smoothStep(1.0, 0.7, rho), 1.0);
     }
-    // Towards the middle the four sides become one dome: no seam where all angles meet.
+    // Towards the middle the four sides become one dome, so that no seam appears where all angles meet.
     const double apart = smoothStep(0.0, 0.45, rho);
     const double power = onWave(m_power, cosine * apart, sine * apart);
     double side = onWave(m_contour, cosine * apart, sine * apart) +
@@ -113,7 +114,7 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
     for (const SideFurrow& furrow : m_design.sideFurrows) {
         const double degrees =
             std::remainder(angle - furrow.angleDeg / 360.0 * kFullTurn, kFullTurn) * 360.0 / kFullTurn;
-        // The furrow bends round the tubercle below it.
+        // The furrow bends around the tubercle below it.
         const double bend = degrees / furrow.widthDeg;
         const double off = (rho - furrow.place - 0.06 * bend * bend) / 0.04;
         side -= furrow.depthMm * std::exp(-bend * bend - off * off);
@@ -126,11 +127,11 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
     top.awayFromGroove = field.awayFromGroove;
 
     if (field.grooveDistanceMm < m_design.mouthMm) {
-        // It ends where the table does; the weaker ones (beside marginal ridges) keep to the fossa.
+        // It ends at the edge of the table; weaker ones (beside marginal ridges) stay in the fossa.
         const double end = 0.60 + 0.36 * field.groove;
         const double share =
             field.groove * smoothStep(-0.2, 0.6, side - field.height) * smoothStep(end, end - 0.3, rho);
-        // A V with a slightly flared mouth; along the groove it is a chain of pits, wide where deep.
+        // A V with a slightly flared mouth. Along the groove it is a chain of pits, wider where deeper.
         const double bead = std::sin(4.1 * point.x + m_beadPhase) * std::sin(3.7 * point.y + 1.3 * m_beadPhase);
         top.fissure = m_design.fissureMm * share * (0.82 + 0.18 * bead);
         top.lipMm = 0.5 * m_design.mouthMm * (0.65 + 0.25 * share + 0.1 * bead);
@@ -174,7 +175,7 @@ class TopGrid
 public:
     struct Node
     {
-        glm::dvec2 home{0.0};  ///< where the bent grid puts it
+        glm::dvec2 home{0.0};  ///< place in the bent grid
         glm::dvec2 place{0.0};
         PosteriorCrown::Top sample;
     };
@@ -186,7 +187,7 @@ public:
         for (int row = 0; row <= cells; ++row)
             for (int column = 0; column <= cells; ++column)
                 m_nodes[at(column, row)] = lay(column, row);
-        // Beside sharp bends two moves can cross: those vertices go home, until no cell is folded.
+        // Beside sharp bends two moved vertices can cross: they return to their first place until no cell is folded.
         for (bool folded = true; folded;) {
             folded = false;
             for (int row = 0; row < cells; ++row)
@@ -203,7 +204,7 @@ public:
     }
     [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }
 
-    /// Corners of a cell, first and third on the diagonal that runs along a fissure rather than across it.
+    /// Returns the corners of a cell; the first and third are on the diagonal that runs along a fissure.
     [[nodiscard]] Cell cell(int column, int row) const
     {
         const Cell corners{at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)};
@@ -211,7 +212,8 @@ public:
             return std::abs(bankDistance(m_nodes[from]) - bankDistance(m_nodes[to]));
         };
         const Cell turned{corners[1], corners[2], corners[3], corners[0]};
-        // On the square's own diagonals a corner of the cell is bent flat: only one way leaves two proper triangles.
+        // On the square's own diagonals a corner of the cell is bent flat: only one diagonal leaves two proper
+        // triangles.
         if (column == row)
             return corners;
         if (column + row == m_cells - 1)
@@ -235,7 +237,7 @@ private:
         node.home = {outline * rho * std::cos(angle), outline * rho * std::sin(angle)};
         node.place = node.home;
         node.sample = m_crown.top(node.place);
-        // Vertices beside a fissure move on to its line or its lip, so that both are edges of the mesh.
+        // Vertices beside a fissure move onto its line or its lip, so that both are edges of the mesh.
         const double reach = 2.0 * outline / m_cells;
         for (int pass = 0; pass < 2 && node.sample.fissure > 0.005; ++pass) {
             const double distance = node.sample.grooveDistanceMm;
@@ -296,7 +298,7 @@ MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& 
             builder.triangle(grid[a], grid[c], grid[d]);
         }
 
-    // Its rim, starting at the distal side: counter-clockwise, as the angle grows.
+    // Its rim, from the distal side on: counter-clockwise, like the angle.
     MeshBuilder::Ring above;
     const int half = cells / 2;
     for (int k = half; k < cells; ++k)
@@ -310,12 +312,12 @@ MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& 
     for (int k = 0; k < half; ++k)
         above.push_back(grid[at(cells, k)]);
 
-    // The sides, from the contour in to the CEJ.
+    // The sides, from the contour to the CEJ.
     const MeshBuilder::Ring rim = above;
     const std::vector<glm::dvec3> neck = cej(rim.size() / 2, buccalTip - sizes.crownHeightMm, sizes);
     for (int r = 1; r <= detail.sideRings; ++r) {
         const double t = static_cast<double>(r) / detail.sideRings;
-        // Leaves the contour upright and comes in faster towards the neck.
+        // The side is upright at the contour and recedes faster towards the neck.
         const double in = std::pow(t, 1.7);
         MeshBuilder::Ring ring;
         for (std::size_t k = 0; k < neck.size(); k += r < detail.sideRings ? 1 : 2) {
@@ -342,7 +344,7 @@ std::vector<glm::dvec3> PosteriorCrown::cej(std::size_t count, double facialZ, c
                                            std::pow(2.0 * std::abs(s) / sizes.cervixDepthMm, p),
                                        -1.0 / p);
         const glm::dvec2 place{m_design.cervixX + radius * c, m_design.cervixY + radius * s};
-        // Nowhere wider than the crown above it, not even under the missing corner of a heart.
+        // Nowhere wider than the crown above, not even under the missing corner of a heart.
         const double reach = std::sqrt(glm::dot(place, place));
         const double within = smoothMin(reach, 0.97 * outlineMm(std::atan2(place.y, place.x)), 0.25) / reach;
         const double rise = (c < 0.0 ? sizes.cejCurveMesialMm : sizes.cejCurveDistalMm) * c * c * c * c;

@@ -7,8 +7,8 @@
 namespace core::teeth {
 namespace {
 
-// Lobes read: x, y, z, turn, slopes mesial distal buccal lingual, power, groove share, group, cusp. The tallest cusp
-// has z = 0.
+// Fields of a lobe: x, y, z, turn, slopes mesial distal buccal lingual, power, groove share, group, cusp. The tallest
+// cusp has z = 0.
 
 PosteriorDesign upperFirstPremolar()
 {
@@ -54,7 +54,7 @@ PosteriorDesign upperSecondPremolar()
     return d;
 }
 
-/// @param carabelli  a tubercle on the mesiolingual cusp; some trace of it is on 60 % of teeth
+/// @param carabelli  with a tubercle on the mesiolingual cusp; 60 % of teeth have some trace of it
 PosteriorDesign upperFirstMolar(bool carabelli)
 {
     PosteriorDesign d;
@@ -88,7 +88,7 @@ PosteriorDesign upperFirstMolar(bool carabelli)
     return d;
 }
 
-/// @param distolingual  without that cusp the outline is a heart
+/// @param distolingual  with that cusp; without it the outline is a heart
 PosteriorDesign upperSecondMolar(bool distolingual)
 {
     PosteriorDesign d = upperFirstMolar(false);
@@ -119,7 +119,7 @@ PosteriorDesign upperSecondMolar(bool distolingual)
     return d;
 }
 
-/// @param distolingual  a small fourth cusp
+/// @param distolingual  with a small fourth cusp
 PosteriorDesign upperThirdMolar(bool distolingual)
 {
     PosteriorDesign d = upperSecondMolar(true);
@@ -235,7 +235,7 @@ PosteriorDesign lowerSecondMolar()
     return d;
 }
 
-/// @param distal  the fifth cusp
+/// @param distal  with the fifth cusp
 PosteriorDesign lowerThirdMolar(bool distal)
 {
     PosteriorDesign d = lowerSecondMolar();
@@ -256,7 +256,7 @@ PosteriorDesign lowerThirdMolar(bool distal)
         std::erase_if(d.lobes, [](const Lobe& lobe) { return lobe.group == 3; });
         d.lobes[1].x = 1.9;
     }
-    // The roots of a third molar are fused as a rule.
+    // The roots of a third molar are usually fused.
     d.roots = {{{2.2, 0.2, 1.0, 2.9, 3.4, 0.4, 0.0}}, {}, 0.0, 0.25};
     return d;
 }
@@ -265,7 +265,7 @@ PosteriorDesign lowerThirdMolar(bool distal)
 
 PosteriorDesign posteriorDesign(int fdi, Rng& rng, bool vary)
 {
-    // One draw for whatever variant the tooth has; the mean tooth takes the commonest form.
+    // One draw for every variant. The mean tooth has the most common form.
     const double chance = rng.uniform();
     const auto happens = [&](double share) { return vary && chance < share; };
     switch (fdi) {

@@ -17,10 +17,10 @@
 namespace core::teeth {
 namespace {
 
-constexpr float kDentinBesideMm = 1.2F;  ///< to the root and the side: 1 mm and what may lie between lattice nodes
-constexpr float kDentinAboveMm = 1.5F;   ///< to the enamel; a CT molar has 1.85 at least
+constexpr float kDentinBesideMm = 1.2F;  ///< to the root and the side: 1 mm, plus the distance between lattice nodes
+constexpr float kDentinAboveMm = 1.5F;   ///< to the enamel; a CT molar has at least 1.85
 constexpr double kCanalRadiusMm = 0.4;
-constexpr double kLeastHorn = 0.35;  ///< height of the lowest horn of a molar, as a share of that of the highest
+constexpr double kLeastHorn = 0.35;  ///< height of the lowest horn of a molar, as a share of the highest
 
 /// A point on a map, mm.
 struct Spot
@@ -35,7 +35,7 @@ double squared(double value)
     return value * value;
 }
 
-/// Highest points of a field, each the highest within `apartMm`, highest first.
+/// Returns the highest points of a field, each the highest within `apartMm`, in falling order.
 std::vector<Spot> peaks(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> field, double apartMm,
                         double lowest, std::size_t most)
 {
@@ -50,7 +50,7 @@ std::vector<Spot> peaks(const terrain::Grid& grid, const Lattice& lattice, std::
             for (int nb = std::max(0, b - reach); highest && nb <= std::min(lattice.side() - 1, b + reach); ++nb) {
                 for (int na = std::max(0, a - reach); na <= std::min(lattice.side() - 1, a + reach); ++na) {
                     const float there = field[lattice.index(na, nb)];
-                    // Of two equal nodes the earlier one counts.
+                    // Of two equal nodes the first one counts.
                     if (there > here || (there == here && lattice.index(na, nb) < lattice.index(a, b))) {
                         highest = false;
                         break;
@@ -67,8 +67,8 @@ std::vector<Spot> peaks(const terrain::Grid& grid, const Lattice& lattice, std::
     return found;
 }
 
-/// Marks the columns that end where the model was cut off flat, as a scan of a crown is, and not at a root's surface:
-/// what lies on the lowest level, if that is a face and no tip, and the tooth is clearly shorter than it should be.
+/// Marks the columns that end where the model was cut off flat, like the scan of a crown, and not at the surface of a
+/// root. They are on the lowest level, if that is a face and no tip, and if the tooth is clearly too short.
 std::vector<std::uint8_t> cutColumns(const terrain::Grid& grid, std::span<const float> top,
                                      std::span<const float> bottom, const TissueFigures& figures)
 {
@@ -94,7 +94,7 @@ std::vector<std::uint8_t> cutColumns(const terrain::Grid& grid, std::span<const 
     return cut;
 }
 
-/// The chamber seen from above: how far inside its outline each node lies.
+/// The chamber seen from above: distance of each node from its outline.
 struct Footprint
 {
     std::vector<float> insideMm;  ///< 0 outside, [side * side]
@@ -105,7 +105,7 @@ struct Footprint
     double rightX = 0.0;
 };
 
-/// Moves the mesial and the distal wall of a footprint to where the figures have them. At least kDentinBesideMm stay.
+/// Moves the mesial and the distal wall of a footprint to the places in the figures. At least kDentinBesideMm remain.
 /// @param inNeckMm  distance of each node inside the neck's outline, [side * side]
 void shiftWalls(const terrain::Grid& grid, std::span<const float> inNeckMm, const TissueFigures& figures,
                 std::vector<float>& insideMm)
@@ -126,7 +126,7 @@ void shiftWalls(const terrain::Grid& grid, std::span<const float> inNeckMm, cons
         }
 }
 
-/// Makes the buccal and the lingual side of a footprint converge distally: a trapezoid.
+/// Makes the buccal and the lingual side of a footprint converge distally, into a trapezoid.
 void taper(const terrain::Grid& grid, double degrees, std::vector<float>& insideMm)
 {
     if (degrees <= 0.0)
@@ -162,7 +162,7 @@ Footprint footprintOf(const terrain::Grid& grid, std::span<const float> top, std
     const std::vector<float> inNeck = distanceInside(grid, neck);
     print.insideMm = inNeck;
     const double widest = static_cast<double>(*std::max_element(print.insideMm.begin(), print.insideMm.end()));
-    // A slender neck (lower incisor) has less wall than a broad one, never less than dentin needs.
+    // A slender neck (lower incisor) has a thinner wall than a broad one, but never thinner than dentin requires.
     const double wall =
         std::max(static_cast<double>(kDentinBesideMm), std::min(figures.pulpWall + wallChangeMm, 0.66 * widest));
     for (float& inside : print.insideMm)
@@ -194,7 +194,7 @@ Footprint footprintOf(const terrain::Grid& grid, std::span<const float> top, std
     return print;
 }
 
-/// The place of the footprint nearest to (x, y) that lies at least `marginMm` inside its outline.
+/// Returns the place of the footprint nearest to (x, y) that is at least `marginMm` inside its outline.
 Spot pulledInside(const terrain::Grid& grid, const Footprint& print, double x, double y, double marginMm)
 {
     const double margin = std::min(marginMm, 0.8 * print.deepestMm);
@@ -215,12 +215,13 @@ Spot pulledInside(const terrain::Grid& grid, const Footprint& print, double x, d
     return best;
 }
 
-/// The central fossa of a molar: the lowest place of its surface, fissures filled, near the middle of its outline.
+/// Returns the central fossa of a molar: the lowest place of its surface, with fissures filled, near the middle of its
+/// outline.
 std::optional<Spot> centralFossa(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> top,
                                  const TissueFigures& figures)
 {
     constexpr double kFissureHalfMouth = 0.35;
-    constexpr double kNear = 0.3;  // of half the width of the crown
+    constexpr double kNear = 0.3;  // share of half the width of the crown
     if (figures.fossaToPulp <= 0.0)
         return std::nullopt;
     glm::dvec2 low(1.0e9);
@@ -247,7 +248,7 @@ std::optional<Spot> centralFossa(const terrain::Grid& grid, const Lattice& latti
     return fossa;
 }
 
-/// What the pulp grows towards from above: cusp tips, or the thirds of an incisal edge.
+/// Returns the points towards which the horns of the pulp grow: cusp tips, or the thirds of an incisal edge.
 std::vector<Spot> hornTargets(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> top,
                               const TissueFigures& figures, const Footprint& print, double highest)
 {
@@ -263,7 +264,7 @@ std::vector<Spot> hornTargets(const terrain::Grid& grid, const Lattice& lattice,
     return peaks(grid, lattice, smooth, 1.3, highest - 3.2, most);
 }
 
-/// The mesial root of a lower molar has two canals: a buccal and a lingual one.
+/// Divides the mesial root of a lower molar, which has two canals: a buccal and a lingual one.
 void divideMesial(const terrain::Grid& grid, const Footprint& print, const TissueFigures& figures,
                   std::vector<Spot>& canals)
 {

@@ -12,7 +12,7 @@ namespace core::teeth {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// Dentin steps back under the edge of the enamel: what a probe feels as the CEJ.
+/// Dentin is recessed under the edge of the enamel. A probe feels this step as the CEJ.
 constexpr double kCejStepMm = 0.1;
 constexpr double kCejDropMm = 0.03;
 
@@ -30,13 +30,13 @@ glm::dvec3 centreOf(const MeshBuilder& builder, const MeshBuilder::Ring& ring)
     return sum / static_cast<double>(ring.size());
 }
 
-/// Radius of a root's section along it: 1 at the start and no kink there, then a cone, a round apex.
+/// Returns the radius of a root's section along it: 1 at the start, without a kink, then a cone with a round apex.
 double taper(double t)
 {
     return std::sqrt(std::max(1.0 - t * t * t * t * t * t, 0.0)) * (1.0 - 0.66 * std::pow(t, 1.35));
 }
 
-/// From a ring of any shape down to an apex, the section turning into an ellipse on the way.
+/// Builds a branch from a ring of any shape down to an apex. The section turns into an ellipse on the way.
 void growBranch(MeshBuilder& builder, const MeshBuilder::Ring& start, const RootBranch& branch, double apexZ,
                 double hollowMm, int rings)
 {
@@ -85,7 +85,7 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
     for (const MeshBuilder::Index k : cervix)
         facialZ = std::min(facialZ, builder.point(k).z);
 
-    // The step under the enamel, then (with several roots) the trunk down to the furcation.
+    // First the step under the enamel, then, with several roots, the trunk down to the furcation.
     const bool single = design.partingDeg.empty();
     const int rings = single ? 1 : detail.trunkRings;
     MeshBuilder::Ring above = cervix;
@@ -115,7 +115,7 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
         return;
     }
 
-    // Spokes from the parting points to the roof of the furcation; each root's ring is an arc and two spokes.
+    // Spokes from the parting points to the roof of the furcation. The ring of each root is an arc and two spokes.
     const glm::dvec3 below = centreOf(builder, above);
     const MeshBuilder::Index roof = builder.add({below.x, below.y, below.z + 0.35 * design.trunkMm});
     std::vector<std::size_t> partings;

@@ -6,7 +6,7 @@
 namespace core::teeth {
 namespace {
 
-/// Extent of the columns that reach higher than a level, mm, and how many there are.
+/// Extent and number of the columns that are higher than a level, mm.
 struct Outline
 {
     double width = 0.0;
@@ -37,12 +37,12 @@ Outline outlineAbove(const terrain::Grid& grid, std::span<const float> top, doub
     return outline;
 }
 
-/// A tooth of the table that looks like this crown. Limits lie half way between the means of the table.
+/// Returns a tooth of the table that is similar to this crown. The limits are half way between the means of the table.
 int guess(const terrain::Grid& grid, std::span<const float> top, double highest)
 {
     const Outline crown = outlineAbove(grid, top, highest - 6.5);
     const Outline upper = outlineAbove(grid, top, highest - 3.0);
-    // A chewing surface fills the outline near the top, a blade or a point does not.
+    // A chewing surface fills the outline near the top; a blade or a point does not.
     if (upper.columns > 0.75 * crown.columns) {
         if (crown.width * crown.depth >= 74.0)
             return crown.depth > crown.width ? 26 : 36;
@@ -54,7 +54,7 @@ int guess(const terrain::Grid& grid, std::span<const float> top, double highest)
     return crown.width > 7.5 ? 21 : crown.width > 6.0 ? 22 : 31;
 }
 
-/// The table holds the left side; the right one mirrors it.
+/// Returns the number of the tooth on the left side, the only side in the table; the right one is its mirror image.
 int onTheLeft(int fdi)
 {
     const int quadrant = fdi / 10;
@@ -125,7 +125,7 @@ TissueFigures figuresFor(int fdi, const terrain::Grid& grid, std::span<const flo
         sizes = findToothSizes(guess(grid, top, highest));
     TissueFigures figures = ofKind(kindOf(sizes->fdi));
     figures.sizes = *sizes;
-    // The chamber of a lower molar lies in the mesial part of the crown, over two mesial canals.
+    // The chamber of a lower molar is in the mesial part of the crown, over two mesial canals.
     if (sizes->fdi == 36) {
         figures.mesialWall = 1.5;
         figures.distalWall = 2.5;
@@ -134,7 +134,7 @@ TissueFigures figuresFor(int fdi, const terrain::Grid& grid, std::span<const flo
     if (sizes->fdi == 36 || sizes->fdi == 37)
         figures.mesialCanals = 2;
 
-    // A crown wider than the mean is higher too; a root that flares beyond the crown must not count.
+    // A crown wider than the mean is also higher. A root that flares beyond the crown must not count.
     const Outline crown = outlineAbove(grid, top, highest - 0.7 * sizes->crownHeightMm);
     const double size = (crown.width + crown.depth) / (sizes->crownWidthMm + sizes->crownDepthMm);
     figures.crownHeight = sizes->crownHeightMm * std::clamp(size, 0.8, 1.25);

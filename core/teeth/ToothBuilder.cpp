@@ -43,17 +43,17 @@ double threadCpuMs()
     return static_cast<double>(time.tv_sec) * 1.0e3 + static_cast<double>(time.tv_nsec) * 1.0e-6;
 }
 
-/// "1 hole", "3 holes"
+/// Returns "1 hole" or "3 holes".
 std::string counted(std::size_t count, const char* one, const char* many)
 {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// A tooth narrower than this has no grid worth the name.
+/// A narrower tooth has too few columns.
 constexpr double kLeastWidthMm = 0.2;
-/// Of the root of a tooth that lies on a side.
+/// Length of the root that remains of a tooth that lies on a side.
 constexpr double kRootKeptMm = 3.0;
-/// Holes whose patch is smaller than this part of the tooth's outline are patched without further thought.
+/// Holes whose patch is smaller than this share of the tooth's outline are patched without a warning.
 constexpr double kSmallHole = 0.05;
 
 class Builder
@@ -92,7 +92,7 @@ private:
         return std::get<std::filesystem::path>(m_source.what).string();
     }
 
-    /// "scan.stl: what is wrong"
+    /// Returns an error: "scan.stl: what is wrong".
     [[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, const std::string& what) const
     {
         return unexpected(code, m_report.source + ": " + what);
@@ -141,7 +141,7 @@ private:
     Status readFile()
     {
         m_anatomy.fdi = m_options.fdi;
-        // A block of a misspelt name is no file either.
+        // A misspelt block name is not tried as a file.
         if (const auto block = findBlock(m_report.source); block && !*block)
             return tl::unexpected(block->error());
         auto file = mesh::readMesh(std::get<std::filesystem::path>(m_source.what));
@@ -213,7 +213,7 @@ private:
                                            "the undercuts hold is unknown");
     }
 
-    /// ", none of them inside another"; nothing where nobody knows.
+    /// Returns ", none of them inside another", or an empty text if that is unknown.
     [[nodiscard]] std::string nesting() const
     {
         if (m_report.shells > mesh::kMostNestedShells)
@@ -262,7 +262,7 @@ private:
         return {};
     }
 
-    /// Small holes are patched; those that look down are left to the rasteriser, which closes them at their lowest
+    /// Patches the holes. Large ones that face down are left to the rasteriser, which closes them at their lowest
     /// point.
     Status closeHoles()
     {
@@ -299,7 +299,7 @@ private:
         return {};
     }
 
-    /// Turns the tooth onto its side, and keeps what it was upright: its tissues are measured there.
+    /// Turns the tooth onto its side. The upright form is stored, because the tissues are measured on it.
     Status layDown()
     {
         m_report.lying = m_anatomy.lying = m_options.lying;
@@ -351,7 +351,7 @@ private:
         mesh::weldByPosition(m_mesh);
         for (const mesh::Hole& hole : mesh::findHoles(m_mesh, mesh::analyse(m_mesh)))
             mesh::patch(m_mesh, hole);
-        // The hollow between roots that part higher is a pocket of its own now: it is filled.
+        // A hollow between roots that part further up is now a separate pocket, and is filled.
         const mesh::MeshFacts facts = mesh::analyse(m_mesh);
         std::vector<std::array<std::uint32_t, 3>> kept;
         for (std::size_t k = 0; k < m_mesh.triangles.size(); ++k)
@@ -366,7 +366,8 @@ private:
                                                 "surface; check that it is one tooth");
     }
 
-    /// What the surface encloses, no place counted twice, in file units; nothing where the shells do not tell.
+    /// Returns the volume inside the surface in file units, counting no place twice; empty if the shells do not define
+    /// it.
     [[nodiscard]] std::optional<double> enclosedVolume() const
     {
         if (!m_facts.oriented)
@@ -375,7 +376,7 @@ private:
         bool hollow = false;
         bool filledTwice = false;
         for (const mesh::Shell& shell : m_facts.shells) {
-            const bool inFull = shell.inside && shell.volume > 0.0;  // material in material
+            const bool inFull = shell.inside && shell.volume > 0.0;  // material inside material
             filledTwice = filledTwice || inFull;
             hollow = hollow || (shell.inside && !inFull);
             sum += inFull ? 0.0 : shell.volume;
@@ -385,7 +386,7 @@ private:
         return sum;
     }
 
-    /// Do the boxes of two shells meet that are not one inside the other?
+    /// Returns whether the boxes of two shells meet, neither of which is inside the other.
     [[nodiscard]] bool shellsMayOverlap() const
     {
         const std::vector<mesh::Shell>& shells = m_facts.shells;
@@ -398,8 +399,8 @@ private:
         return shells.size() > mesh::kMostNestedShells;
     }
 
-    /// Rasterising takes time in proportion to the boxes around the faces. A surface covers its outline a few times
-    /// over; a fan of thousands of faces around one corner some hundred times.
+    /// Returns whether rasterising would take too long. Its time is proportional to the boxes around the faces: a
+    /// surface covers its outline a few times, a fan of thousands of faces around one corner some hundred times.
     [[nodiscard]] bool isHeapOfFaces() const
     {
         constexpr double kMostCovers = 2'000.0;
@@ -486,7 +487,8 @@ private:
         return {};
     }
 
-    /// Where the lesion runs is a matter of the tooth, not of the grid: it is looked for on the usual grid always.
+    /// Returns the path of the lesion. It depends on the tooth and not on the grid, so it is always searched on the
+    /// usual grid.
     [[nodiscard]] std::vector<LesionStop> lesionLine() const
     {
         if (m_anatomy.grid.side == terrain::kDefaultGridSide)
@@ -517,7 +519,7 @@ private:
 
     const ToothSource& m_source;
     const BuildOptions& m_options;
-    const BlockDesign* m_block = nullptr;  ///< where it is one
+    const BlockDesign* m_block = nullptr;  ///< null if it is no block
     Clock::time_point m_lap;
     mesh::TriangleMesh m_mesh;
     mesh::MeshFacts m_facts;
@@ -548,7 +550,7 @@ Result<BuiltTooth> buildTooth(const ToothSource& source, const BuildOptions& opt
 
 bool isGenerated(const terrain::ToothAnatomy& anatomy)
 {
-    // A file's tooth bears the file's name, and a file called "36" cannot be asked for.
+    // A tooth from a file has the file's name, and a file called "36" cannot be requested.
     return anatomy.fdi != 0 && anatomy.name == std::to_string(anatomy.fdi);
 }
 

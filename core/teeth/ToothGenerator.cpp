@@ -18,13 +18,14 @@
 namespace core::teeth {
 namespace {
 
-/// A draw of the table's spread, cut at two standard deviations: teeth outside are rare and look wrong in a trainer.
+/// Returns a draw from the table's spread, cut at two standard deviations: teeth beyond are rare and look wrong in a
+/// trainer.
 double draw(Rng& rng, double mean, double deviation)
 {
     return mean + deviation * std::clamp(rng.normal(), -2.0, 2.0);
 }
 
-/// Sizes and form are drawn from streams of their own, so that either can be had without the other.
+/// Sizes and form have streams of their own, so that either can be drawn without the other.
 constexpr std::uint64_t kSizesStream = 1;
 constexpr std::uint64_t kFormStream = 2;
 
@@ -34,7 +35,7 @@ Rng seeded(int fdi, std::uint64_t seed, std::uint64_t stream)
     return Rng(mixer.next() + 1000U * static_cast<std::uint64_t>(fdi) + stream);
 }
 
-/// Slow waves that make grooves and ridges wander off the drawing board's lines.
+/// Draws slow waves that bend grooves and ridges away from the design's lines.
 std::vector<OcclusalField::Wave> drawWander(Rng& rng)
 {
     std::vector<OcclusalField::Wave> waves;
@@ -42,7 +43,7 @@ std::vector<OcclusalField::Wave> drawWander(Rng& rng)
         const double angle = rng.uniform(0.0, 2.0 * std::numbers::pi);
         const double wave = 2.0 * std::numbers::pi / waveMm;
         const glm::dvec2 along{std::cos(angle), std::sin(angle)};
-        // A transverse wave bends lines and leaves areas alone.
+        // A transverse wave bends lines and keeps areas.
         waves.push_back(
             {along * wave, rng.uniform(0.0, 2.0 * std::numbers::pi), glm::dvec2{-along.y, along.x} * (0.035 * waveMm)});
     }
@@ -61,8 +62,8 @@ void varyDesign(AnteriorDesign& design, Rng& rng)
         height *= draw(rng, 1.0, 0.1);
 }
 
-/// How far the height of a lobe may be from its mean: a cusp keeps its place in the order of heights, which is the same
-/// in all people.
+/// Returns how far the height of a lobe may be from its mean. A cusp keeps its place in the order of heights, which is
+/// the same in all people.
 double mostHeightChangeMm(const std::vector<Lobe>& lobes, const Lobe& lobe)
 {
     double most = 0.2;
@@ -90,7 +91,7 @@ void varyDesign(PosteriorDesign& design, Rng& rng)
     design.fissureMm *= draw(rng, 1.0, 0.15);
 }
 
-/// What takes design millimetres to drawn ones.
+/// Maps design millimetres to drawn ones.
 struct Move
 {
     glm::dvec3 origin{0.0};
@@ -112,7 +113,7 @@ Move moveOf(std::span<const glm::dvec3> crown, const ToothSizes& mean, const Too
              drawn.crownHeightMm / mean.crownHeightMm}};
 }
 
-/// Moves and scales design millimetres to drawn ones. Returns the finished mesh in the tooth frame.
+/// Maps design millimetres to drawn ones. Returns the finished mesh in the tooth frame.
 mesh::TriangleMesh place(MeshBuilder& builder, std::size_t crownVertices, const ToothSizes& mean,
                          const ToothSizes& drawn)
 {
@@ -130,7 +131,7 @@ PosteriorCrown drawPosteriorCrown(int fdi, std::uint64_t seed, double heightShar
     PosteriorDesign design = posteriorDesign(fdi, rng, vary);
     if (vary)
         varyDesign(design, rng);
-    // A high crown has no greater steps between its cusps than a low one.
+    // The steps between the cusps of a high crown are no greater than those of a low one.
     for (Lobe& lobe : design.lobes)
         if (lobe.cusp != Cusp::None)
             lobe.z /= heightShare;
@@ -148,7 +149,7 @@ Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed)
     if (!sizes || seed == 0)
         return sizes;
     Rng rng = seeded(fdi, seed, kSizesStream);
-    // Big teeth are big all over: half of the variance is shared.
+    // Big teeth are big in all directions: half of the variance is shared.
     const double shared = rng.normal();
     const auto drawn = [&](double mean, double deviation) {
         return mean + deviation * std::clamp((shared + rng.normal()) * std::numbers::sqrt2 / 2.0, -2.0, 2.0);
@@ -156,7 +157,7 @@ Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed)
     const double crownHeight = drawn(sizes->crownHeightMm, kCrownHeightSdMm);
     const double crownWidth = drawn(sizes->crownWidthMm, kCrownDiameterSdMm);
     const double crownDepth = drawn(sizes->crownDepthMm, kCrownDiameterSdMm);
-    // The neck follows the crown, and the CEJ's curve its height.
+    // The neck scales with the crown, and the curve of the CEJ with its height.
     sizes->cervixWidthMm *= crownWidth / sizes->crownWidthMm;
     sizes->cervixDepthMm *= crownDepth / sizes->crownDepthMm;
     sizes->cejCurveMesialMm *= crownHeight / sizes->crownHeightMm;
@@ -207,7 +208,7 @@ Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
 
 Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed)
 {
-    // Who makes a preparation asks for the same one several times in a row, and it takes a mesh to know its size.
+    // The same tooth is requested several times in a row, and its size is known only after its mesh is built.
     thread_local std::optional<PosteriorForm> last;
     thread_local std::pair<int, std::uint64_t> lastOf;
     if (last && lastOf == std::pair(fdi, seed))

@@ -20,7 +20,7 @@ using Whole = std::int64_t;
 // Steps of the integer lattice in one cell. A grid is at most 2^10 cells wide, so coordinates stay below 2^31 and the
 // products of edge functions below 2^62.
 constexpr Whole kStep = Whole{1} << 20;
-constexpr Whole kSamples = 16;  // a side, in one cell at the rim
+constexpr Whole kSamples = 16;  // per side, in one cell at the rim
 constexpr Whole kSampleStep = kStep / kSamples;
 
 struct Point
@@ -48,7 +48,7 @@ struct FlatTriangle
     Point low;
     Point high;
 
-    /// Doubled area of (p, corner k+1, corner k+2): the weight of corner k, and not negative for all k inside.
+    /// Returns twice the area of (p, corner k+1, corner k+2): the weight of corner k. Inside, no weight is negative.
     [[nodiscard]] Whole weight(std::size_t k, Point p) const
     {
         const Point& a = corner[(k + 1) % 3];
@@ -101,8 +101,8 @@ private:
     std::vector<Point> m_points;
 };
 
-/// Calls visit(i, j, w) for every point (i * step + offset, j * step + offset) of a lattice within the triangle, edges
-/// included, and within the rectangle; w are the weights of the corners.
+/// Calls visit(i, j, w) for every point (i * step + offset, j * step + offset) of a lattice in the triangle, edges
+/// included, and in the rectangle. w are the weights of the corners.
 template <class Visit>
 void forEachPointIn(const FlatTriangle& t, Whole step, Whole offset, const NodeRect& within, Visit visit)
 {
@@ -144,8 +144,8 @@ void findHeights(const MeshOverGrid& mesh, HeightMaps& maps)
     });
 }
 
-/// Does the triangle hold the point with these weights? Of two triangles that share an edge, one on either side, just
-/// one holds a point on it, and of all around a corner just one holds the corner.
+/// Returns whether the triangle contains the point with these weights. Of two triangles on either side of a shared
+/// edge, exactly one contains a point on it. Of all triangles around a corner, exactly one contains the corner.
 bool holds(const FlatTriangle& t, const std::array<Whole, 3>& w)
 {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -159,7 +159,7 @@ bool holds(const FlatTriangle& t, const std::array<Whole, 3>& w)
     return true;
 }
 
-/// Marks the nodes over which an odd number of triangles lies: what goes in there does not come out again.
+/// Marks the nodes under an odd number of triangles: there the surface has no underside.
 std::vector<std::uint8_t> nodesWithoutUnderside(const MeshOverGrid& mesh, const Grid& grid)
 {
     std::vector<std::uint8_t> odd(grid.count(), 0);
@@ -174,8 +174,8 @@ std::vector<std::uint8_t> nodesWithoutUnderside(const MeshOverGrid& mesh, const 
 
 constexpr std::int32_t kNotAtRim = -1;
 
-/// Numbers the cells where the silhouette ends: solid nodes with an empty one among their eight neighbours, and
-/// empty ones with a solid one.
+/// Numbers the cells at the end of the silhouette: solid nodes with an empty one among their eight neighbours, and
+/// empty nodes with a solid one.
 std::vector<std::int32_t> numberRimCells(const HeightMaps& maps)
 {
     const Grid& grid = maps.grid;
@@ -194,13 +194,13 @@ std::vector<std::int32_t> numberRimCells(const HeightMaps& maps)
     return number;
 }
 
-/// One bit for each sample of a cell that lies in the silhouette, row by row.
+/// One bit for each sample of a cell in the silhouette, row by row.
 using Coverage = std::array<std::uint16_t, kSamples>;
 
 std::vector<Coverage> sampleRimCells(const MeshOverGrid& mesh, const Grid& grid, const std::vector<std::int32_t>& rim)
 {
     std::vector<Coverage> coverage(static_cast<std::size_t>(*std::max_element(rim.begin(), rim.end()) + 1));
-    // Samples lie in the middle of the 16 x 16 parts of the square around a node.
+    // Samples are in the middle of the 16 x 16 parts of the square around a node.
     const Whole offset = (kSampleStep - kStep) / 2;
     mesh.forEachTriangle([&](const FlatTriangle& t) {
         const auto cellOf = [&](Whole x) { return static_cast<int>(floorDivide(x + kStep / 2, kStep)); };
@@ -225,7 +225,7 @@ std::vector<Coverage> sampleRimCells(const MeshOverGrid& mesh, const Grid& grid,
     return coverage;
 }
 
-/// Gives each covered sample of an empty cell to the nearest of the solid nodes around it.
+/// Gives each covered sample of an empty cell to the nearest surrounding solid node.
 void shareOut(const Coverage& cell, const HeightMaps& maps, int i, int j, float sampleArea, std::vector<float>& area)
 {
     struct Neighbour

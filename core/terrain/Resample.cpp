@@ -8,14 +8,14 @@
 namespace core::terrain {
 namespace {
 
-/// The nodes that a new one lies on or between.
+/// The nodes at or around a new one.
 struct Around
 {
     std::array<std::size_t, 4> node{};
     std::size_t count = 0;
 };
 
-/// Those of them that hold tooth.
+/// Returns the surrounding nodes that hold tooth.
 Around around(const ToothAnatomy& anatomy, int i, int j, Sampling sampling)
 {
     Around found;
@@ -42,8 +42,8 @@ float mean(const Around& of, const auto& value)
     return sum / static_cast<float>(of.count);
 }
 
-/// A layer with two interfaces: as thick as on the mean, a column without it counting as nothing; in the middle of
-/// where the others have it.
+/// Averages a layer with two interfaces. The thickness is the mean, with 0 for a column without the layer; the middle
+/// is the mean of the columns that have it.
 void meanLens(const Around& of, const auto& roof, const auto& floor, float& meanRoof, float& meanFloor)
 {
     float thick = 0.0F;
@@ -65,7 +65,7 @@ void meanLens(const Around& of, const auto& roof, const auto& floor, float& mean
     meanFloor = middle - 0.5F * thick;
 }
 
-/// Gives each old column's area to the new ones within its cell that hold tooth, in equal parts.
+/// Divides each old column's area equally among the new ones within its cell that hold tooth.
 void shareAreas(const ToothAnatomy& anatomy, Sampling sampling, ToothAnatomy& made)
 {
     const Grid& grid = anatomy.grid;
@@ -134,7 +134,7 @@ std::shared_ptr<const ToothAnatomy> resampled(const ToothAnatomy& anatomy, Sampl
             made->bottom[to] = mean(here, [&](std::size_t k) { return anatomy.bottom[k]; });
             ColumnLayers& column = made->layers[to];
             const auto& layers = anatomy.layers;
-            // Beyond the tooth it says no more than at its end.
+            // Beyond the tooth a layer has the value of its end.
             column.dej =
                 mean(here, [&](std::size_t k) { return std::clamp(layers[k].dej, anatomy.bottom[k], anatomy.top[k]); });
             meanLens(

@@ -8,7 +8,7 @@
 namespace core::terrain {
 namespace {
 
-/// Length of the overlap of [lowA, highA] and [lowB, highB], never negative.
+/// Returns the length of the overlap of [lowA, highA] and [lowB, highB], at least 0.
 double overlap(float lowA, float highA, float lowB, float highB)
 {
     const float low = std::max(lowA, lowB);
@@ -59,8 +59,7 @@ std::vector<std::uint8_t> perforations(const Tooth& tooth)
 {
     const Grid& grid = tooth.grid();
     const ToothAnatomy& anatomy = *tooth.anatomy;
-    // What is empty now and hangs together with what was empty to begin with is outside; any other empty node is a
-    // hole.
+    // An empty node connected with a node that was empty at first is outside. Any other empty node is a hole.
     std::vector<std::uint8_t> outside(grid.count(), 0);
     std::vector<std::size_t> reached;
     bool anyGone = false;
@@ -118,7 +117,7 @@ PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high)
         length[at(material)] = static_cast<double>(high) - static_cast<double>(low);
         return length;
     }
-    // The lesion first, then what is left above and below it.
+    // First the lesion, then the parts above and below it.
     const float lesionLow = std::clamp(column.cariesFloor, low, high);
     const float lesionHigh = std::clamp(column.cariesRoof, lesionLow, high);
     length[at(Material::Caries)] = static_cast<double>(lesionHigh) - static_cast<double>(lesionLow);
@@ -163,7 +162,7 @@ MaterialSpans spansBetween(const ColumnLayers& column, float low, float high)
         const float to = ends.at(k);
         if (!(to > from))
             continue;
-        // The rule of materialAt() holds up to the upper end of a stretch, that end included.
+        // materialAt() counts the upper end of a stretch to it.
         const Material material = materialAt(column, to);
         if (spans.count > 0 && spans.span.at(static_cast<std::size_t>(spans.count - 1)).material == material)
             spans.span.at(static_cast<std::size_t>(spans.count - 1)).highMm = to;

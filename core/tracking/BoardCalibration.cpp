@@ -31,12 +31,12 @@ BoardCalibration::Look BoardCalibration::take(const PictureView& picture)
 {
     if (!m_views.empty() && (picture.width != m_width || picture.height != m_height))
         return Look::OtherSize;
-    // OpenCV reads the picture only, although its type says otherwise.
+    // OpenCV only reads the picture, although its type is not const.
     const cv::Mat image(picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.pixels),
                         static_cast<std::size_t>(picture.stride));
     std::vector<cv::Point2f> corners;
     try {
-        // Its options cost five times as much, or make the corners less exact.
+        // The options of this function make it five times slower, or the corners less exact.
         if (!cv::findChessboardCornersSB(image, {kColumns, kRows}, corners, 0))
             return Look::NoBoard;
     } catch (const cv::Exception&) {
@@ -90,7 +90,7 @@ Result<BoardCalibration::Found> BoardCalibration::solve() const
     try {
         std::vector<cv::Mat> rotations;
         std::vector<cv::Mat> translations;
-        // A third radial coefficient is of no use to the lens of a webcam, and makes the others uncertain.
+        // A webcam's lens does not need a third radial coefficient, which makes the others uncertain.
         found.errorPx = cv::calibrateCamera(boards, seen, {m_width, m_height}, matrix, lens, rotations, translations,
                                             deviations, cv::noArray(), cv::noArray(), cv::CALIB_FIX_K3);
     } catch (const cv::Exception&) {

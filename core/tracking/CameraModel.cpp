@@ -68,7 +68,7 @@ glm::dvec2 CameraModel::directionOf(const glm::dvec2& pixel) const
 
 std::optional<double> CameraModel::focalAt(const glm::dvec3& positionMm, double distanceMm) const
 {
-    // The size of the tag in pixels fixes z / focal length, and so x and y; z makes up the rest of the distance.
+    // The size of the tag in pixels fixes z / focal length, and so x and y. The rest of the distance gives z.
     const double z2 = distanceMm * distanceMm - positionMm.x * positionMm.x - positionMm.y * positionMm.y;
     if (!(z2 > 0.0) || !(positionMm.z > 0.0))
         return std::nullopt;

@@ -12,12 +12,12 @@ namespace core::tracking {
 namespace {
 
 constexpr double kMostAheadS = 0.03;
-constexpr double kForgottenS = 0.5;    ///< without a tag; then it is found anew
-constexpr double kSamePlaceMm = 60.0;  ///< of a tag that comes into sight, from picture to picture
+constexpr double kForgottenS = 0.5;    ///< without a tag: after that, it must be found anew
+constexpr double kSamePlaceMm = 60.0;  ///< between pictures, for a tag that appears
 constexpr int kFoundAfter = 2;         ///< pictures in a row
 constexpr double kFastestMmPerS = 1500.0;
 constexpr double kFastestDegPerS = 200.0;
-constexpr double kRestMm = 5.0;  ///< measuring error that is no jump
+constexpr double kRestMm = 5.0;  ///< measuring error that does not count as a jump
 constexpr double kRestDeg = 8.0;
 constexpr int kJumpAfter = 3;
 constexpr double kClearlyBetter = 2.0;
@@ -64,7 +64,7 @@ const Head& HeadFilter::take(const std::optional<PosedTag>& tag, double timeS)
     return m_head;
 }
 
-/// The pose nearer to the last one, unless the other has explained the picture clearly better for some time.
+/// Returns the pose nearer to the last one, unless the other has matched the picture clearly better for some time.
 Pose HeadFilter::choose(const PosedTag& tag)
 {
     if (!m_isFollowing)
@@ -77,7 +77,7 @@ Pose HeadFilter::choose(const PosedTag& tag)
     }
     if (++m_otherIsBetter < kOtherAfter)
         return tag.other;
-    // The head has not turned: until now the wrong pose of both was chosen.
+    // The head has not turned: the wrong one of the two poses was chosen until now.
     m_otherIsBetter = 0;
     m_head.raw.rotation = tag.pose.rotation;
     m_head.pose.rotation = tag.pose.rotation;
@@ -108,7 +108,7 @@ void HeadFilter::follow(const Pose& pose, double timeS)
         m_head.pose.positionMm[axis] = filter.take(pose.positionMm[axis], seconds);
         m_head.mmPerS[axis] = filter.speed();
     }
-    // The same filter for an orientation: its speed is that of the turning.
+    // The same filter for an orientation; its speed is the speed of turning.
     const OneEuro::Settings& angle = m_settings.angle;
     const double turned = angleBetweenDeg(m_head.raw.rotation, pose.rotation) / seconds;
     m_turnDegPerS += OneEuro::share(angle.speedHz, seconds) * (turned - m_turnDegPerS);

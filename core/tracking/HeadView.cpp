@@ -10,16 +10,16 @@
 namespace core::tracking {
 namespace {
 
-constexpr double kHoldS = 1.0;    ///< without a tag, until the view glides back
-constexpr double kSeenS = 0.25;   ///< age of a tag that is followed still
+constexpr double kHoldS = 1.0;    ///< time without a tag after which the view glides back
+constexpr double kSeenS = 0.25;   ///< age of a tag that is still followed
 constexpr double kGlideS = 0.15;  ///< time constant of gliding
-constexpr double kDeadDeg = 0.3;  ///< around the middle, where the view hardly moves
+constexpr double kDeadDeg = 0.3;  ///< range around the middle in which the view hardly moves
 constexpr double kMostFarther = 1.6;
 constexpr double kMostWindowDeg = 40.0;
-constexpr double kMostStep = 0.0175;  ///< a frame, of the distance: a degree
+constexpr double kMostStep = 0.0175;  ///< most in a frame, of the distance: a degree
 constexpr double kLeastMm = 1.0;
 
-/// Soft dead zone: changes little near zero, and by as much as its input far from zero.
+/// Returns the value after a soft dead zone: it changes little near zero, and fully far from zero.
 double calmed(double deg)
 {
     return deg - kDeadDeg * std::tanh(deg / kDeadDeg);
@@ -65,7 +65,7 @@ const Lean& HeadView::update(const Head& head, double nowS, double seconds, bool
     return m_lean;
 }
 
-/// The camera faces the user: its right is their left, and its y axis goes down.
+/// Returns the wanted lean. The camera faces the user: its right is the user's left, and its y axis points down.
 Lean HeadView::wanted(const glm::dvec3& positionMm) const
 {
     const double depth = std::max(kLeastMm, positionMm.z);

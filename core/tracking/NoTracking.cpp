@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of BoardCalibration.cpp, TagCells.cpp, TagDetector.cpp and TagPose.cpp in a program that is built without
-// AprilTag or OpenCV.
+// Replaces BoardCalibration.cpp, TagCells.cpp, TagDetector.cpp and TagPose.cpp in a program built without AprilTag or
+// OpenCV.
 #include "core/tracking/BoardCalibration.h"
 #include "core/tracking/TagCells.h"
 #include "core/tracking/TagDetector.h"

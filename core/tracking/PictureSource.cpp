@@ -25,7 +25,7 @@ constexpr const char* kLibraryFile = "../lib/cusp/cusp_pictures.so";  ///< from 
 constexpr std::size_t kMostImages = 100'000;
 constexpr std::array<std::string_view, 7> kImageEndings{".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".tif", ".tiff"};
 
-/// Loads the library once. Null if it is not there or cannot be loaded.
+/// Loads the library once. Returns null if it is missing or cannot be loaded.
 const PictureLibrary* library()
 {
     static const PictureLibrary* const loaded = []() -> const PictureLibrary* {
@@ -89,7 +89,7 @@ public:
                                   "The video " + m_name + " ends before its time: it is cut off or damaged.");
             return false;
         }
-        // Some files have no times, or times that stand still.
+        // Some files have no times, or times that do not advance.
         if (!(picture.timeS >= 0.0 && picture.timeS < kLongestS))
             picture.timeS = m_lastS + kUsualStepS;
         picture.timeS = m_pictures == 0.0 ? picture.timeS : std::max(picture.timeS, m_lastS + kLeastStepS);
@@ -100,7 +100,8 @@ public:
     bool isLive() const override { return false; }
 
 private:
-    /// The length in a header may be an estimate, and so may the times of the pictures.
+    /// Returns whether the video is cut off. The length in a header may be an estimate, and so may the times of the
+    /// pictures.
     bool isCutOff() const
     {
         constexpr double kWholeShare = 0.9;
@@ -141,7 +142,7 @@ public:
     bool isLive() const override { return false; }
 
 private:
-    static constexpr double kStepS = 1.0 / 30.0;  ///< as of a camera
+    static constexpr double kStepS = 1.0 / 30.0;  ///< as for a camera
     const PictureLibrary& m_library;
     std::vector<fs::path> m_files;
     std::size_t m_next = 0;
@@ -155,12 +156,13 @@ bool isImage(const fs::path& file)
     return std::find(kImageEndings.begin(), kImageEndings.end(), ending) != kImageEndings.end();
 }
 
-/// Whether a file begins as text. FFmpeg would show it as the screen of a terminal, or follow the links of a playlist.
+/// Returns whether a file begins as text. FFmpeg would show it as a terminal's screen, or follow the links of a
+/// playlist.
 bool isText(const std::string& path)
 {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored))
-        return false;  // what is read from a pipe is gone
+        return false;  // a pipe cannot be read twice
     std::ifstream file(path, std::ios::binary);
     std::array<char, 1024> head{};
     file.read(head.data(), head.size());
@@ -185,7 +187,7 @@ std::vector<CameraInfo> cameras()
         CameraInfo camera;
         const char* const end = file.data() + file.size();
         const auto [rest, code] = std::from_chars(file.data() + kBegin.size(), end, camera.number);
-        // A camera may have further devices, for what is no picture.
+        // A camera may have further devices that give no pictures.
         int index = 0;
         std::ifstream(entry.path() / "index") >> index;
         if (code != std::errc{} || rest != end || index != 0)

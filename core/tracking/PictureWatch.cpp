@@ -10,7 +10,7 @@ namespace {
 constexpr int kSamplesASide = 64;
 constexpr int kDarkMean = 8;  ///< grey levels
 constexpr int kBrightMean = 240;
-constexpr int kTroubleAfter = 30;  ///< pictures in a row: a second. Not even a dark room gives two pictures alike
+constexpr int kTroubleAfter = 30;  ///< pictures in a row: a second. Even a dark room gives no two equal pictures
 
 }  // namespace
 

@@ -11,12 +11,12 @@ namespace core::tracking {
 namespace {
 
 constexpr double kSharpening = 0.25;   ///< AprilTag's own default
-constexpr double kLeastMargin = 30.0;  ///< tags on photographs have 43 and more; what is no tag has less
+constexpr double kLeastMargin = 30.0;  ///< tags on photographs have 43 and more; false ones have less
 constexpr int kLeastSidePx = 16;
-/// Of a corner from the border, as a share of the tag's edge; its white border is an eighth. Of a square whose corner
-/// is cut off, the corner is found some pixels away from where it would be.
+/// Distance of a corner from the border, as a share of the tag's edge; the white border is an eighth. If a corner of
+/// the square is cut off, the detector finds it some pixels away from its true place.
 constexpr double kLeastFromBorder = 0.08;
-/// For all ids, AprilTag's own default. For a single id, one bit is enough and needs a megabyte instead of nineteen.
+/// For all ids, AprilTag's default. For a single id, one bit is enough and needs a megabyte instead of nineteen.
 constexpr int kCorrectedOfAll = 2;
 constexpr int kCorrectedOfOne = 1;
 
@@ -79,7 +79,7 @@ std::vector<SeenTag> TagDetector::find(const PictureView& picture, const Region&
     apriltag_detector_t& detector = *m_parts->detector;
     detector.quad_decimate = static_cast<float>(decimation);
     detector.refine_edges = effort.refinesEdges;
-    // AprilTag reads the picture only, although its type says otherwise.
+    // AprilTag only reads the picture, although its type is not const.
     auto* const first =
         const_cast<std::uint8_t*>(picture.pixels) + static_cast<std::ptrdiff_t>(top) * picture.stride + left;
     image_u8_t image{width, height, picture.stride, first};

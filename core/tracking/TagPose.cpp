@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNearestMm = 10.0;
 
-/// Corners of a tag in its own frame, in the order of SeenTag::cornersPx.
+/// Returns the corners of a tag in its own frame, in the order of SeenTag::cornersPx.
 std::array<glm::dvec3, 4> cornersMm(double edgeMm)
 {
     const double half = 0.5 * edgeMm;
@@ -34,7 +34,7 @@ double errorPx(const Pose& pose, const SeenTag& tag, const CameraModel& camera, 
     return std::sqrt(sum / static_cast<double>(corners.size()));
 }
 
-/// Our frame has y down and z into the tag, OpenCV's square has y up and z out of it.
+/// Converts a pose. Our frame has y down and z into the tag; OpenCV's square has y up and z out of it.
 Pose poseFrom(const cv::Mat& rotationVector, const cv::Mat& translation)
 {
     cv::Matx33d turn;

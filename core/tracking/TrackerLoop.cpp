@@ -18,9 +18,9 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kTryAgain = 1s;
-constexpr auto kNap = 50ms;  ///< so that the thread can be ended meanwhile
+constexpr auto kNap = 50ms;  ///< so that the thread can be ended soon
 constexpr double kWindowS = 1.0;
-constexpr double kMovesMm = 1.0;  ///< more than noise: the head moves
+constexpr double kMovesMm = 1.0;  ///< more than noise
 
 double secondsOf(Clock::time_point time)
 {
@@ -61,14 +61,14 @@ void TrackerLoop::tick(std::chrono::microseconds /*dt*/)
     }
     const auto got = m_source->next(m_picture);
     if (!got) {
-        if (got.error().code == ErrorCode::WrongKind)  // an image of a folder that is none is passed over
+        if (got.error().code == ErrorCode::WrongKind)  // a file that is no image is skipped
             return;
         if (m_source->isLive()) {
             lose(got.error());
             return;
         }
     }
-    // A video that is cut off ends where it is.
+    // A video that is cut off ends there.
     if (!got || !*got) {
         m_hasEnded = true;
         const std::lock_guard lock(m_mutex);
@@ -90,7 +90,7 @@ void TrackerLoop::lose(const Error& error)
     m_report.error = error;
 }
 
-/// Waits until a picture of a video would have been taken, and gives it that time.
+/// Waits until the time of the next picture of a video, and gives the picture that time.
 void TrackerLoop::paceVideo()
 {
     const auto due =
