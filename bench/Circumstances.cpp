@@ -13,7 +13,7 @@
 namespace bench {
 namespace {
 
-/// As the system calls it; the architecture where it does not say.
+/// Returns the name that the system gives the processor, or its architecture if it gives none.
 QString processorModel()
 {
     QFile file(QStringLiteral("/proc/cpuinfo"));

@@ -10,7 +10,7 @@
 namespace bench {
 namespace {
 
-/// What we ship, but for the method: the lab names them all.
+/// Returns the shipped contact with every method that the lab names.
 std::vector<Contestant> everyone()
 {
     std::vector<Contestant> list;
@@ -28,7 +28,7 @@ ui::charts::Line lineOf(const QString& name, LookIndex look)
 {
     using ui::charts::Line;
     using ui::charts::Mark;
-    // Colours: Okabe & Ito 2008, but for their yellow, which is too pale for a line on white.
+    // Colours: Okabe & Ito 2008, except their yellow, which is too pale for a line on white.
     static const std::array<Line, 5> looks{{
         {{}, {}, Mark::Circle, true, QColor(0x00, 0x72, 0xB2), Qt::SolidLine},
         {{}, {}, Mark::Square, true, QColor(0xD5, 0x5E, 0x00), Qt::DashLine},

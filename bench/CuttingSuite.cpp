@@ -11,7 +11,7 @@
 namespace bench {
 namespace {
 
-/// Largest over smallest of the volumes of some trials, less one, per cent.
+/// Spread of the volumes of some trials: largest over smallest, minus one, per cent.
 class Spread
 {
 public:
@@ -92,7 +92,7 @@ void addRates(Figures& figures)
     }
 }
 
-/// How long a bur that is pressed straight down takes to sink 1.5 mm.
+/// Measures the time that a bur pressed straight down takes to sink 1.5 mm.
 void addPlunges(Figures& figures)
 {
     constexpr double kDepthMm = 1.5;

@@ -24,11 +24,11 @@
 namespace bench {
 namespace {
 
-/// A hand that goes round a crown below its widest line, a little inside: the bur is beneath the overhang all the way.
+/// A hand that circles a crown below its widest line, a little inside: the bur stays beneath the overhang.
 class HandBeneathTheCrown final : public haptics::HapticDevice
 {
 public:
-    /// @param deeperMmPerS  by which it goes on inwards: what it has cut is no overhang any more
+    /// @param deeperMmPerS  speed inwards: what the bur has cut is no overhang any more
     HandBeneathTheCrown(const core::terrain::ToothAnatomy& anatomy, double deeperMmPerS)
         : m_middleMm(anatomy.grid.middleMm()), m_deeperMmPerS(deeperMmPerS)
     {
@@ -70,9 +70,9 @@ private:
         double zMm = 0.0;  ///< of the underside there
     };
     static constexpr double kRoundS = 10.0;
-    static constexpr double kInsideMm = 0.3;  ///< of the outline, with its axis
-    static constexpr double kBelowMm = 1.5;   ///< with its tip
-    static constexpr double kAwayMm = 2.0;    ///< it comes from outside
+    static constexpr double kInsideMm = 0.3;  ///< inside the outline, for the axis
+    static constexpr double kBelowMm = 1.5;   ///< below the underside, for the tip
+    static constexpr double kAwayMm = 2.0;    ///< start outside the outline
     static constexpr double kInMmPerS = 5.0;
 
     glm::dvec2 m_middleMm;
@@ -100,13 +100,13 @@ std::shared_ptr<const core::terrain::ToothAnatomy> molar(int gridSide)
     return core::teeth::buildTooth({36}, build).value().anatomy;
 }
 
-/// @param minute  called as each begins, with its number and how many there are; may be empty
+/// @param minute  called at the start of each minute, with its number and their count; may be empty
 core::Result<DrillingRun> drillFor(double seconds, int gridSide, const std::string& method, bool drill,
                                    const std::function<void(int, int)>& minute = {})
 {
     haptics::SimulationOptions options;
     options.settings.method = method;
-    options.record = true;  // as the window does
+    options.record = true;  // like the window
     core::rt::TripleBuffer<core::servo::PointerInput> pointer;
     haptics::PointerDevice device(pointer, options.settings.force.stiffnessNPerMm, 1.0 / options.rateHz);
     const auto ticks = static_cast<std::uint64_t>(seconds * options.rateHz);
@@ -140,7 +140,7 @@ core::Result<DrillingRun> roundTheCrownFor(double seconds, int gridSide, bool dr
     const auto anatomy = molar(gridSide);
     HandBeneathTheCrown hand(*anatomy, drill ? 0.03 : 0.0);
     haptics::SimulationOptions options;
-    options.burIndex = 0;  // whose head is widest against its shank
+    options.burIndex = 0;  // the bur with the widest head relative to its shank
     options.record = true;
     DrillingRun run;
     auto outcome = haptics::simulate(anatomy, hand, static_cast<std::uint64_t>(seconds * options.rateHz), options,
@@ -278,7 +278,7 @@ core::Result<Figures> drillingSuite(const Context& context)
 
 namespace {
 
-/// Times to bring any moment of a recording to the view: states, figures and all tiles that it does not have yet.
+/// Measures the times to show any moment of a recording: states, figures and all tiles that the view lacks.
 core::Result<haptics::TickTimes> seekTimes(const core::recording::Recording& recording, int seeks)
 {
     const auto links = std::make_unique<core::session::UiChannels>();

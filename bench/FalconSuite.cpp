@@ -14,7 +14,7 @@ using namespace haptics::falcon;
 
 constexpr int kBlocks = 400;
 constexpr int kPerBlock = 500;
-constexpr double kStrideMm = 0.1;  ///< of a hand in a tick: 100 mm/s at 1 kHz
+constexpr double kStrideMm = 0.1;  ///< motion of a hand in a tick: 100 mm/s at 1 kHz
 constexpr double kAwayMm = 40.0;
 
 /// Times a function in blocks, so that the clock itself costs nothing, and returns the time of one call, microseconds.
@@ -57,7 +57,7 @@ core::Result<Figures> falconSuite(const Context& context)
             angles.push_back(arms->angleRad);
         }
     }
-    double sum = 0.0;  // so that nothing is left out
+    double sum = 0.0;  // keeps the compiler from removing the work
     context.progress(QStringLiteral("the exchange"), 0, 4);
     FrameReader reader;
     std::array<std::uint8_t, kUsbStatusBytes + kFrameBytes> transfer{0x01, 0x60};

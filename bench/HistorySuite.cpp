@@ -25,10 +25,10 @@ constexpr int kStrokes = 1000;
 constexpr int kJumps = 1000;
 constexpr int kTicksAStroke = 60;
 constexpr int kTicksASession = 10;
-constexpr int kPasses = 20;  ///< of drilling, with and without jumps by turns
+constexpr int kPasses = 20;  ///< of drilling, in turn with and without jumps
 constexpr int kTicksAPass = 2000;
 
-/// Is where it is put, over or in the tooth.
+/// A device at a place that is set, over or in the tooth.
 class Hand final : public haptics::HapticDevice
 {
 public:
@@ -36,7 +36,7 @@ public:
     haptics::DeviceSample exchange(const glm::dvec3&) noexcept override { return {tipMm, true}; }
 };
 
-/// Servo and session, beaten in this thread.
+/// Servo and session, run in this thread.
 class Workplace
 {
 public:
@@ -60,7 +60,7 @@ public:
         m_session.tick(10ms);
         const double took = haptics::threadCpuUs() - before;
         for (TilePatch patch; m_uiLinks->patches.tryPop(patch);) {
-            // nobody watches
+            // no view reads it
         }
         return took;
     }
@@ -75,7 +75,7 @@ public:
             beatSession();
     }
 
-    /// Leans on the tooth at a place over its middle, for a stroke's length, along x.
+    /// Moves the bur along x at a place over the middle of the tooth, pressing, for the length of a stroke.
     void lean(glm::dvec2 placeMm, int ticks, haptics::TickTimes* times, int ticksAJump = 0)
     {
         for (int k = 0; k < ticks; ++k) {
@@ -146,7 +146,7 @@ core::Status measure(Figures& figures, int side)
     add("jump_p99_ms", QStringLiteral("jump, 99 of 100"), 1.0e-3 * jumps.percentileUs(0.99), "ms", "");
     add("jump_max_ms", QStringLiteral("jump, the longest"), 1.0e-3 * jumps.longestUs(), "ms", "< 50");
 
-    // Drilling, by turns with nothing else going on and with an undo or redo at each beat of the session.
+    // Drilling, in turn alone and with an undo or redo in each run of the session.
     const auto calm = std::make_unique<haptics::TickTimes>();
     const auto stormy = std::make_unique<haptics::TickTimes>();
     for (int pass = 0; pass < kPasses; ++pass) {

@@ -30,15 +30,15 @@ constexpr auto kLesson = "class1-36";
 constexpr auto kServoPeriod = 1ms;
 constexpr auto kPicturePeriod = 16ms;
 constexpr int kPicturesAProgress = 6;  ///< ten a second
-constexpr int kPasses = 20;            ///< without and with live measures by turns
+constexpr int kPasses = 20;            ///< in turn without and with live measures
 constexpr auto kPass = 3s;
-constexpr auto kSettling = 100ms;  ///< before each: what has been waiting is done then
+constexpr auto kSettling = 100ms;  ///< pause before each pass, so that waiting work is done
 constexpr double kRadiusMm = 3.0;
 
-/// What is being timed, as all threads know it.
+/// What is being timed; all threads read it.
 enum class Pass { None, Alone, Measured };
 
-/// The servo as the window runs it, timed.
+/// The servo as in the window, timed.
 class TimedServo final : public core::rt::Loop
 {
 public:
@@ -52,7 +52,7 @@ public:
         if (pass != Pass::None)
             (pass == Pass::Alone ? m_alone : m_measured).add(took);
     }
-    /// When its thread has ended.
+    /// Valid after its thread has ended.
     [[nodiscard]] const haptics::TickTimes& alone() const { return m_alone; }
     [[nodiscard]] const haptics::TickTimes& measured() const { return m_measured; }
 
@@ -63,7 +63,7 @@ private:
     haptics::TickTimes m_measured;
 };
 
-/// The follower, which finds infractions and process figures; it rests where the servo is timed alone.
+/// The follower, which finds infractions and process figures. It rests while the servo is timed alone.
 class TimedFollower final : public core::rt::Loop
 {
 public:
@@ -90,8 +90,8 @@ private:
     haptics::TickTimes m_times;
 };
 
-/// What the window does at each picture: takes the tiles that changed; with live measures also the margin at each and
-/// the progress ten times a second.
+/// Does what the window does for each picture: takes the changed tiles. With live measures it also computes the margin
+/// each time and the progress ten times a second.
 class Watcher final : public core::rt::Loop
 {
 public:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRuns = 5;
 
-/// The shortest of some runs, milliseconds: what the work takes when nothing else disturbs it.
+/// Returns the shortest of some runs, milliseconds: the time of the work without disturbance.
 core::Result<double> shortestLoadMs(const core::teeth::ToothSource& source)
 {
     std::optional<double> best;

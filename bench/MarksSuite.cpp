@@ -17,7 +17,7 @@
 namespace bench {
 namespace {
 
-/// A fault of a student, and the letter that a strict instructor gives for it (docs/marks.md): D and F fail.
+/// A fault of a student, and the letter that a strict instructor gives it (docs/marks.md): D and F fail.
 struct Fault
 {
     const char* what;
@@ -140,7 +140,7 @@ struct Attempt
 {
     std::size_t lesson = 0;
     Fault fault{};
-    bool isNew = false;  ///< of the half that nothing was tuned on
+    bool isNew = false;  ///< in the half that was not used for tuning
     int scoreTenths = 0;
     bool isPassed = false;
     std::string error;
@@ -182,7 +182,7 @@ void take(Attempt& attempt, const lessons::Assignment& assignment)
     attempt.isPassed = marked->sheet.passed();
 }
 
-/// The rank of each value, equal ones sharing the mean of theirs.
+/// Returns the rank of each value; equal values get the mean of their ranks.
 std::vector<double> ranksOf(const std::vector<double>& values)
 {
     std::vector<double> ranks;
@@ -194,7 +194,7 @@ std::vector<double> ranksOf(const std::vector<double>& values)
     return ranks;
 }
 
-/// Spearman's rank correlation, from -1 to 1.
+/// Returns Spearman's rank correlation, from -1 to 1.
 double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b)
 {
     const std::vector<double> x = ranksOf(a);
@@ -221,7 +221,7 @@ struct Agreement
 
 Agreement agreementOf(const std::vector<Attempt>& attempts, bool isNew)
 {
-    std::array<int, 2> all{};  // those that should fail, and those that should pass
+    std::array<int, 2> all{};  // attempts that should fail, and that should pass
     std::array<int, 2> wrong{};
     std::vector<double> letters;
     std::vector<double> scores;
@@ -238,7 +238,7 @@ Agreement agreementOf(const std::vector<Attempt>& attempts, bool isNew)
     return {percent(0), percent(1), rankCorrelation(letters, scores), static_cast<int>(letters.size())};
 }
 
-/// Score against letter.
+/// Returns a chart of score against letter.
 NamedChart chartOf(const std::vector<Attempt>& attempts)
 {
     ui::charts::Curve content;

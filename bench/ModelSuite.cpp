@@ -46,7 +46,7 @@ double sumOf(const lab::ModelCost& cost)
     return std::accumulate(cost.removedMm3.begin(), cost.removedMm3.end(), 0.0);
 }
 
-/// Both charts have the error along y.
+/// Returns a chart with the error along y.
 NamedChart chartOf(const QString& name, const QString& title, const ui::charts::Axis& x,
                    const QList<ui::charts::Line>& lines)
 {
@@ -67,7 +67,7 @@ NamedChart chartOf(const QString& name, const QString& title, const ui::charts::
              content}};
 }
 
-/// What a height map takes although the bur was not there: the material over a wide head with a narrow neck.
+/// Measures what a height map removes although the bur was not there: the material over a wide head with a narrow neck.
 core::Status addUndercut(Figures& figures, const char* name)
 {
     const auto bur = core::bur::findBur(name);

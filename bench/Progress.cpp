@@ -28,7 +28,7 @@ void Progress::begin(const QString& suite, double seconds)
 void Progress::step(const QString& what, int done, int of)
 {
     constexpr double kBetweenS = 1.0;
-    constexpr double kTrustS = 5.0;  // so long, and less, says little about how fast this machine is
+    constexpr double kTrustS = 5.0;  // a shorter time says little about the speed of this machine
     const double gone = 0.001 * static_cast<double>(m_clock.elapsed());
     if (gone - m_toldAt < kBetweenS)
         return;

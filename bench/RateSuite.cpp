@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kRatesHz{250, 500, 1000, 2000, 4000};
 
-/// Of a method, by rate.
+/// Averages of a method, by rate.
 using Averages = std::map<int, ContactAverage>;
 
 QString figure(double um)
@@ -21,7 +21,7 @@ QString figure(double um)
     return QString::number(um, 'f', um < 10.0 ? 1 : 0);
 }
 
-/// Both charts have the rate along x.
+/// Returns a chart with the rate along x.
 NamedChart chartOf(const QString& name, const QString& title, const ui::charts::Axis& y,
                    const std::vector<Averages>& averages, double (ContactAverage::*value)() const)
 {

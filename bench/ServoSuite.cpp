@@ -37,9 +37,9 @@ constexpr double kDelayMs = 1.0;
 constexpr double kRadiusMm = 3.0;
 constexpr double kAboveMm = 6.0;
 constexpr double kAskedUs = 100.0;
-/// The slower rates, and the loop with a real clock, are measured for this share of the minutes.
+/// Share of the minutes for the slower rates and for the loop with a real clock.
 constexpr double kShortShare = 1.0 / 60.0;
-constexpr double kWholeToothS = 60.0;  ///< after which the next tooth is drilled
+constexpr double kWholeToothS = 60.0;  ///< time after which the next tooth is drilled
 
 /// A simulated Falcon in a hand that strokes the crown and presses with 1 N wherever the bur is.
 class StrokingHand final : public haptics::HapticDevice
@@ -59,7 +59,7 @@ public:
 
 private:
     static constexpr const haptics::HandFigures& kHand = haptics::kHands[1];
-    static constexpr double kLowestMm = -4.0;  ///< of the bur, so that a hand beside the tooth comes back
+    static constexpr double kLowestMm = -4.0;  ///< of the bur: a hand beside the tooth returns from here
     double m_periodS;
     haptics::SimulatedFalcon m_falcon;
     glm::dvec3 m_burMm;
@@ -80,7 +80,7 @@ struct DrillingTicks
     std::uint64_t cutting = 0;
 };
 
-/// Drills one tooth after another, as fast as that goes.
+/// Drills one tooth after another, as fast as possible.
 core::Status drill(DrillingTicks& into, const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, int rateHz,
                    double seconds)
 {
@@ -102,7 +102,7 @@ core::Status drill(DrillingTicks& into, const std::shared_ptr<const core::terrai
     return {};
 }
 
-/// A loop, timed.
+/// A loop that measures its own time.
 class TimedLoop final : public core::rt::Loop
 {
 public:
@@ -114,7 +114,7 @@ public:
         m_times.add(haptics::threadCpuUs() - start);
         ++m_ticks;
     }
-    /// When its thread has ended.
+    /// Valid after its thread has ended.
     [[nodiscard]] const haptics::TickTimes& times() const { return m_times; }
     [[nodiscard]] std::uint64_t ticks() const { return m_ticks; }
 
@@ -124,7 +124,7 @@ private:
     std::uint64_t m_ticks = 0;
 };
 
-/// A camera that gives rendered pictures of a head that moves, 30 a second.
+/// A camera that gives 30 rendered pictures a second of a moving head.
 class RenderedCamera final : public core::tracking::PictureSource
 {
 public:
@@ -156,13 +156,13 @@ private:
 
 struct LiveTicks
 {
-    double p99Us = 0.0;  ///< CPU time of a tick, the simulated device among it
+    double p99Us = 0.0;  ///< CPU time of a tick, the simulated device included
     std::uint64_t ticks = 0;
     std::uint64_t missed = 0;
 };
 
-/// The same in a thread that beats with a real clock.
-/// @param tracks  the tag of a head is followed meanwhile
+/// The same in a thread with a real clock.
+/// @param tracks  whether the tag of a head is followed meanwhile
 core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double seconds,
                                   bool tracks)
 {
@@ -197,7 +197,7 @@ core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::Too
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (std::chrono::steady_clock::now() < end) {
             for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
-                // nobody looks at it
+                // no view shows it
             }
             std::this_thread::sleep_for(16ms);
         }
@@ -224,7 +224,7 @@ NamedChart chartOf(const QList<ui::charts::Line>& lines)
          chart}};
 }
 
-/// K_max of every hand at every rate.
+/// Adds K_max of every hand at every rate.
 void addLimits(Figures& figures, const Context& context, int steps)
 {
     std::array<std::array<double, kRatesHz.size()>, haptics::kHands.size()> limits{};
@@ -236,7 +236,8 @@ void addLimits(Figures& figures, const Context& context, int steps)
             loop.rateHz = kRatesHz[k % kRatesHz.size()];
             loop.falcon.delayS = 0.001 * kDelayMs;
             loop.falcon.delayJitterS = 0.0;
-            limits[k / kRatesHz.size()][k % kRatesHz.size()] = lab::stiffnessLimit(loop).value();  // none is refused
+            limits[k / kRatesHz.size()][k % kRatesHz.size()] = lab::stiffnessLimit(loop).value();  // none of them is
+                                                                                                   // refused
         },
         [&](std::size_t) { context.progress(QStringLiteral("K_max by rate"), 0, steps); });
     QList<ui::charts::Line> lines;

@@ -17,7 +17,7 @@ namespace {
 constexpr double kAskedN = 0.08;
 constexpr double kLeastShownN = 0.1;
 
-/// The scan beside the checkout that holds this program, as the tests find it; empty without one.
+/// Returns the scan beside the checkout that contains this program, as the tests find it; empty if there is none.
 QString scanFile()
 {
     const QString folder = qEnvironmentVariable("CUSP_SHARED_DATA", QCoreApplication::applicationDirPath() +
@@ -28,7 +28,7 @@ QString scanFile()
 
 struct Teeth
 {
-    QString key;  ///< at the end of the keys of figures
+    QString key;  ///< end of the keys of its figures
     QString name;
     core::teeth::ToothSource source;
 };

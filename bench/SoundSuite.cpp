@@ -36,7 +36,7 @@ SoundState cutting(Material material, float mm3PerS)
     return state;
 }
 
-/// A second of sound after one with the same state.
+/// Returns a second of sound after a second with the same state.
 std::vector<float> settled(const SoundState& state, const Volumes& volumes)
 {
     Synthesizer synthesizer(kRateHz);
@@ -55,7 +55,7 @@ Volumes only(Part part)
     return volumes;
 }
 
-/// Thread CPU time of the whole sound, over the time that it lasts, per cent.
+/// Returns the thread CPU time of the whole sound over its duration, per cent.
 double coreSharePercent()
 {
     constexpr std::size_t kSeconds = 20;
@@ -73,10 +73,10 @@ double coreSharePercent()
     return (haptics::threadCpuUs() - before) * kUsToPercent / static_cast<double>(kSeconds);
 }
 
-/// Longest time from a tick of the servo in which a load sets in to the first sample that is another by 1 % of full
-/// scale, milliseconds. An output is imitated that keeps its buffer full and asks for 5 ms at a time, as PulseAudio
-/// does with this buffer; the request is seen up to AudioPort::kFillMs late. What the system adds behind its buffer is
-/// not known here.
+/// Returns the longest time from the tick of the servo in which a load begins to the first sample that differs by 1 %
+/// of full scale, milliseconds. The simulated output keeps its buffer full and requests 5 ms at a time, like PulseAudio
+/// with this buffer. A request is noticed up to AudioPort::kFillMs late. The delay behind the system's buffer is not
+/// known here.
 double latencyMs()
 {
     constexpr int kFetchMs = 5 + ui::sound::AudioPort::kFillMs;
@@ -115,7 +115,7 @@ double latencyMs()
         for (int k = 0; k < kRunUp; ++k)
             expect();
         channel.publish(cutting(Material::Enamel, 0.4F));
-        // What the next fetch brings is heard behind the full buffer.
+        // The samples of the next fetch come after the full buffer.
         const double waitedMs = kFetchMs - phase;
         fetch();
         expect();
@@ -130,7 +130,7 @@ double latencyMs()
     return longest;
 }
 
-/// Largest difference of the fundamental from the speed of the bur, per cent.
+/// Returns the largest difference of the fundamental from the speed of the bur, per cent.
 double fundamentalErrorPercent()
 {
     constexpr double kPercent = 100.0;
@@ -150,7 +150,7 @@ double fundamentalErrorPercent()
     return worst;
 }
 
-/// Largest difference between two samples that follow one another while everything changes at random.
+/// Returns the largest difference between two successive samples while all inputs change at random.
 double largestJump()
 {
     constexpr int kChanges = 2'000;

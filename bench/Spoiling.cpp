@@ -17,13 +17,13 @@ namespace {
 using core::terrain::Grid;
 using core::terrain::ToothAnatomy;
 
-constexpr double kHoleRadiusMm = 0.6;   ///< what a bur of 0.8 mm makes with a tremor
-constexpr double kGougeRadiusMm = 0.5;  ///< what it makes with a steady hand
-constexpr double kAwayMm = 1.2;         ///< a hole is at least so far from the cavity
+constexpr double kHoleRadiusMm = 0.6;   ///< hole of a bur of 0.8 mm with a tremor
+constexpr double kGougeRadiusMm = 0.5;  ///< hole of a bur with a steady hand
+constexpr double kAwayMm = 1.2;         ///< least distance of a hole from the cavity
 constexpr double kRippleMm = 1.6;       ///< length of a wave
-constexpr double kRidgeHalfMm = 0.6;    ///< of the breadth of a cut through a ridge
+constexpr double kRidgeHalfMm = 0.6;    ///< half the width of a cut through a ridge
 constexpr double kBehindWallMm = 1.0;
-constexpr double kNearPulpRadiusMm = 0.9;  // a bur goes down there with its shank
+constexpr double kNearPulpRadiusMm = 0.9;  // the shank of the bur goes down there too
 constexpr double kSafeMm = 1.0;
 
 bool isTooth(const ToothAnatomy& anatomy, std::size_t k)
@@ -51,7 +51,7 @@ void Spoiling::set(std::size_t k, double mm)
 {
     if (!isTooth(m_anatomy, k))
         return;
-    // Nothing but nearPulp() comes nearer to the pulp than this, or than the cavity itself.
+    // Only nearPulp() comes nearer to the pulp than this, or than the cavity itself.
     const double least =
         core::terrain::hasPulp(m_anatomy, k)
             ? std::min(static_cast<double>(m_wanted[k]), static_cast<double>(m_anatomy.layers[k].pulpRoof) + kSafeMm)
@@ -185,7 +185,7 @@ void Spoiling::hole(double mm)
 
 void Spoiling::scribble(double mm)
 {
-    constexpr double kRimMm = 1.0;  // the sides of the crown are not scribbled on
+    constexpr double kRimMm = 1.0;  // the sides of the crown get no scribbles
     float highest = -std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < m_wanted.size(); ++k)
         if (isTooth(m_anatomy, k))
@@ -211,7 +211,7 @@ void Spoiling::cutRidge(double leftMm)
             ++edge;
         if (edge == grid.side)
             continue;
-        // The wall there may lean: what is cut on is the floor behind it.
+        // The wall there may lean: the cut continues on the floor behind it.
         float floor = before[grid.index(edge, j)];
         for (int i = edge; i < grid.side && (i - edge) * grid.cellMm < kBehindWallMm; ++i)
             floor = std::min(floor, before[grid.index(i, j)]);
@@ -271,7 +271,7 @@ void Spoiling::leaveDecay(double share, bool atJunction)
 {
     const double whole = decayLeftMm3(m_anatomy.top);
     if (atJunction) {
-        // The columns farthest out on one side stay as they are.
+        // The outermost columns on one side stay as they are.
         std::vector<std::size_t> outermostFirst;
         for (std::size_t k = 0; k < m_wanted.size(); ++k)
             if (decayAbove(k, m_anatomy.top[k]) > 0.0)

@@ -13,12 +13,12 @@
 namespace bench {
 namespace {
 
-/// The third is what we ship: the chart shows it alone.
+/// The third is the shipped stiffness: the chart shows only that one.
 const std::array<double, 4> kStiffnessNPerMm{0.5, 1.0, core::contact::ForceSettings().stiffnessNPerMm, 3.0};
 constexpr std::size_t kShipped = 2;
 constexpr std::array<int, 4> kDelaysMs{0, 1, 2, 4};
 
-/// How many trials ended how, [lab::Outcome].
+/// Number of trials by their outcome, [lab::Outcome].
 using Tally = std::array<int, 6>;
 
 QString latin(std::string_view text)
@@ -26,19 +26,19 @@ QString latin(std::string_view text)
     return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// "impact 50" -> "impact_50"
+/// Returns the key: "impact 50" -> "impact_50".
 QString keyOf(std::string_view scene)
 {
     return latin(scene).remove(u',').replace(u' ', u'_').replace(u'.', u'_');
 }
 
-/// The row of the chart: "impact 50", "impact 200" -> "impact"
+/// Returns the row of the chart: "impact 50", "impact 200" -> "impact".
 QString familyOf(std::string_view scene)
 {
     return latin(scene.substr(0, scene.find_first_of(",0123456789"))).trimmed();
 }
 
-/// One scene, contestant and delay, tried with every stiffness and hand.
+/// One scene, contestant and delay, with every stiffness and hand.
 struct Trials
 {
     const Contestant* contestant;
@@ -57,10 +57,11 @@ void tryAll(Trials& trials)
             trial.falcon.delayS = trials.delayMs * 0.001;
             trial.falcon.delayJitterS = 0.0;
             trial.hand = haptics::kHands[hand];
-            // Where the path is given no hand counts.
+            // If the path is given, the hand has no effect.
             const bool isAgain = hand > 0 && trials.scene.starts_with("loops");
             trials.results[k][hand] =
-                isAgain ? trials.results[k][0] : lab::tryStability(trials.scene, trial).value();  // nothing is refused
+                isAgain ? trials.results[k][0] : lab::tryStability(trials.scene, trial).value();  // none of them is
+                                                                                                  // refused
         }
 }
 
@@ -77,7 +78,7 @@ void add(Tally& sum, const Tally& other)
     std::transform(sum.begin(), sum.end(), other.begin(), sum.begin(), std::plus());
 }
 
-/// "2 buzzes, 1 diverges; jump over the bar 3"
+/// Returns "2 buzzes, 1 diverges; jump over the bar 3".
 QString told(const Trials& trials, const Tally& tally)
 {
     QStringList found;
@@ -98,7 +99,7 @@ QString told(const Trials& trials, const Tally& tally)
     return text;
 }
 
-/// How the chart shows an outcome. From harmless to worst: the last that was found is a cell's.
+/// Sign of an outcome in the chart, from harmless to worst: a cell shows the worst outcome found.
 struct Sign
 {
     lab::Outcome outcome;
@@ -142,7 +143,7 @@ NamedChart chartOf(const std::vector<Trials>& all)
     for (const int delayMs : kDelaysMs)
         map.columns << QString::number(delayMs);
     map.columnTitle = QStringLiteral("delay, ms");
-    // [row][column], in the order in which the trials come.
+    // [row][column], in the order of the trials.
     std::vector<std::vector<Tally>> tallies;
     for (const Trials& trials : all) {
         const QString family = familyOf(trials.scene);

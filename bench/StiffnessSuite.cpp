@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array<int, 4> kDelaysMs{0, 1, 2, 4};
 
-/// Friction of the pipeline of 2011 that holds the stiffest wall in about every cell, if nobody minds that it trembles
-/// by 0.3 N rms in a hand that leans on 2 N/mm.
+/// Friction at which the pipeline of 2011 holds the stiffest wall in about every cell. The price is a tremble of 0.3 N
+/// rms in a hand that leans on 2 N/mm.
 constexpr double kRoughNSPerM = 30.0;
 
 /// Contestants, then hands, then delays: the order of the cells.
@@ -39,10 +39,10 @@ double limitOf(const Cell& cell)
     loop.falcon.delayS = cell.delayMs * 0.001;
     loop.falcon.delayJitterS = 0.0;
     loop.ceds = cell.ceds;
-    return lab::stiffnessLimit(loop).value();  // nothing here is refused
+    return lab::stiffnessLimit(loop).value();  // none of them is refused
 }
 
-/// What our own loop holds beside that of 2011.
+/// Adds the ratio of our loop's limit to that of 2011.
 void addRatios(Figures& figures, const std::vector<Cell>& cells)
 {
     for (const Cell& ours : cells) {
@@ -62,7 +62,7 @@ void addRatios(Figures& figures, const std::vector<Cell>& cells)
     }
 }
 
-/// In a cell of the chart.
+/// Returns the text in a cell of the chart.
 QString noteOf(double nPerMm)
 {
     if (nPerMm >= lab::kStiffestNPerMm)
@@ -70,7 +70,7 @@ QString noteOf(double nPerMm)
     return QString::number(nPerMm, 'f', nPerMm < 9.95 ? 1 : 0);
 }
 
-/// How the chart colours stiffness.
+/// Colour of a range of stiffness in the chart.
 struct Shade
 {
     double fromNPerMm;

@@ -59,7 +59,7 @@ core::Result<QStringList> writeFiles(const QDir& folder, const QString& suite, c
     const QString stem = QStringLiteral("bench-%1.%2");
     write(stem.arg(suite, QStringLiteral("csv")), csvOf(figures));
     write(stem.arg(suite, QStringLiteral("json")), jsonOf(suite, figures, charts, now));
-    ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light);  // for its letters
+    ui::kit::applyTheme(*qApp, ui::kit::ThemeChoice::Light);  // for its fonts
     for (const auto& [chartName, chart] : charts) {
         ui::charts::Chart dated = chart;
         dated.note += u'\n' + now.line();

@@ -25,23 +25,23 @@ using namespace core::tracking;
 constexpr std::array kDistancesMm{300.0, 600.0, 900.0};
 constexpr int kPathPictures = 31;
 constexpr double kMostYawDeg = 50.0;
-constexpr double kTiltedDeg = 15.0;  ///< from here on the angle of a tag is worth measuring
+constexpr double kTiltedDeg = 15.0;  ///< least tilt at which the angle of a tag is measured
 constexpr double kFlipDeg = 5.0;
 constexpr double kPictureHz = 30.0;
 constexpr int kMostDecimation = 4;
 constexpr int kRestPictures = 200;
-constexpr int kSettled = 50;  ///< pictures, until the filter is at rest
+constexpr int kSettled = 50;  ///< pictures until the filter is at rest
 constexpr double kMotionMmPerS = 200.0;
 constexpr int kClutterPictures = 2000;
 constexpr int kClutterPart = 50;
 constexpr int kTimedClutter = 90;
-constexpr double kMs = 0.001;  ///< of a microsecond
+constexpr double kMs = 0.001;  ///< milliseconds in a microsecond
 
-/// What is counted as a step for the progress.
+/// Number of steps of the progress.
 constexpr int kPathSteps = static_cast<int>(kDistancesMm.size()) * kPathPictures;
 constexpr int kSteps = kPathSteps + static_cast<int>(kDistancesMm.size()) + 2;
 
-/// How a picture is looked at.
+/// One way to search a picture.
 struct Way
 {
     int decimation = 2;
@@ -72,18 +72,18 @@ double percentileOf(std::vector<double> values, double share)
     return values[k];
 }
 
-/// Errors and times of one way to look.
+/// Errors and times of one way to search.
 struct Tally
 {
     Way way;
     std::vector<double> cornerPx;
     std::vector<double> lateralMm;
     std::vector<double> depthMm;
-    std::vector<double> angleDeg;  ///< of tags that are tilted by kTiltedDeg or more
+    std::vector<double> angleDeg;  ///< of tags tilted by kTiltedDeg or more
     std::vector<double> ms;
     int pictures = 0;
     int lost = 0;
-    int flipped = 0;        ///< pictures in which the pose with the smaller error is the wrong one of two
+    int flipped = 0;        ///< pictures in which the wrong one of two poses has the smaller error
     int flippedByHead = 0;  ///< pictures in which HeadFilter chose the wrong one of two
 };
 
@@ -96,7 +96,7 @@ lab::TagScene sceneOf(const lab::PrintedTag& tag, std::uint64_t seed)
     return scene;
 }
 
-/// A head that turns from one side to the other and moves along.
+/// Returns the tag of a head that turns from one side to the other and moves along.
 lab::PrintedTag tagOnPath(double distanceMm, int picture)
 {
     const double share = 2.0 * picture / (kPathPictures - 1) - 1.0;
@@ -106,7 +106,7 @@ lab::PrintedTag tagOnPath(double distanceMm, int picture)
     return tag;
 }
 
-/// Looks at one picture, and compares what it finds with the truth.
+/// Searches one picture and compares the result with the truth.
 void look(Tally& tally, TagTracker& tracker, HeadFilter& filter, const Picture& picture, const lab::TagScene& scene)
 {
     const bool isFollowed = tally.pictures++ % kPathPictures != 0;
@@ -140,7 +140,7 @@ Figure figureOf(const QString& key, const QString& what, double value, const cha
     return {QStringLiteral("tracking_") + key, what, value, QLatin1String(unit), QLatin1String(reach)};
 }
 
-/// All ways to look at a head that turns, with their figures and chart.
+/// Tries all ways to search on a turning head, with their figures and chart.
 void addPaths(Figures& figures, const Context& context)
 {
     std::vector<Tally> tallies;
@@ -227,7 +227,7 @@ struct Calm
     double lagMs = 0.0;
 };
 
-/// What a filter makes of a tag at rest, and how late it is for one that moves sideways.
+/// Returns the noise of a filter for a tag at rest, and its delay for one that moves sideways.
 Calm calmOf(const std::vector<PosedTag>& tags, const HeadFilter::Settings& settings, double hz)
 {
     HeadFilter rest(settings);
@@ -246,7 +246,7 @@ Calm calmOf(const std::vector<PosedTag>& tags, const HeadFilter::Settings& setti
         mean += pose.positionMm / count;
     for (std::size_t n = 0; n < poses.size(); ++n) {
         const glm::dvec3 apart = poses[n].positionMm - mean;
-        // Two poses that have nothing to do with each other are apart by the square root of two times the jitter.
+        // Two independent poses differ by the square root of two times the jitter.
         const double deg = angleBetweenDeg(poses[n].rotation, poses[(n + poses.size() / 2) % poses.size()].rotation);
         calm.mm += glm::dot(apart, apart) / count;
         calm.deg += 0.5 * deg * deg / count;
@@ -285,7 +285,7 @@ std::vector<PosedTag> tagAtRest(double distanceMm)
     return tags;
 }
 
-/// The filter at rest and in motion, with the chart of other settings.
+/// Measures the filter at rest and in motion, with a chart of other settings.
 void addFilter(Figures& figures, const Context& context)
 {
     constexpr double kChartDistanceMm = 600.0;
@@ -342,7 +342,7 @@ void addFilter(Figures& figures, const Context& context)
                    chart}});
 }
 
-/// Pictures without a tag: what is found all the same, and what the search takes.
+/// Measures false detections and the search time in pictures without a tag.
 void addClutter(Figures& figures, const Context& context)
 {
     const auto clutter = [](int n) {

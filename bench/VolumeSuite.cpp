@@ -19,7 +19,7 @@ void addQuad(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t
     mesh.triangles.push_back({a, c, d});
 }
 
-/// A prism of four corners at the bottom and four at the top, both counter-clockwise seen from above.
+/// Returns a prism with four corners at the bottom and four at the top, both counter-clockwise seen from above.
 TriangleMesh prism(const std::array<glm::vec3, 8>& corners)
 {
     TriangleMesh mesh;
@@ -31,7 +31,7 @@ TriangleMesh prism(const std::array<glm::vec3, 8>& corners)
     return mesh;
 }
 
-/// A body of revolution about z, closed below by a disc at its first point's height and above at the axis.
+/// Returns a body of revolution about z, closed by a disc at the height of its first point and at the axis at the top.
 TriangleMesh lathe(const std::vector<glm::dvec2>& outline)
 {
     constexpr std::uint32_t kTurns = 360;
