@@ -22,7 +22,7 @@ struct Suite
     const char* name;
     const char* summary;
     core::Result<Figures> (*run)(const bench::Context&);
-    double seconds;  ///< it takes about so long, to say how much is left; measured on two cores of 2.4 GHz
+    double seconds;  ///< expected time, for the estimate of the remaining time; measured on two cores of 2.4 GHz
 };
 
 constexpr Suite kSuites[] = {
@@ -48,7 +48,7 @@ constexpr Suite kSuites[] = {
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };
 
-/// Whether --minutes says how long it is.
+/// Returns whether --minutes sets the length of the suite.
 bool takesMinutes(const Suite& suite)
 {
     return suite.run == bench::drillingSuite || suite.run == bench::servoSuite;

@@ -47,21 +47,21 @@ int unknownCommand(const QString& name)
     return wrongUsage(QStringLiteral("cusp has no command \"%1\"; \"cusp help\" lists those there are").arg(name));
 }
 
-/// What Qt has to say about the desktop while it starts is no matter of a command's, unless it gives up.
+/// Hides Qt's messages about the desktop while it starts, unless it gives up.
 void hearQtStart(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
 {
     if (type == QtFatalMsg)
         std::_Exit(failed({core::ErrorCode::FileUnreadable, "Nothing can be drawn: " + text.toStdString()}));
 }
 
-/// A statement that fails is told in a sentence; what Qt adds to it is for programmers.
+/// Hides Qt's warnings about a statement that fails: the command reports it in a sentence.
 void hearQt(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
 {
     if (type == QtFatalMsg)
         std::_Exit(failed({core::ErrorCode::BadStructure, text.toStdString()}));
 }
 
-/// Charts want Qt's widgets, but no screen, and shall look the same whatever the screen is like. A tooth wants OpenGL.
+/// Makes the application. Charts need Qt's widgets but no screen, and must not depend on one. A tooth needs OpenGL.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, Draws draws)
 {
     if (draws == Draws::Nothing || (draws == Draws::Tooth && !app::hasDisplay())) {

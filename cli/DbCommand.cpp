@@ -40,7 +40,7 @@ using core::ErrorCode;
 using database::Address;
 using database::sql::Database;
 
-/// One part of `cusp db`: its options are parsed and the address is known.
+/// One subcommand of `cusp db`. Its options are parsed and the address is known.
 struct Part
 {
     const char* name;
@@ -48,7 +48,7 @@ struct Part
     const char* summary;
     void (*addOptions)(QCommandLineParser& parser);
     int (*run)(const QCommandLineParser& parser, const Address& address);
-    bool takesFile = false;  ///< one argument besides the options
+    bool takesFile = false;  ///< one argument after the options
 };
 
 void nothing(QCommandLineParser&) {}
@@ -58,7 +58,7 @@ bool wantsJson(const QCommandLineParser& parser)
     return parser.isSet(QStringLiteral("json"));
 }
 
-/// Of long work, on one line of a terminal's stderr.
+/// Shows the progress of long work on one line of a terminal's stderr.
 void tellProgress(const QString& what, qint64 count)
 {
     printText(QStringLiteral("\r%1: %2  ").arg(what).arg(count), stderr);
@@ -73,7 +73,7 @@ int answer(const QCommandLineParser& parser, const QString& sentence, const QJso
     return kDone;
 }
 
-/// Goes on until a signal comes.
+/// Returns true until a signal arrives.
 bool goesOn()
 {
     return !StopSignal::hasCome();
@@ -99,7 +99,7 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     const bool hasAdmin = parser.isSet(QStringLiteral("admin"));
     std::string password;
     if (hasAdmin) {
-        // Before there is a file without anybody in it.
+        // Checked first: otherwise there would be a file without an admin.
         if (auto fit = database::normalUsername(admin.toStdString()); !fit)
             return failed(fit.error());
         const auto typed = askSecret("Password of the new admin: ");
@@ -209,8 +209,8 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const StopSignal stop;
     makeDataFolder(address);
     const QString backup = parser.positionalArguments().front();
-    // Attempts that were sent after the backup was made are sent again when the window opens next. This comes before
-    // the restore, so that a failure behind it loses none. Without its key an attempt cannot be read, and waits.
+    // Attempts that were sent after the backup are marked to be sent again when the window opens next. This happens
+    // before the restore, so that a later failure loses none. Without its key an attempt cannot be read, and waits.
     const QDir folder = QFileInfo(address.file).absoluteDir();
     auto key = database::StationKey::make();
     if (QFileInfo::exists(stationKeyOf(address)))
@@ -254,11 +254,11 @@ struct Delivery
 {
     int sent = 0;
     int left = 0;
-    int damaged = 0;  ///< is set aside
+    int damaged = 0;  ///< moved aside
 };
 
-/// Delivers what waits on this station, each that stays with a warning.
-/// @param isOfAll  also what was put there for another school
+/// Delivers the attempts waiting on this station, and warns of each that stays.
+/// @param isOfAll  whether attempts for other schools are delivered too
 Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isOfAll)
 {
     const QDir folder = QFileInfo(stationKeyOf(address)).dir();
@@ -271,7 +271,7 @@ Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isO
             continue;
         const core::Status done = letter ? letter->deliver(*open.school) : tl::unexpected(letter.error());
         if (done) {
-            // Where several programs deliver at once it is counted by the one whose letter it was in the end.
+            // If several programs deliver at once, the one that removed the letter counts it.
             if (address.isServer() ? letters.remove(file) : letters.keepArrived(file))
                 ++delivery.sent;
             continue;
@@ -289,7 +289,8 @@ Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isO
     return delivery;
 }
 
-/// What waits on this station, whichever school it was put there for: of one that was renamed or moved.
+/// Delivers all attempts waiting on this station, whichever school they were for: a school may have been renamed or
+/// moved.
 int sendWaiting(const QCommandLineParser& parser, const Address& address)
 {
     const auto open = openSchool(address, Opening::AsItIs);
@@ -302,7 +303,7 @@ int sendWaiting(const QCommandLineParser& parser, const Address& address)
     return done.left + done.damaged == 0 ? kDone : kFailed;
 }
 
-/// What a copy makes beside its recordings, and is not there yet. Nothing on a server.
+/// Returns the files that a copy creates besides its recordings and that do not exist yet. Empty for a server.
 QStringList filesToMake(const Address& target)
 {
     QStringList files;
@@ -330,10 +331,10 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     const auto session = logIn(parser, *from);
     if (!session)
         return failed(session.error());
-    // Before anything is made there.
+    // Before any file is created there.
     if (const auto may = database::sql::authorize(*from->school, *session, database::Operation::CopySchool); !may)
         return failed(may.error());
-    // Attempts that wait for this school belong into the copy, too: beside the copy nobody looks for them.
+    // Attempts that wait for this school belong in the copy too: they are not looked for beside it.
     const Delivery delivered = deliverWaiting(address, *from, false);
     const StopSignal stop;
     const QStringList made = filesToMake(*target);
@@ -352,7 +353,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     if (!report) {
         to->school.reset();
         to->database.reset();
-        // Another may be copying into it at the same time, or have just done so.
+        // Another program may be copying into it now, or have just done so.
         if (!made.isEmpty() && database::sql::expectClosed(target->file) &&
             database::sql::schoolOf(target->file).empty())
             for (const QString& file : made)
@@ -415,7 +416,7 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
     return kDone;
 }
 
-/// Of some times, ms: the first, for which nothing was at hand yet; the median; and what 99 in a hundred are within.
+/// Returns of some times, ms: the first one, without caches; the median; and the 99th percentile.
 QJsonObject timesOf(std::vector<double> ms)
 {
     const auto rounded = [](double time) { return std::round(time * 100.0) / 100.0; };
@@ -426,7 +427,7 @@ QJsonObject timesOf(std::vector<double> ms)
             {"p99_ms", rounded(ms[(ms.size() * 99 + 99) / 100 - 1])}};
 }
 
-/// How long the pages take that a student and a teacher open most, and an export, of what is there.
+/// Measures the pages that students and teachers open most, and an export, with the present data.
 int measureSchool(const QCommandLineParser& parser, const Address& address)
 {
     namespace sql = database::sql;
@@ -481,7 +482,7 @@ int measureSchool(const QCommandLineParser& parser, const Address& address)
     }
     if (history.empty() || matrix.empty())
         return failed({ErrorCode::FileEmpty, "nobody is there to measure; enter students and classes first"});
-    // Not the peak: a login takes more for a moment than an export that grows.
+    // Not the peak: a login needs more memory for a moment than an export that grows.
     const double beforeMiB = bench::residentMiB();
     double largestMiB = beforeMiB;
     std::size_t parts = 0;

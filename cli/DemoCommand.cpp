@@ -17,7 +17,7 @@
 namespace cli {
 namespace {
 
-/// What is to be done: a lesson's work, or the decay of a tooth taken out.
+/// Returns the work: that of a lesson, or the removal of a tooth's decay.
 core::Result<lessons::Assignment> workFor(const QCommandLineParser& parser, const core::teeth::ToothSource& source,
                                           const core::teeth::BuildOptions& build)
 {
@@ -107,7 +107,7 @@ int demoCommand(const QStringList& arguments)
               scoreText);
     const QString picture = folder.absoluteFilePath(QStringLiteral("picture.png"));
     QFile::remove(picture);
-    // What Qt and the display say on stderr is kept from the user: we say one sentence.
+    // Messages of Qt and the display on stderr are hidden from the user: the command reports one sentence.
     const bool drawn = app::runOnDisplay({QStringLiteral("render"), QStringLiteral("--recording"), recording,
                                           QStringLiteral("--out"), picture},
                                          true) == kDone;

@@ -25,25 +25,25 @@ using haptics::falcon::Calibration;
 
 constexpr double kGravity = 9.80665;
 constexpr double kMmPerM = 1000.0;
-// Holding the grip at its height.
+// Stiffness with which the grip is held at its height.
 constexpr double kHoldNPerMm = 0.3;
 constexpr double kHoldNSPerMm = 0.004;
 constexpr double kHoldNPerMmS = 0.6;
 constexpr double kHoldMostN = 6.0;
 constexpr auto kSettles = 3000ms;
 constexpr auto kMeasures = 4000ms;
-// Meanwhile the grip goes up and down, so that dry friction, which always acts against it, averages out.
+// Meanwhile the grip moves up and down, so that dry friction, which opposes it, averages out.
 constexpr double kSwingMm = 2.0;
 constexpr double kSwingHz = 0.5;
 
-/// Asks for Enter. False at the end of the input or after Ctrl+C.
+/// Asks for Enter. Returns false at the end of the input or after Ctrl+C.
 bool confirmed(QTextStream& input, const QString& words)
 {
     warn({(words + QStringLiteral(" Then press Enter.")).toStdString()});
     return !input.readLine().isNull() && !StopSignal::hasCome();
 }
 
-/// Where the grip is, device frame, as a mean of half a second.
+/// Returns the position of the grip in the device frame, averaged over half a second.
 core::Result<glm::dvec3> gripMm(FalconSession& session)
 {
     glm::dvec3 sum(0.0);
@@ -60,7 +60,7 @@ core::Result<glm::dvec3> gripMm(FalconSession& session)
     return haptics::falcon::Placement().gripFromToothMm(sum / static_cast<double>(count));
 }
 
-/// Holds the grip at the height at which it is and returns the upward force that this takes.
+/// Holds the grip at its present height and returns the upward force that this needs.
 core::Result<double> holdingN(FalconSession& session)
 {
     std::optional<double> heldMm;

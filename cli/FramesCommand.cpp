@@ -35,12 +35,12 @@ constexpr int kTooth = 36;
 constexpr int kRounds = 7;
 constexpr int kFramesARound = 12;
 constexpr int kTicksAFrame = 16;
-constexpr int kFramesToSettle = 40;  ///< for the hand to come down
-constexpr double kPaceMmPerS = 1.5;  ///< of a hand that works
+constexpr int kFramesToSettle = 40;  ///< frames until the hand is down
+constexpr double kPaceMmPerS = 1.5;  ///< speed of a working hand
 constexpr double kCircleMm = 1.2;
 constexpr double kPushN = 1.0;
 constexpr auto kLatencyFor = 4s;
-constexpr auto kRest = 200ms;  ///< after the eye has moved, for a picture as fine as before
+constexpr auto kRest = 200ms;  ///< pause after the eye has moved, for a picture as fine as before
 
 double processCpuS()
 {
@@ -62,7 +62,7 @@ double quantile(std::vector<double> values, double share)
     return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
 }
 
-/// What every OpenGL widget pays: the yardstick.
+/// An empty OpenGL widget: the cost that every one has.
 class EmptyView final : public QOpenGLWidget
 {
 protected:
@@ -74,7 +74,7 @@ protected:
     }
 };
 
-/// Servo and session as in the program, with a hand that goes round in a circle over the tooth, working or hovering.
+/// Servo and session as in the program, with a hand that circles over the tooth, working or hovering.
 struct Work
 {
     core::servo::ServoSettings settings;
@@ -104,7 +104,7 @@ struct Work
         angle += kPaceMmPerS * seconds / kCircleMm;
         wish.publish({{kCircleMm * std::cos(angle), kCircleMm * std::sin(angle)}, 1.0, pushes, kPushN});
     }
-    /// A frame's time goes by, all in this thread.
+    /// Lets the time of one frame pass, all in this thread.
     void pass(bool pushes)
     {
         moveHand(1.0e-3 * kTicksAFrame, pushes);
@@ -114,13 +114,13 @@ struct Work
     }
 };
 
-/// One way of looking at the tooth.
+/// One view of the tooth.
 struct Scene
 {
     const char* key;
     const char* name;
     bool pushes;
-    bool turns;  ///< the eye goes round the tooth
+    bool turns;  ///< the eye circles the tooth
     ui::tooth::ViewSettings settings;
     const char* reach;
 };
@@ -161,7 +161,7 @@ void paintNow(ui::tooth::ToothView& view)
     QApplication::processEvents();
 }
 
-/// Paints frames and says what one of them costs; all that Qt does to bring it to the screen is in it.
+/// Paints frames and returns the cost of one, including all that Qt does to bring it to the screen.
 /// @param shown  signal of a view that has brought a frame to the screen
 template <class View, class Signal>
 Cost costOf(View& view, Signal shown, const std::function<void()>& before)
@@ -188,7 +188,8 @@ void show(View& view)
         paintNow(view);
 }
 
-/// Times from a reading of the device to the frame that shows it, ms, while servo and session beat as in the program.
+/// Measures the times from a reading of the device to the frame that shows it, ms, while servo and session run as in
+/// the program.
 std::vector<double> latencies(Work& work, ui::tooth::ToothView& view)
 {
     std::vector<double> found;

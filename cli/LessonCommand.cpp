@@ -113,7 +113,7 @@ int listLessons(const QStringList& arguments)
     return kDone;
 }
 
-/// What is asked for, as far as a bur reaches.
+/// Returns the tooth cut to the ideal, as far as a bur reaches.
 core::terrain::Tooth cutTo(const std::vector<float>& ideal, const lessons::Assignment& assignment)
 {
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
@@ -129,15 +129,15 @@ core::terrain::Tooth cutTo(const std::vector<float>& ideal, const lessons::Assig
     return core::terrain::restored(assignment.anatomy, std::move(top));
 }
 
-/// Whether every attempt tells of it, and nobody knows what.
+/// Returns whether a measure is about the way of working: every attempt has it, but it is unknown here.
 bool isOfTheWay(const std::string& measure)
 {
     const auto known = core::grading::findMeasure(measure);
     return known && core::grading::isOfProcess(*known) && !core::grading::isOfExercise(*known);
 }
 
-/// What the rubric takes from whoever cuts exactly what is asked for; nothing where all is as it should be, and of an
-/// exercise, where nothing is cut.
+/// Returns the points that the rubric takes from a perfect cut of the ideal; empty if it takes none, and for an
+/// exercise, in which no cut is made.
 QString lostByTheIdeal(const lessons::Assignment& assignment)
 {
     const core::grading::IdealTop ideal = assignment.shownIdeal();

@@ -88,7 +88,7 @@ core::Status addTooth(const QCommandLineParser& parser, lessons::NewLesson& wish
     return {};
 }
 
-/// Beside the lesson that is to be.
+/// Copies a scan to the folder of the new lesson.
 core::Status bringScan(const QString& file, const QString& folder)
 {
     const QString there = QDir(folder).filePath(QFileInfo(file).fileName());
@@ -108,7 +108,7 @@ core::Status bringScan(const QString& file, const QString& folder)
     return {};
 }
 
-/// Beside the lesson that is to be: a lesson names files in its own folder only.
+/// Copies a captured ideal to the folder of the new lesson: a lesson names only files in its own folder.
 core::Status bringCaptured(const QString& file, const QString& folder)
 {
     const QFileInfo there(QDir(folder).filePath(QFileInfo(file).fileName()));
@@ -312,7 +312,7 @@ int packLessonsPart(const QStringList& arguments)
         core::writeWhole(toPath(out), {bytes->constData(), static_cast<std::size_t>(bytes->size())}, "The pack");
     if (!written)
         return failed(written.error());
-    // Read as another Cusp would.
+    // Read like another Cusp would read it.
     const auto files = lessons::readPack(out);
     if (!files)
         return failed(files.error());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `cusp lesson preview`: what a lesson asks for on one sheet.
+// `cusp lesson preview`: the task of a lesson on one sheet.
 #include <algorithm>
 #include <numbers>
 
@@ -34,7 +34,7 @@ QString english(const lessons::LocalText& text)
     return QString::fromStdString(lessons::inLanguage(text, "en"));
 }
 
-/// Goal, facts and rubric, as on the page of lessons.
+/// Returns goal, facts and rubric, as on the page of lessons.
 QString sheetText(const lessons::Lesson& lesson)
 {
     const auto escaped = [](const QString& words) { return words.toHtmlEscaped(); };
@@ -62,7 +62,7 @@ void paintText(QPainter& painter, const QRectF& area, const lessons::Lesson& les
     document.setDefaultStyleSheet(QStringLiteral("p, td { margin: 2px 0 4px 0; }"));
     document.setTextWidth(area.width());
     document.setHtml(sheetText(lesson));
-    // A long rubric is made smaller rather than cut.
+    // A long rubric is shrunk, not cut.
     const double scale = std::min(1.0, area.height() / document.size().height());
     document.setTextWidth(area.width() / scale);
     painter.save();

@@ -20,7 +20,7 @@ namespace {
 
 using core::settings::FeelPreset;
 
-/// N/mm, as it is shown with two decimals: what is held, not a little more.
+/// Returns the bound, N/mm, as shown with two decimals, rounded down.
 double shownBound(const core::settings::FeelPreset& preset)
 {
     return std::floor(100.0 * core::settings::stabilityBound(preset).stiffnessNPerMm) / 100.0;
@@ -67,7 +67,7 @@ lessons::PresetFolder shelfOf(const QCommandLineParser& parser)
 struct Shelf
 {
     std::vector<lessons::ReadPreset> presets;
-    std::optional<FeelPreset> inUse{};  ///< in a school
+    std::optional<FeelPreset> inUse{};  ///< of a school
 };
 
 core::Result<Shelf> schoolsShelf(const QCommandLineParser& parser)

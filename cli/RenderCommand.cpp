@@ -18,9 +18,9 @@
 namespace cli {
 namespace {
 
-constexpr int kAnyTooth = 36;  ///< where a recording brings its own
+constexpr int kAnyTooth = 36;  ///< used if a recording brings its own
 
-/// @param named  the tooth that was asked for; empty: whichever the recording has
+/// @param named  the requested tooth; empty: the one of the recording
 core::Result<RenderSubject> subjectOf(const QString& recordingFile, const QString& named,
                                       const core::teeth::ToothSource& source, const core::teeth::BuildOptions& build)
 {
@@ -44,7 +44,7 @@ core::Result<RenderSubject> subjectOf(const QString& recordingFile, const QStrin
     return RenderSubject{core::terrain::Tooth(tooth->anatomy), std::nullopt, nullptr};
 }
 
-/// What is to be cut: what was named, else the shape of a practice block, else the decay.
+/// Finds the ideal: the requested one, else the shape of a practice block, else the decay.
 core::Status findIdeal(RenderSubject& subject, const RenderWishes& wishes)
 {
     const auto& anatomy = subject.tooth.anatomy;

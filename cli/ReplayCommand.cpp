@@ -17,7 +17,7 @@
 namespace cli {
 namespace {
 
-/// What a score does not say by itself, and how long it took to find out.
+/// The causes of a score, and the time it took to find them.
 struct Explained
 {
     lessons::GridSensitivity noise;

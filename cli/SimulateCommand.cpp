@@ -27,13 +27,13 @@ constexpr double kLeastRateHz = 20.0;
 constexpr double kMostRateHz = 20000.0;
 constexpr std::uint64_t kMostTicks = 100'000'000;
 
-/// Standard output as a place for the trace.
+/// Returns whether the trace goes to standard output.
 bool isStandardOutput(const QString& path)
 {
     return path == u"-" || path == u"/dev/stdout";
 }
 
-/// A terminal, a null device, a pipe: what is written to as it is, and not replaced.
+/// Returns whether a path is a terminal, a null device or a pipe: those are written directly and not replaced.
 bool isStream(const QString& path)
 {
     std::error_code failure;
@@ -41,8 +41,8 @@ bool isStream(const QString& path)
     return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
 }
 
-/// Writes the trace row by row. A file is written beside its place and renamed when it is whole, so that a failure
-/// leaves the older trace; into a stream the rows go at once.
+/// Writes the trace row by row. A file is written beside its final place and renamed when it is complete, so that a
+/// failure leaves the older trace. A stream gets the rows at once.
 class TraceWriter
 {
 public:
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// Shortest digits that read back to the same double, whatever the locale.
+    /// Writes the shortest digits that read back to the same double, whatever the locale.
     void number(double value)
     {
         char digits[32];
@@ -156,7 +156,7 @@ void addOptions(QCommandLineParser& parser)
     addJson(parser);
 }
 
-/// A bur by its name, else the user's own from a file of that name.
+/// Returns a bur by its name, or else the user's own from a file of that name.
 core::Result<std::size_t> burOf(const std::string& name)
 {
     auto known = core::bur::findBur(name);
@@ -203,7 +203,7 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
     return options;
 }
 
-/// A sentence where the path begins below what any handpiece reaches.
+/// Returns a sentence if the path begins below the reach of any handpiece.
 std::optional<std::string> tooDeep(const core::recording::DevicePath& path, double highestMm)
 {
     const double firstMm = path.points.front().tipMm.z;
@@ -216,7 +216,8 @@ std::optional<std::string> tooDeep(const core::recording::DevicePath& path, doub
         .toStdString();
 }
 
-/// A sentence about the first file to be written that would overwrite another one of the command line, or nothing.
+/// Returns a sentence about the first output file that would overwrite another one of the command line, or an empty
+/// text.
 QString clashingFiles(const QCommandLineParser& parser)
 {
     const auto file = [&](const char* option) {

@@ -37,11 +37,11 @@ struct SoundWish
     bool isJson = false;
 };
 
-/// What `cusp sound` has made.
+/// Result of `cusp sound`.
 struct RenderedSound
 {
     std::vector<float> samples;
-    bool hasTurned = false;  ///< at any time
+    bool hasTurned = false;  ///< at some time
     bool hasTouched = false;
 };
 
@@ -60,7 +60,7 @@ void addSoundOptions(QCommandLineParser& parser)
     addJson(parser);
 }
 
-/// The values of the options, or a sentence for wrongUsage().
+/// Returns the values of the options, or a sentence for wrongUsage().
 core::Result<SoundWish> soundWish(const QCommandLineParser& parser)
 {
     SoundWish wish;

@@ -26,7 +26,7 @@ QString upOf(const ToothReport& report)
     return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
-/// The side that is turned to the bur.
+/// Returns the side that faces the bur.
 QString sideOf(const ToothReport& report)
 {
     const bool isGenerated = report.source == std::to_string(report.fdi);

@@ -35,7 +35,7 @@ constexpr const char* kTrackUsage =
     "cusp track --camera N | --video FILE | --images DIR | --list | --print FILE [OPTIONS]";
 constexpr int kMostCameras = 1000;
 constexpr double kMostPictures = 1e9;
-constexpr double kNearestMm = 100.0;  ///< of a tag that a camera is calibrated by
+constexpr double kNearestMm = 100.0;  ///< nearest tag for the calibration of a camera
 constexpr double kFarthestMm = 5000.0;
 
 QJsonArray numbers(const glm::dvec2& value)
@@ -60,7 +60,7 @@ QJsonObject jsonOf(const PosedTag& posed)
             {QStringLiteral("reprojection_px"), posed.reprojectionPx}};
 }
 
-/// One object a picture, each on a line of its own.
+/// Prints one object for each picture, each on its own line.
 void printFrame(const Picture& picture, const TagFrame& frame, double grabMs)
 {
     QJsonArray tags;
@@ -158,7 +158,7 @@ core::Result<TrackerSettings> settingsFrom(const QCommandLineParser& parser)
             return tl::unexpected(id.error());
         settings.id = static_cast<int>(*id);
     }
-    // Pictures of a file may take as long as they need.
+    // Pictures of a file may take any time.
     settings.isThorough = !parser.isSet(QStringLiteral("camera"));
     if (const auto checked = check(settings); !checked)
         return tl::unexpected(checked.error());
@@ -188,7 +188,7 @@ int track(PictureSource& source, TagTracker& tracker, qint64 most, bool isJson)
         if (!got) {
             if (got.error().code != core::ErrorCode::WrongKind)
                 return failed(got.error());
-            warn({got.error().detail});  // one of many images
+            warn({got.error().detail});  // one bad image of many
             ++unread;
             continue;
         }
@@ -210,7 +210,7 @@ int track(PictureSource& source, TagTracker& tracker, qint64 most, bool isJson)
     return unread == 0 ? kDone : kFailed;
 }
 
-/// So that nobody shows a board to the camera for minutes in vain.
+/// Checks the path first, so that nobody shows a board to the camera for minutes in vain.
 core::Status checkWritable(const QString& path)
 {
     const QString folder = QFileInfo(path).absolutePath();

@@ -47,7 +47,7 @@ void addCommon(QCommandLineParser& parser)
     parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
 }
 
-/// An open school, and who works with it.
+/// An open school, and the person who works with it.
 struct Desk
 {
     OpenSchool open;
@@ -79,12 +79,12 @@ QJsonObject toJson(const Person& person)
             {"last_login_utc", QString::fromStdString(person.lastLoginUtc)}};
 }
 
-/// Codes are told once. What has been done before is not undone where the answer cannot be written.
+/// Checks that the codes were printed. Codes are shown once; if they cannot be written, the work is still done.
 int expectTold(const std::string& done)
 {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
         return kDone;
-    std::clearerr(stdout);  // is told here
+    std::clearerr(stdout);  // the error is reported here
     return failed({ErrorCode::FileUnwritable, "the answer could not be written to standard output; " + done});
 }
 
@@ -216,7 +216,7 @@ constexpr std::array kParts{
          "lets a person no longer log in; what he did stays", addEnable, disableUser},
 };
 
-/// What SQLite would take for its own, and delete or read into the school, as soon as that is opened next.
+/// Refuses a path that SQLite would take for its own file, and delete or read into the school when that is opened.
 core::Status expectNotBeside(const QString& path, const database::Address& school)
 {
     const auto placeOf = [](const QString& file) {
@@ -230,7 +230,7 @@ core::Status expectNotBeside(const QString& path, const database::Address& schoo
     return {};
 }
 
-/// Codes are told once, and nobody has those of a file that was overwritten.
+/// Refuses to overwrite a file. Codes are shown once, and those of an overwritten file would be lost.
 core::Status expectNew(const QString& path, const database::Address& school)
 {
     if (QFileInfo::exists(path))
@@ -240,8 +240,8 @@ core::Status expectNew(const QString& path, const database::Address& school)
     return expectNotBeside(path, school);
 }
 
-/// Where a table goes. It takes the place of last night's table, not of a database, a station's key or a backup; by its
-/// name it is judged where it lies, since what is saved through a link replaces what the link leads to.
+/// Returns where a table is written. It may replace an older table, but not a database, a station's key or a backup.
+/// Links are followed first, because saving through a link replaces its target.
 core::Result<QString> placeOfTable(const QString& path, const database::Address& school)
 {
     const QFileInfo named(path);
@@ -383,7 +383,7 @@ int importCommand(const QStringList& arguments)
         return wrongUsage("usage: " + usage);
     if (const auto code = refuseNobody(parser))
         return *code;
-    // Looked at before it is opened: a pipe would be waited for without end.
+    // Checked before it is opened: reading a pipe could wait for ever.
     const QFileInfo list(words.back());
     if (list.exists() && !list.isFile())
         return failed({ErrorCode::FileUnreadable,
@@ -442,9 +442,9 @@ int exportCommand(const QStringList& arguments)
     const auto place = toStdout ? core::Result<QString>() : placeOfTable(path, desk->open.database->address());
     if (!place)
         return failed(place.error());
-    // Before the file: what is made beside its place until it is whole goes when the writing is stopped.
+    // Before the file: its temporary file is removed when writing is stopped.
     const StopSignal stop;
-    // Names and marks: a new file is for its owner only, and one that is there stays as somebody has set it.
+    // Names and marks: a new file is readable only by its owner, and an existing one keeps its permissions.
     const bool isNew = !QFileInfo::exists(*place);
     QSaveFile file(*place);
     if (!toStdout &&

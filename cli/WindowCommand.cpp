@@ -25,7 +25,7 @@ namespace {
 constexpr int kSamples = 4;
 constexpr int kFirstTooth = 36;
 
-/// Without a display Qt would abort with a message of its own.
+/// Returns whether there is a display. Without one Qt would abort with its own message.
 bool hasDisplay(std::span<char*> arguments)
 {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
@@ -52,7 +52,7 @@ void addOptions(QCommandLineParser& parser)
     addToothOptions(parser);
 }
 
-/// Understands what the window was asked for, or explains what is wrong with it and gives the exit code.
+/// Reads the options of the window, or explains what is wrong with them and returns the exit code.
 std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& arguments, app::WindowOptions& options)
 {
     addOptions(parser);
@@ -84,14 +84,14 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     options.recording = parser.value(QStringLiteral("recording"));
     options.picture = parser.value(QStringLiteral("picture"));
     options.database = parser.value(QStringLiteral("db"));
-    // Who names what is to be seen wants to see it; a simulated hand's work is nobody's.
+    // A recording, picture or tooth that is named is shown at once, and the work of a simulated hand belongs to nobody.
     options.asksWho = options.recording.isEmpty() && options.picture.isEmpty() && !options.simulatedDevice &&
                       !parser.isSet(QStringLiteral("tooth"));
     options.showsRound = options.asksWho;
     return std::nullopt;
 }
 
-/// What can be said without a display: that the usage is wrong, or that there is none.
+/// Reports, without a display, that the usage is wrong or that there is no display.
 int sayThereIsNoDisplay(int& argc, char** argv)
 {
     const QCoreApplication application(argc, argv);
@@ -103,7 +103,7 @@ int sayThereIsNoDisplay(int& argc, char** argv)
                    "there is no display to open a window on; \"cusp help\" lists what works without one"});
 }
 
-/// The one that was asked for, or chosen in the run before, or the system's own.
+/// Returns the requested language, or the one chosen in the run before, or the system's.
 QString languageOf(const QCommandLineParser& parser)
 {
     if (parser.isSet(QStringLiteral("language")))
@@ -118,7 +118,7 @@ QString windowOptionsHelp()
 {
     QCommandLineParser parser;
     addOptions(parser);
-    // Before them Qt writes a usage line and the description.
+    // Qt writes a usage line and the description before the options.
     return parser.helpText().section(QStringLiteral("Options:\n"), 1);
 }
 

@@ -121,7 +121,7 @@ core::Status readLying(const QCommandLineParser& parser, const core::teeth::Toot
     return core::teeth::checkSite(*options.site, options.lying);
 }
 
-/// Whether this source can be, and these options can be about it.
+/// Checks that the source exists, and that the options apply to it.
 core::Status checkSource(const QCommandLineParser& parser, const core::teeth::ToothSource& source)
 {
     if (std::holds_alternative<std::filesystem::path>(source.what))
@@ -167,7 +167,7 @@ std::optional<int> parse(QCommandLineParser& parser, const QStringList& argument
     parser.addOption(help);
     const bool understood = parser.parse(QStringList{QStringLiteral("cusp")} + arguments);
     if (understood && parser.isSet(help)) {
-        // Qt's first line names only the program; the rest of its help is what we want.
+        // Qt's first line names only the program. The rest of its help is printed.
         printText(QStringLiteral("Usage: ") + usage + parser.helpText().section(u'\n', 1).prepend(u'\n'));
         return kDone;
     }

@@ -17,7 +17,7 @@ namespace cli {
 namespace {
 
 constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
-constexpr std::size_t kShownHash = 12;  ///< hex digits that tell rubrics apart
+constexpr std::size_t kShownHash = 12;  ///< hex digits that distinguish rubrics
 
 QString nameOf(lessons::Moment::Kind kind)
 {
@@ -43,7 +43,7 @@ core::Status takePreset(const QString& nameOrFile, core::servo::ServoSettings& s
     core::settings::FeelPreset preset;
     if (QFileInfo::exists(nameOrFile)) {
         const lessons::ReadPreset read = lessons::readPreset(nameOrFile);
-        // A figure that is left out would make another run than the file asks for.
+        // Without a missing figure the run would differ from the file.
         if (!read.faults.empty())
             return core::unexpected(
                 core::ErrorCode::BadStructure,

@@ -23,14 +23,14 @@ namespace {
 
 using core::ErrorCode;
 
-/// As the window calls itself, whose data is meant.
+/// Returns the folder of the window's data, under the window's name.
 QString dataFolder()
 {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("cusp"));
 }
 
-/// A terminal that does not show what is typed, while this lives. Who stops the program meanwhile has one that does,
-/// and who lets it go on is not shown, either.
+/// Hides what is typed in a terminal while this object lives. If the program is stopped meanwhile, the terminal shows
+/// it again, and if the program continues, it is hidden again.
 class HiddenTyping
 {
 public:
@@ -52,7 +52,7 @@ public:
 
 private:
     static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
-    static inline termios shown{};  ///< for a handler, which is given nothing else
+    static inline termios shown{};  ///< for a signal handler, which has no other data
 
     static void hide()
     {
@@ -60,7 +60,7 @@ private:
         hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
         tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden);
     }
-    /// Once; what the signal does otherwise comes after it. Returns what was done at it before.
+    /// Sets a one-time handler, followed by the signal's usual effect. Returns the handler that was set before.
     static struct sigaction catchIt(int signal)
     {
         struct sigaction ours
@@ -70,7 +70,7 @@ private:
         ours.sa_handler = &showAgain;
         ours.sa_flags = SA_RESTART | SA_RESETHAND | SA_NODEFER;
         sigaction(signal, &ours, &before);
-        // Who began the program so that it lives on (nohup) means it.
+        // A program started to live on (nohup) ignores the signal on purpose.
         if (before.sa_handler == SIG_IGN)
             sigaction(signal, &before, nullptr);
         return before;
@@ -79,7 +79,7 @@ private:
     {
         tcsetattr(STDIN_FILENO, TCSANOW, &shown);
         raise(signal);
-        // That was a halt, and it goes on.
+        // The program was halted, and continues.
         hide();
         catchIt(signal);
     }
@@ -149,7 +149,7 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     auto database = database::sql::Database::open(address, options);
     if (!database)
         return tl::unexpected(database.error());
-    // A backup that is looked at lies where no station is.
+    // A backup that is read has no station.
     const QString keyFile = stationKeyOf(address);
     open.hasStationKey = how != Opening::ToLook || QFileInfo::exists(keyFile);
     auto key = open.hasStationKey ? database::StationKey::readOrMake(keyFile)
@@ -206,7 +206,7 @@ core::Result<std::string> askSecret(const char* question)
         std::fputc('\n', stderr);
     if (!isGiven)
         return core::unexpected(ErrorCode::FileEmpty, "no password was given, so nothing was done");
-    if (!line.empty() && line.back() == '\r')  // of a file that was written on Windows
+    if (!line.empty() && line.back() == '\r')  // of a file written on Windows
         line.pop_back();
     return line;
 }

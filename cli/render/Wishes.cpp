@@ -9,7 +9,7 @@
 namespace cli {
 namespace {
 
-/// The one picture that is asked for, and whether the other options go with it.
+/// Returns the kind of picture that is requested, if the other options go with it.
 core::Result<Picture> kindOf(const QCommandLineParser& parser)
 {
     QStringList asked;
