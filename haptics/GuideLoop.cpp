@@ -9,7 +9,7 @@
 namespace haptics {
 namespace {
 
-/// For so long a missing or impossible reading is taken for a hand at rest, as in the servo (core::servo::ServoTick).
+/// Time for which a missing or impossible reading counts as a hand at rest, as in the servo (core::servo::ServoTick).
 constexpr double kPassedOverS = 0.01;
 constexpr float kFarthestMm = 1000.0F;
 
@@ -21,7 +21,7 @@ bool isPlausible(const glm::vec3& tip)
 
 }  // namespace
 
-/// Evenly from one aim to the next.
+/// Returns the aim between the last two, evenly in time.
 glm::dvec3 GuideLoop::aimNow(double seconds) noexcept
 {
     const auto at = [this] { return glm::mix(m_from, m_aim.tipMm, m_share); };
@@ -36,7 +36,7 @@ glm::dvec3 GuideLoop::aimNow(double seconds) noexcept
 
 void GuideLoop::tick(std::chrono::microseconds dt) noexcept
 {
-    // After a freeze the anchor does not leap for all the time that was missed.
+    // After a pause the anchor does not jump by all the missed time.
     const double seconds = std::min(0.004, static_cast<double>(dt.count()) * 1.0e-6);
     const glm::dvec3 aim = aimNow(seconds);
     const DeviceSample sample = m_device.exchange(m_forceN);

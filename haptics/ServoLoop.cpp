@@ -23,12 +23,12 @@ constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::ter
 static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
 constexpr std::size_t kMostEventsPerCommand = 7;
 
-/// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does: the limit falls as
-/// one over the delay (docs/facts/haptics.md, section 2.2).
+/// Delay up to which the shipped stiffness is stable with every hand. The limit falls as one over the delay, so twice
+/// the delay allows half the stiffness (docs/facts/haptics.md, section 2.2).
 constexpr float kHeldDelayS = 0.002F;
-/// A device later than this has been lost; it says nothing of the spring that holds once it is back.
+/// A device later than this is lost. Its delay does not count for the spring after it is back.
 constexpr float kLongestDelayS = 0.02F;
-constexpr double kForgottenS = 1.0;  ///< over which a delay is forgotten
+constexpr double kForgottenS = 1.0;  ///< time over which a delay is forgotten
 constexpr std::uint64_t kSpringStepPercent = 5;
 
 constexpr double kFixtureComesS = 0.3;
@@ -66,14 +66,14 @@ ServoLoop::~ServoLoop()
 
 void ServoLoop::record(const ServoEvent& event) noexcept
 {
-    // Once a tick is missing, what comes after it could not be replayed: the recording ends there, until a new tooth.
+    // After a missing tick a recording could not be replayed. It ends there, until a new tooth.
     if ((m_health & kRecordGap) != 0 || !m_links.events.tryPush(event))
         m_health |= kRecordGap;
 }
 
 void ServoLoop::apply(const SwapTooth& swap) noexcept
 {
-    // tick() made sure there is room for what goes back
+    // tick() has checked that the queue has room
     if (core::contact::LiveTooth* old = m_tick->swapTooth(swap.tooth, swap.anew, swap.tick))
         static_cast<void>(m_links.retired.tryPush(old));
     if (swap.servo != nullptr) {
@@ -167,14 +167,15 @@ void ServoLoop::apply(const SetParameter& number) noexcept
 
 void ServoLoop::apply(const SetFixture& fixture) noexcept
 {
-    // tick() made sure there is room
+    // tick() has checked that the queue has room
     if (m_fixture)
         static_cast<void>(m_links.retiredFixtures.tryPush(m_fixture.release()));
     m_fixture.reset(fixture.fixture);
     m_fixtureShare = 0.0;
 }
 
-/// What holds the hand beside the contact. It is on no recording: all it does is where the hand goes.
+/// Adds the forces on the hand other than contact. They are not recorded, because only the path of the hand depends on
+/// them.
 void ServoLoop::guide(double seconds) noexcept
 {
     m_guideN = glm::dvec3(0.0);
@@ -184,7 +185,7 @@ void ServoLoop::guide(double seconds) noexcept
         return;
     }
     m_fixtureShare = std::min(1.0, m_fixtureShare + seconds / kFixtureComesS);
-    // It is a spring like the one of contact, and a late loop holds it no better.
+    // It is a spring like that of contact, and a late loop allows it no more stiffness.
     const double share = m_fixtureShare * 0.01 * static_cast<double>(m_springPercent);
     m_guideN = share * m_fixture->forceN(state.deviceMm, state.burIndex);
 }
@@ -195,9 +196,9 @@ void ServoLoop::apply(const BringHome&) noexcept
     record({ServoEvent::Kind::Home, 0, glm::vec3(0.0F), 0});
 }
 
-/// Softens the spring within ticks when the device answers late, and stiffens it by and by when it answers in time
-/// again. One late answer among good ones is no slower loop: what counts is what the last few all were. A tick without
-/// a measurement says nothing.
+/// Softens the spring within ticks when the device answers late, and stiffens it gradually when it answers in time
+/// again. One late answer among good ones does not count: the last few must all be late. A tick without a measurement
+/// has no effect.
 void ServoLoop::watchDelay(float delayS, double seconds) noexcept
 {
     if (!(delayS > 0.0F))
@@ -211,7 +212,7 @@ void ServoLoop::watchDelay(float delayS, double seconds) noexcept
     setSpring(std::max<std::uint64_t>(1, steps) * kSpringStepPercent);
 }
 
-/// A device that is lost has no delay. What comes after it may be another one.
+/// Forgets the delay of a lost device. The next device may be another one.
 void ServoLoop::forgetDelay() noexcept
 {
     m_lateS = {};
@@ -230,8 +231,7 @@ void ServoLoop::setSpring(std::uint64_t percent) noexcept
 
 void ServoLoop::carryOutCommands() noexcept
 {
-    // Room for every tooth that a command could send back, and for what is to be recorded of it, is made sure of before
-    // the command is taken.
+    // A command is taken only if the queues have room for every tooth that it could send back and for its events.
     for (ServoCommand command; m_links.retired.space() > 0 && m_links.retiredServos.space() > 0 &&
                                m_links.retiredFixtures.space() > 0 && m_links.events.space() >= kMostEventsPerCommand &&
                                m_links.commands.tryPop(command);)
@@ -276,7 +276,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
         if (cut)
             markDirty(m_tick->changed());
         guide(static_cast<double>(step.count()) * 1.0e-6);
-        // With a pedal, a stroke lasts until the pedal is released, whatever pauses the hand makes: one press is one
+        // With a pedal, a stroke lasts until the pedal is released, whatever pauses the hand makes. One press is one
         // step of undo.
         const bool isHeld = m_stroke.isInStroke() && sample.pedal.value_or(false) && m_tick->state().drillOn;
         m_strokeEnded = m_stroke.endsWith(cut || isHeld) || m_strokeEnded;
@@ -317,7 +317,7 @@ void ServoLoop::markDirty(const core::cutting::CutRect& rect) noexcept
 
 void ServoLoop::sendPatches() noexcept
 {
-    // A stroke's end is told even if all its tiles have gone already: with the first tile once more.
+    // The end of a stroke is reported even if all its tiles are sent: the first tile is sent again with it.
     if (m_dirty.empty() && m_strokeEnded) {
         m_isDirty[0] = 1;
         m_dirty.push_back(0);
@@ -326,7 +326,7 @@ void ServoLoop::sendPatches() noexcept
         return;
     m_health &= ~static_cast<std::uint32_t>(kPatchQueueFull);
     if (m_links.patches.space() < m_dirty.size()) {
-        m_health |= kPatchQueueFull;  // nothing is lost: the tiles stay dirty and go later
+        m_health |= kPatchQueueFull;  // the tiles stay dirty and are sent later
         return;
     }
     m_ticksSinceSent = 0;

@@ -8,17 +8,17 @@ namespace haptics::falcon {
 namespace {
 
 constexpr double kMsPerNs = 1.0e-6;
-constexpr double kLeastMs = 0.1;           ///< answers are not taken at shorter intervals
-constexpr double kForgottenMs = 50.0;      ///< after this time the last counts say nothing
+constexpr double kLeastMs = 0.1;           ///< shortest interval between two answers
+constexpr double kForgottenMs = 50.0;      ///< after this time the last counts are of no use
 constexpr double kConfirmedMs = 3.0;       ///< after this time a second answer has to agree
 constexpr double kMostCountsPerMs = 60.0;  ///< about 2 m/s
 constexpr int kConfirmed = 3;
 constexpr double kRoundingCounts = 1.5;
-/// Most that a hand accelerates an arm, counts/ms^2: about 40 m/s^2, as much as the motors do.
+/// Greatest acceleration of an arm by a hand, counts/ms^2: about 40 m/s^2, as much as the motors reach.
 constexpr double kCountsPerMs2 = 1.0;
-constexpr double kPaceLagMs = 1.0;  ///< the pace is as old
+constexpr double kPaceLagMs = 1.0;  ///< age of the speed
 
-/// How far a count may be from the expected one after a time.
+/// Returns how far a count may be from the expected one after a time.
 constexpr double allowance(double ms)
 {
     return kRoundingCounts + kCountsPerMs2 * (0.5 * ms * ms + kPaceLagMs * ms);
@@ -53,7 +53,7 @@ std::optional<glm::dvec3> AnswerCheck::take(const Answer& answer, std::chrono::n
     else
         m_countsPerMs += (moved / ms - m_countsPerMs) * (m_known == 1 ? 1.0 : ms / (ms + kPaceLagMs));
     m_known = agrees ? std::min(m_known + 1, kConfirmed) : 1;
-    // After a pause the allowance is so wide that a spoilt count may be within it; the next one tells.
+    // After a pause the allowance is so wide that a spoilt count may fit. The next count decides.
     if (m_known == kConfirmed && ms > kConfirmedMs)
         m_known = kConfirmed - 1;
     m_counts = counts;

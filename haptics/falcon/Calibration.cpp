@@ -22,7 +22,7 @@ core::Status check(const Calibration& calibration)
     const Geometry& is = calibration.geometry;
     const Geometry usual;
     const auto refused = [](const char* what) { return core::unexpected(core::ErrorCode::OutOfRange, what); };
-    // Of c, f, r and s only the differences matter.
+    // Only the differences of c, f, r and s matter.
     if (!isNear(is.a, usual.a) || !isNear(is.b, usual.b) || !isNear(is.de, usual.de) ||
         !(std::abs((is.r - is.c) - (usual.r - usual.c)) <= 10.0) ||
         !(std::abs((is.s - is.f) - (usual.s - usual.f)) <= 10.0))

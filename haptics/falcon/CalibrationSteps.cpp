@@ -16,7 +16,7 @@ using core::ErrorCode;
 
 constexpr double kLowestRad = 15.0 * std::numbers::pi / 180.0;
 constexpr double kHighestRad = 55.0 * std::numbers::pi / 180.0;
-constexpr int kLooks = 400;  ///< angles that are tried, a tenth of a degree apart
+constexpr int kLooks = 400;  ///< angles tried, a tenth of a degree apart
 constexpr double kNearEnoughMm = 0.3;
 
 }  // namespace

@@ -25,28 +25,28 @@ using core::LocalizableText;
 using core::session::DeviceStage;
 
 constexpr auto kLookAgain = 500ms;     ///< interval between two searches for a missing device
-constexpr auto kTryAgain = 5s;         ///< after an error that may pass
-constexpr int kMostLoads = 10;         ///< attempts to load firmware: real devices fail at times
+constexpr auto kTryAgain = 5s;         ///< after a temporary error
+constexpr int kMostLoads = 10;         ///< attempts to load firmware: real devices sometimes fail
 constexpr auto kReopens = 200ms;       ///< between two of them
-constexpr auto kAnswerPatience = 5ms;  ///< a device that answers later than this has lost the request
-constexpr auto kQuiet = 2ms;           ///< without bytes: nothing more will come
+constexpr auto kAnswerPatience = 5ms;  ///< a device that answers later has lost the request
+constexpr auto kQuiet = 2ms;           ///< without bytes for this time the line is silent
 constexpr auto kMostDrain = 20ms;
-constexpr auto kForcePatience = 300us;  ///< for the servo to answer a reading
-constexpr auto kServoPatience = 20ms;   ///< a servo that is silent longer has stopped
+constexpr auto kForcePatience = 300us;  ///< time for the servo to answer a reading
+constexpr auto kServoPatience = 20ms;   ///< a servo silent for longer has stopped
 constexpr auto kReadingPatience = 2ms;  ///< the servo waits this long for a reading that is late
 constexpr auto kFreshReading = 10ms;
-constexpr auto kSilentAfter = 250ms;  ///< then the device is said to be silent
+constexpr auto kSilentAfter = 250ms;  ///< then the device is reported as silent
 constexpr auto kGoneAfter = 1500ms;   ///< then it is opened anew: it may have lost its firmware
 constexpr auto kTestLasts = 500ms;
 constexpr double kMostTestN = 1.0;
 constexpr double kRampS = 0.5;
-constexpr int kSilentRequests = 2;  ///< from then on, requests carry no force
-constexpr int kSurely = 3;          ///< answers in a row that must agree on a bit
+constexpr int kSilentRequests = 2;  ///< from then on requests carry no force
+constexpr int kSurely = 3;          ///< answers in a row with the same value of a bit
 constexpr int kMostRefused = 20;
 constexpr int kPublishEvery = 16;
 constexpr double kWireS = 0.0001;     ///< 16 bytes at 1.5 Mbaud
 constexpr double kFarthestMm = 90.0;  ///< from the middle of the work area
-constexpr int kPriority = 10;         ///< as the servo's
+constexpr int kPriority = 10;         ///< like the servo's
 
 std::atomic<bool> g_letGo{false};
 std::atomic<int> g_pressing{0};  ///< devices that may have a force
@@ -73,7 +73,7 @@ core::Result<FirmwareImage> readFirmware(const std::string& path)
     return FirmwareImage::check(std::move(bytes));
 }
 
-/// Refused without the right to it, and then the thread runs like any.
+/// Asks for a real-time priority. Without the right to it, the thread runs like any other.
 void askForPriority()
 {
     sched_param parameter{};
@@ -215,7 +215,7 @@ void FalconDevice::run()
     }
 }
 
-/// Opens the device and sees to its firmware. Null if there is nothing to exchange frames with yet.
+/// Opens the device and loads its firmware if needed. Returns null if it cannot exchange frames yet.
 std::unique_ptr<FtdiPort> FalconDevice::bringUp(const Usb& usb)
 {
     auto port = FtdiPort::open(usb, m_serial);
@@ -297,7 +297,7 @@ void FalconDevice::tellWhich(const FtdiPort& port)
     m_told.others = port.others();
 }
 
-/// Waits, but not for a device that is to stop or has new wishes.
+/// Waits, unless the device is to stop or has new wishes.
 void FalconDevice::rest(std::chrono::milliseconds time)
 {
     std::unique_lock lock(m_mutex);
@@ -347,7 +347,7 @@ void FalconDevice::exchangeFrames(FtdiPort& port)
     }
 }
 
-/// False if the device is gone.
+/// Exchanges one request and answer. Returns false if the device is gone.
 bool FalconDevice::exchangeOnce(FtdiPort& port, FrameReader& reader)
 {
     const auto sent = Clock::now();
@@ -359,7 +359,7 @@ bool FalconDevice::exchangeOnce(FtdiPort& port, FrameReader& reader)
         m_watch.addRequest();
         for (auto left = kAnswerPatience + 0us; !answer && left > 0us && !port.isGone();
              left = std::chrono::duration_cast<std::chrono::microseconds>(sent + kAnswerPatience - Clock::now())) {
-            // All that has come in is read: of several answers, only the newest is the present one.
+            // All waiting bytes are read: of several answers, only the newest is current.
             for (auto transfer = port.receive(left); !transfer.empty(); transfer = port.receive(0us))
                 if (const auto received = reader.read(transfer); received.answers > 0)
                     answer = received.newest;
@@ -374,7 +374,7 @@ bool FalconDevice::exchangeOnce(FtdiPort& port, FrameReader& reader)
         m_watch.addAnswer(sent, received);
         take(*answer, sent);
     } else {
-        // Either got lost, or this thread was stopped so long that the answer is old.
+        // The answer was lost, or this thread paused so long that the answer is old.
         ++m_silent;
         m_watch.addLost();
         drain(port, reader);
@@ -431,11 +431,11 @@ void FalconDevice::take(const Answer& answer, Clock::time_point sent) noexcept
     m_now.tipMm = glm::vec3(m_placement.toothFromGripMm(m_gripMm));
     m_reading.publish({++m_nextSerial, m_now.tipMm, sent, m_delayS, (m_now.buttons & kDrillBit) != 0});
     m_hasReading.raise();
-    // A servo that does not answer in time answers with the next request.
+    // If the servo does not answer in time, the next request carries its force.
     static_cast<void>(m_given.waitFor(sent, Clock::now() + kForcePatience));
 }
 
-/// Takes what several answers in a row agree on.
+/// Takes the bits on which several answers in a row agree.
 void FalconDevice::takeButtons(std::uint8_t buttons) noexcept
 {
     m_buttonsAgree = buttons == m_buttonsSeen ? std::min(m_buttonsAgree + 1, kSurely) : 1;
@@ -478,7 +478,7 @@ Request FalconDevice::nextRequest() noexcept
     return request;
 }
 
-/// The force to send, tooth frame.
+/// Returns the force to send, tooth frame.
 glm::dvec3 FalconDevice::wantedN(Clock::time_point now) noexcept
 {
     const GivenForce::Value& given = m_given.latest();
@@ -497,7 +497,7 @@ glm::dvec3 FalconDevice::wantedN(Clock::time_point now) noexcept
     return forceN * m_ramp;
 }
 
-/// Waits until the line is silent, so that a late answer is not taken for that of the next request.
+/// Waits until the line is silent, so that a late answer is not taken for the next one.
 void FalconDevice::drain(FtdiPort& port, FrameReader& reader)
 {
     const auto most = Clock::now() + kMostDrain;

@@ -42,7 +42,7 @@ std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at)
     return bytes[at] | static_cast<std::uint32_t>(bytes[at + 1]) << 8U;
 }
 
-/// Size of the block at the front, or of its first word if that is 0 (the end of the stream) or cut.
+/// Returns the size of the block at the front, or of its first word if that is 0 (the end of the stream) or cut.
 std::size_t blockBytesAt(std::span<const std::uint8_t> bytes)
 {
     const std::size_t words = bytes.size() < kWordBytes ? 0 : wordAt(bytes, 0);
@@ -51,7 +51,7 @@ std::size_t blockBytesAt(std::span<const std::uint8_t> bytes)
 
 std::string sha256Of(std::span<const std::uint8_t> bytes)
 {
-    [[maybe_unused]] const int begun = sodium_init();  // a hash needs no random numbers: it works if this failed
+    [[maybe_unused]] const int begun = sodium_init();  // a hash needs no random numbers: it works even if this fails
     std::array<unsigned char, crypto_hash_sha256_BYTES> hash{};
     std::array<char, 2 * crypto_hash_sha256_BYTES + 1> hex{};
     crypto_hash_sha256(hash.data(), bytes.data(), bytes.size());

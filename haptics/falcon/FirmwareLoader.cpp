@@ -21,7 +21,7 @@ constexpr auto kGreetingPatience = 200ms;
 constexpr std::array<std::uint8_t, 1> kBaudByte{0x41};
 constexpr int kBaudBytes = 3;
 constexpr auto kBaudPatience = 300ms;
-/// So many bytes come back as one full packet, without waiting for the latency timer.
+/// This many bytes come back as one full packet, without the latency timer.
 constexpr std::size_t kBlockBytes = kUsbPacketBytes - kUsbStatusBytes;
 constexpr auto kEchoPatience = 1000ms;
 constexpr auto kLoadingLatency = 16ms;
@@ -44,16 +44,16 @@ core::Status gone()
                       LocalizableText{"The Falcon was unplugged while its firmware was loaded."});
 }
 
-/// Sends, waiting until the last bytes are out.
+/// Sends bytes, and waits until the last one is out.
 bool sendWhenFree(FtdiPort& port, std::span<const std::uint8_t> bytes)
 {
-    // What comes in meanwhile is nothing that anybody waits for.
+    // Bytes that come in meanwhile are dropped.
     for (const auto until = Clock::now() + kEchoPatience; port.isSending() && Clock::now() < until;)
         static_cast<void>(port.receive(1ms));
     return port.send(bytes);
 }
 
-/// Passes each byte that comes in to a function until it returns true. False if the time is over first.
+/// Passes each byte that comes in to a function until it returns true. Returns false if the time is over first.
 template <class Take>
 bool takeUntil(FtdiPort& port, std::chrono::milliseconds patience, Take take)
 {

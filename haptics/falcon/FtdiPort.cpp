@@ -19,7 +19,7 @@ constexpr int kInterface = 0;
 constexpr std::uint8_t kOutEndpoint = 0x02;
 constexpr std::uint8_t kInEndpoint = 0x81;
 constexpr unsigned kControlMs = 1000;
-/// A device that fails so often in a row is as good as unplugged.
+/// A device with so many failures in a row counts as unplugged.
 constexpr int kMostFailures = 20;
 constexpr std::chrono::milliseconds kCloses{1000};
 
@@ -85,7 +85,7 @@ FtdiPort::~FtdiPort()
     };
     while (isBusy() && std::chrono::steady_clock::now() < until)
         handleEvents(std::chrono::milliseconds(10));
-    // A transfer that libusb does not give back must not be freed: its memory is left to it.
+    // A transfer that libusb does not return must not be freed: its memory is left to libusb.
     for (Read& read : m_reads)
         if (read.transfer != nullptr && !read.isUnderWay)
             libusb_free_transfer(read.transfer);
@@ -156,7 +156,7 @@ core::Status FtdiPort::purge()
         return done;
     if (auto done = control(kReset, kPurgeToSend); !done)
         return done;
-    // What was on its way to us is in the reads that are finished, or will be at once.
+    // Data on its way is in the reads that have ended, or will end at once.
     handleEvents(std::chrono::microseconds(0));
     while (!receive(std::chrono::microseconds(0)).empty()) {
     }
@@ -203,7 +203,7 @@ std::span<const std::uint8_t> FtdiPort::receive(std::chrono::microseconds patien
     return {m_lent->bytes.data(), m_lent->size};
 }
 
-/// Returns when something has happened or the time is over.
+/// Waits for events until one happens or the time is over.
 void FtdiPort::handleEvents(std::chrono::microseconds patience) noexcept
 {
     constexpr std::int64_t kUsPerS = 1'000'000;
@@ -222,10 +222,10 @@ void FtdiPort::submit(Read& read) noexcept
     const int code = libusb_submit_transfer(read.transfer);
     read.isUnderWay = code == LIBUSB_SUCCESS;
     if (!read.isUnderWay)
-        m_isGone = true;  // a read that is missing would never come back
+        m_isGone = true;  // a missing read would never come back
 }
 
-/// Called by libusb when a read has ended, whether well or not.
+/// Called by libusb when a read has ended, with or without an error.
 void FtdiPort::finish(Read& read) noexcept
 {
     read.isUnderWay = false;

@@ -17,7 +17,7 @@ constexpr double kLegRad[3] = {105.0 * kDegree, -15.0 * kDegree, -135.0 * kDegre
 constexpr double kMmPerM = 1000.0;
 
 constexpr double kExactRad = 1.0e-9;
-constexpr int kMostSteps = 60;  ///< of which two or three are needed from nearby
+constexpr int kMostSteps = 60;  ///< from nearby two or three are enough
 
 }  // namespace
 
@@ -28,8 +28,8 @@ std::optional<Arms> armsAt(const glm::dvec3& gripMm, const Geometry& geometry) n
         const double cosLeg = std::cos(kLegRad[leg]);
         const double sinLeg = std::sin(kLegRad[leg]);
         const double cos3 = (geometry.f - geometry.s - sinLeg * gripMm.x + cosLeg * gripMm.y) / geometry.b;
-        const double sin3 = std::sqrt(1.0 - cos3 * cos3);  // NaN out of reach, and so is all that follows
-        // In the plane of the leg: an arm of length a and one of length l from the motor to (x, y).
+        const double sin3 = std::sqrt(1.0 - cos3 * cos3);  // NaN out of reach, and so are all results
+        // In the plane of the leg: arms of length a and l from the motor to (x, y).
         const double x = geometry.c - geometry.r + cosLeg * gripMm.x + sinLeg * gripMm.y;
         const double y = gripMm.z;
         const double l = geometry.de + geometry.b * sin3;
@@ -63,7 +63,7 @@ std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& n
             return std::nullopt;
         const glm::dvec3 missing = arms ? angleRad - arms->angleRad : glm::dvec3(0.0);
         const double misses = glm::dot(missing, missing);
-        // From far away a step may lead out of reach, or farther off: half of it does not.
+        // From far away a step may lead out of reach or farther away: half of it does not.
         if (!arms || misses > missed) {
             grip = 0.5 * (grip + reached);
             continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What takes the place of Usb.cpp and FtdiPort.cpp where libusb is not installed.
+// Replaces Usb.cpp and FtdiPort.cpp if libusb is not installed.
 #include "haptics/falcon/FtdiPort.h"
 #include "haptics/falcon/Usb.h"
 
@@ -17,7 +17,7 @@ core::Result<std::unique_ptr<Usb>> Usb::open()
         core::LocalizableText{"This program was built without libusb: force devices are left out."});
 }
 
-// Usb.cpp has something to do here.
+// In Usb.cpp the destructor has work to do.
 Usb::~Usb() {}  // NOLINT(modernize-use-equals-default)
 
 std::vector<FoundFalcon> Usb::falcons() const
@@ -25,7 +25,7 @@ std::vector<FoundFalcon> Usb::falcons() const
     return {};
 }
 
-// Nothing below is ever reached: without a Usb there is no port.
+// The code below is never reached: without a Usb there is no port.
 core::Result<std::unique_ptr<FtdiPort>> FtdiPort::open(const Usb& /*usb*/, const std::string& /*serial*/)
 {
     return core::unexpected(core::ErrorCode::FileMissing, core::LocalizableText{"No Falcon is plugged in."});

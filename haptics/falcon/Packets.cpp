@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint8_t kFrameStart = '<';
 constexpr std::uint8_t kFrameEnd = '>';
-constexpr std::uint8_t kZero = 'A';  ///< what value 0 is sent as
+constexpr std::uint8_t kZero = 'A';  ///< the byte of value 0
 
 // Positions in a frame. Three numbers of four bytes each begin at 1.
 constexpr std::size_t kStatusAt = 13;
@@ -32,7 +32,7 @@ constexpr unsigned kParityBit = 0x04;
 constexpr unsigned kFramingBit = 0x08;
 constexpr unsigned kBreakBit = 0x10;
 
-/// Whether an answer can have this byte at this position.
+/// Returns whether an answer may have this byte at this position.
 bool isInRange(std::size_t at, std::uint8_t byte)
 {
     if (at == 0)
@@ -46,7 +46,7 @@ bool isInRange(std::size_t at, std::uint8_t byte)
     return byte <= kZero + (at == kStatusAt ? kMostStatus : 0x0FU);
 }
 
-/// A signed number as four bytes, lowest four bits first.
+/// Writes a signed number as four bytes, lowest four bits first.
 void putNumber(std::int16_t number, std::uint8_t* to)
 {
     const auto bits = static_cast<std::uint16_t>(number);

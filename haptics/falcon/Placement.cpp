@@ -12,7 +12,7 @@ using core::session::DeviceSetup;
 
 static_assert(kReachMm >= core::session::kHandReachMm);
 
-/// Where the axes of the device point in the tooth frame if it faces the user.
+/// Returns the directions of the device's axes in the tooth frame if it faces the user.
 glm::dmat3 standing(DeviceSetup::Stand stand)
 {
     // As sold, its y points up and its z at the user. On its back, z points up and y away from the user.
@@ -20,7 +20,7 @@ glm::dmat3 standing(DeviceSetup::Stand stand)
                                                 : glm::dmat3(1.0);
 }
 
-/// A quarter turn about the vertical: a device at the right of the user faces left.
+/// Returns a quarter turn about the vertical: a device at the right of the user faces left.
 glm::dmat3 turned(DeviceSetup::Side side)
 {
     switch (side) {

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBeat{4};
-constexpr std::chrono::milliseconds kIdleBeat{100};  ///< while nothing is plugged in
+constexpr std::chrono::milliseconds kIdleBeat{100};  ///< while no controller is plugged in
 constexpr double kLongestBeatS = 0.05;
 
 /// A button as an axis.
@@ -111,14 +111,14 @@ void ControllerInput::countPresses(const std::vector<Controller>& before)
         for (std::size_t button = 0; button < controller.presses.size(); ++button) {
             const bool isKnown = was != before.end() && button < was->presses.size();
             controller.presses[button] = isKnown ? was->presses[button] : 0;
-            // A button that is down when its controller is plugged in was not pressed here.
+            // A button that is already down when its controller is plugged in was not pressed here.
             if (isKnown && controller.isHeld(button) && !was->isHeld(button))
                 ++controller.presses[button];
         }
     }
 }
 
-/// Of two pedals of one kind the first that was plugged in counts, as long as it is.
+/// Follows the pedal. Of two pedals of one kind, the first one plugged in counts as long as it is there.
 void ControllerInput::followPedal(double seconds)
 {
     const auto& all = m_now.controllers;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What takes the place of SdlPort.cpp where SDL 2 is not installed.
+// Replaces SdlPort.cpp if SDL 2 is not installed.
 #include "haptics/pedal/ControllerPort.h"
 
 namespace haptics {

@@ -27,7 +27,7 @@ float readingOf(Sint16 raw)
     return std::max(-1.0F, static_cast<float>(raw) / kFullReading);
 }
 
-/// While it lives, no controller comes or goes.
+/// While this object lives, no controller is added or removed.
 class ControllerLock
 {
 public:
@@ -46,7 +46,7 @@ struct CloseGamepad
     void operator()(SDL_GameController* gamepad) const { SDL_GameControllerClose(gamepad); }
 };
 
-/// A controller that is open.
+/// An open controller.
 class Opened
 {
 public:
@@ -105,7 +105,7 @@ private:
                 read.held |= 1U << static_cast<unsigned>(button);
     }
 
-    std::unique_ptr<SDL_GameController, CloseGamepad> m_gamepad;  ///< null: it is none
+    std::unique_ptr<SDL_GameController, CloseGamepad> m_gamepad;  ///< null: it is no gamepad
     std::unique_ptr<SDL_Joystick, CloseJoystick> m_joystick;      ///< null: it cannot be opened
     SDL_JoystickID m_instance;
 };
@@ -123,7 +123,7 @@ public:
     void read(std::vector<Controller>& controllers) override
     {
         SDL_JoystickUpdate();
-        SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // all that is needed is the state
+        SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // only the state is needed
         const ControllerLock lock;
         std::erase_if(m_opened, [](const Opened& one) { return !one.isPluggedIn(); });
         openNew();
@@ -159,8 +159,8 @@ bool hasControllers() noexcept
 core::Result<std::unique_ptr<ControllerPort>> openControllerPort()
 {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");  // SDL knows no window of ours
-    SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");                   // the kernel's drivers know all pads that we name
+    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");  // SDL has no window here
+    SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");                   // the kernel's drivers support all pads that we name
     if (SDL_InitSubSystem(kSubsystems) != 0)
         return core::unexpected(
             core::ErrorCode::FileUnreadable,

@@ -80,7 +80,7 @@ void PointerDevice::begin() noexcept
     m_freeS = 1.0;
 }
 
-/// Stops at a wall that pushes back with the wanted force, so that the spring is not stretched further.
+/// Stops at a wall that pushes back with the wanted force, so that the spring is stretched no further.
 void PointerDevice::moveAside(const glm::dvec3& forceOnHandN, double forceN) noexcept
 {
     const bool isFree = m_want.feedMmPerS > 0.0 && m_freeS > kFreeS;
@@ -105,7 +105,7 @@ void PointerDevice::lean(double forceN) noexcept
 {
     const double missing = m_want.pushForceN - forceN;
     const double sink = missing / (m_stiffness * kPushLagS);
-    // What the bur gives way to is no missing force. Learnt in contact only: the approach is no cut.
+    // The motion of a cut is no missing force. It is learnt only in contact: the approach is no cut.
     if (forceN > kFeltN)
         m_followMmPerS += sink * m_period / kFollowLagS;
     m_followMmPerS = std::clamp(m_followMmPerS, 0.0, kDragMmPerS);
@@ -128,7 +128,7 @@ void PointerDevice::lower() noexcept
         m_levelMm -= m_want.feedMmPerS * m_period;
     m_levelMm = std::max(m_levelMm, m_want.stopMm);
     const double wanted = m_isInAir ? 0.0 : std::min(kFirmness * std::max(0.0, m_burMm.z - m_levelMm), mostLeanMm);
-    // The force of a hand changes gradually, also where the bur slips off an edge.
+    // The force of a hand changes gradually, even when the bur slips off an edge.
     const double lean = std::max(0.0, m_burMm.z - m_tip.z);
     const double most = mostLeanMm * m_period / kLeanS;
     const double next = std::clamp(wanted, lean - most, lean + most);

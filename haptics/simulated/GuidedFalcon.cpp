@@ -10,20 +10,20 @@
 namespace haptics {
 namespace {
 
-/// Firm: in a narrow fissure the wall pushes a softer hand aside, and it slips down to where it did not want to drill.
+/// Firm: in a narrow fissure the wall pushes a softer hand aside, and it slips down to a place it did not aim at.
 constexpr HandFigures kHand = kHands[2];
 constexpr double kHandNPerMm = 0.001 * kHand.stiffnessNPerM;
-constexpr glm::dvec3 kStartMm{0.0, 0.0, 4.0};  ///< where a PointerDevice begins
+constexpr glm::dvec3 kStartMm{0.0, 0.0, 4.0};  ///< start of a PointerDevice
 constexpr double kEyeLagS = 0.3;               ///< from eye to hand [A]
-constexpr double kFeelLagS = 0.01;             ///< over which a push is told from a tremble [A]
-constexpr double kMostCorrectionMm = 0.5;      ///< a little more than the device's dry friction holds this hand back
+constexpr double kFeelLagS = 0.01;             ///< time to distinguish a push from a tremble [A]
+constexpr double kMostCorrectionMm = 0.5;      ///< the device's dry friction holds this hand back by a little less
 
 }  // namespace
 
 GuidedFalcon::GuidedFalcon(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm,
                            double periodS)
     : m_glance(periodS / kEyeLagS),
-      // Who leans on a tooth through an arm stretches both springs, one behind the other.
+      // A hand that leans on a tooth through an arm stretches both springs in series.
       m_will(input, stiffnessNPerMm * kHandNPerMm / (stiffnessNPerMm + kHandNPerMm), periodS),
       m_falcon({}, kHand, periodS, 1, kStartMm), m_readMm(kStartMm), m_feeling(std::min(1.0, periodS / kFeelLagS))
 {}
@@ -32,7 +32,7 @@ DeviceSample GuidedFalcon::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
     m_feltN += (forceOnHandN - m_feltN) * m_feeling;
     const glm::dvec3 wanted(m_will.exchange(m_feltN).tipInToothMm);
-    // Along the bur's axis it is the force that the hand minds, not the place.
+    // Along the bur's axis the hand controls the force and not the place.
     const glm::dvec3 aside = (wanted - m_readMm) * glm::dvec3(1.0, 1.0, 0.0);
     m_correctionMm =
         glm::clamp(m_correctionMm + aside * m_glance, -glm::dvec3(kMostCorrectionMm), glm::dvec3(kMostCorrectionMm));

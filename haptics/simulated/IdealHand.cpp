@@ -16,19 +16,20 @@ namespace {
 using core::terrain::kEmptyTop;
 
 constexpr double kPushN = 1.2;
-constexpr float kLeftMm = 0.03F;  ///< what is left so thin is let be
+constexpr float kLeftMm = 0.03F;  ///< a thinner rest is left
 constexpr float kBelowToothMm = 0.1F;
-constexpr std::size_t kFewShare = 10;  ///< of the columns to be cut: fewer that do not yield are let be
+constexpr std::size_t kFewShare = 10;  ///< of the columns to be cut: fewer that do not yield are left
 constexpr double kReachedMm = 0.01;
-constexpr double kClearMm = 0.3;     ///< over what stands in the way
+constexpr double kClearMm = 0.3;     ///< height over obstacles
 constexpr double kApartMm = 0.1;     ///< from a neighbour: on a steep wall the bur slides so far beside its aim
-constexpr double kLeadMm = 0.6;      ///< the hand goes so far ahead of the bur into what is to be cut
+constexpr double kLeadMm = 0.6;      ///< distance of the hand ahead of the bur, into the tooth
 constexpr double kSinkMm = 0.8;      ///< and at most so far below it
-constexpr double kPress = 4.0;       ///< times what is missing sideways: a bur cuts from a threshold of force on
+constexpr double kPress = 4.0;       ///< times the missing distance sideways: a bur cuts only above a threshold of
+                                     ///< force
 constexpr int kMostPatience = 120;   ///< decisions before a column is given up
-constexpr float kDeep = 4.0F;        ///< times the head's length: what is deeper is cut in layers from the beginning
+constexpr float kDeep = 4.0F;        ///< times the head's length: a deeper cut is made in layers from the start
 constexpr double kLayerShare = 0.8;  ///< of the head's length: above it the shank does not cut
-constexpr int kThere = 6;            ///< a decision counts so many times where the bur stands and should be cutting
+constexpr int kThere = 6;            ///< a decision counts so many times if the bur is at its aim and should be cutting
 
 }  // namespace
 
@@ -39,7 +40,7 @@ IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const
       m_thickMm(static_cast<float>(kLayerShare * bur.headLengthMm))
 {
     const std::vector<FootprintPart> head = footprint(bur, m_grid);
-    // What is to go altogether goes down to just below its own bottom.
+    // A column that is to go completely is cut to just below its bottom.
     std::vector<float> wantedTop(idealTop.begin(), idealTop.end());
     for (std::size_t k = 0; k < m_grid.count(); ++k)
         if (anatomy.top[k] > anatomy.bottom[k])
@@ -74,7 +75,7 @@ void IdealHand::findLowest(std::span<const float> idealTop, std::span<const Foot
         }
 }
 
-/// Over a neighbour the bur stays above it, however little it would touch.
+/// Keeps the bur above a neighbouring tooth, however little it would touch.
 void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::bur::Bur& bur)
 {
     const core::terrain::Grid& other = beside.grid;
@@ -118,7 +119,7 @@ void IdealHand::findReach(std::span<const FootprintPart> head)
         }
 }
 
-/// What did not yield is tried again in layers, from the top on; false when all has been tried.
+/// Tries the columns that did not yield again in layers, from the top on. Returns false when all have been tried.
 bool IdealHand::goDown(const core::terrain::Tooth& tooth)
 {
     float highest = kEmptyTop;
@@ -146,7 +147,7 @@ bool IdealHand::isWanting(const core::terrain::Tooth& tooth, std::size_t column)
            tooth.top[column] > m_reachMm[column] + aboveMm + kLeftMm;
 }
 
-/// The deepest to begin with, then the nearest.
+/// Returns the next column: first the deepest, then the nearest.
 std::optional<std::size_t> IdealHand::nextColumn(const core::terrain::Tooth& tooth, glm::dvec2 burMm) const
 {
     std::optional<std::size_t> best;
@@ -221,12 +222,12 @@ core::servo::PointerInput IdealHand::decide(const core::servo::ServoState& state
         want.pushing = state.anchorMm.z > there + kReachedMm;
         want.hoverMm = there;
     } else if (onTheWay > std::max(there, lowestAt(bur)) + kClearMm && state.anchorMm.z < onTheWay) {
-        want.hoverMm = onTheWay + kClearMm;  // out first
+        want.hoverMm = onTheWay + kClearMm;  // up first
     } else {
         want.targetMm = bur + way * (std::max(distance, kLeadMm) / distance);
         want.hoverMm = std::max(onTheWay, state.anchorMm.z - kSinkMm);
     }
-    // Where nothing holds the bur back, what leads it into the tooth would lead it on into what it is to spare.
+    // If nothing stops the bur, its lead into the tooth would continue into what must be spared.
     if (isKeptOff(want.targetMm))
         want.targetMm = m_grid.nodeMm(aim);
     return want;

@@ -16,7 +16,7 @@ constexpr double kLongestStepS = 20.0e-6;
 constexpr int kLeastSteps = 10;
 constexpr double kReachM = falcon::kReachMm * 0.001;
 
-/// Unrest is a sum of sines, whose rms is exact: so many to each band and axis, one in each equal part of the band.
+/// Unrest is a sum of sines, whose rms is exact: so many for each band and axis, one in each equal part of the band.
 constexpr int kWaves = 5;
 constexpr std::array kTremorHz{7.5, 10.5};
 constexpr std::array kDriftHz{0.1, 2.0};
@@ -58,7 +58,7 @@ void SimulatedFalcon::follow(const glm::dvec3& wantedMm) noexcept
         m_reference = m_wanted + unrest(0);
 }
 
-/// What tremor and drift add to where the hand wants to be.
+/// Returns the displacement of the hand by tremor and drift.
 glm::dvec3 SimulatedFalcon::unrest(std::int64_t step) const noexcept
 {
     const double t = static_cast<double>(step) * m_stepS;
@@ -109,7 +109,7 @@ DeviceSample SimulatedFalcon::read() noexcept
 DeviceSample SimulatedFalcon::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
     send(forceOnHandN);
-    const double delayS = static_cast<double>(m_lastDue - m_now) * m_stepS;  // of the force just taken
+    const double delayS = static_cast<double>(m_lastDue - m_now) * m_stepS;  // of the force used now
     const glm::dvec3 before = m_reference;
     m_reference = m_wanted + unrest(m_now + m_steps);
     const glm::dvec3 stride = (m_reference - before) / static_cast<double>(m_steps);
