@@ -24,10 +24,10 @@ using core::bur::Bur;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kPushS = 0.15;
-constexpr double kWaitS = 0.01;  ///< after it
+constexpr double kWaitS = 0.01;  ///< pause after it
 constexpr double kPushMm = 0.5;
 constexpr double kWallMm = 3.0;
-constexpr double kStillMm = 1.0e-6;  ///< in a tick: no way that one could lag behind on
+constexpr double kStillMm = 1.0e-6;  ///< in a tick: no lag can be measured on a shorter way
 
 using Profile = std::function<double(double)>;
 
@@ -36,7 +36,7 @@ struct Surface
 {
     enum class Kind { Ruled, Round };
     Kind kind = Kind::Ruled;
-    glm::dvec2 across{1.0, 0.0};  ///< of a ruled surface: the direction its profile runs in
+    glm::dvec2 across{1.0, 0.0};  ///< of a ruled surface: direction of its profile
     Profile height;
     Profile clearance;  ///< of the bur, exactly: the profile's own offset
 
@@ -51,7 +51,7 @@ struct Surface
     }
 };
 
-/// max over 0 <= r <= R of slope * r - underside(r): what a bur stands above a plane under its axis.
+/// Returns max over 0 <= r <= R of slope * r - underside(r): height of a bur over a plane under its axis.
 double standOff(const Bur& bur, double slope)
 {
     constexpr int kSteps = 200'000;
@@ -63,7 +63,7 @@ double standOff(const Bur& bur, double slope)
     return most;
 }
 
-/// The offset of a smooth profile, as a table.
+/// Returns the offset of a smooth profile, as a table.
 Profile offsetOf(const Profile& height, const Bur& bur)
 {
     constexpr int kPlaces = 8192;
@@ -100,8 +100,8 @@ Profile offsetOf(const Profile& height, const Bur& bur)
     };
 }
 
-/// Where a bur without friction is while the hand moves: it walks downhill in distance to the hand, along the offset
-/// surface, a micrometre at a time, and so passes over nothing.
+/// The position of a bur without friction while the hand moves. It walks downhill in distance to the hand along the
+/// offset surface, a micrometre at a time, so that it skips no place.
 class Slider
 {
 public:
@@ -115,7 +115,8 @@ public:
             return (u - deviceU) * (u - deviceU) + rise * rise;
         };
         constexpr double kStepMm = 1.0e-3;
-        // A ball with its equator at an edge rises by 0.03 mm in the first step; more is a cliff, and no bur climbs it.
+        // A ball with its equator at an edge rises by 0.03 mm in the first step. A higher step is a cliff, which no bur
+        // climbs.
         constexpr double kCliffMm = 0.035;
         const auto isCliff = [&](double from, double to) {
             const double rise = m_surface.clearance(to) - m_surface.clearance(from);
@@ -131,7 +132,7 @@ public:
             const double b = high - (high - low) / 3.0;
             (far2(a) > far2(b) ? low : high) = far2(a) > far2(b) ? a : b;
         }
-        // At an edge the middle may lie beyond it.
+        // At an edge, the middle may be beyond it.
         m_u = far2(low) < far2(high) ? low : high;
         const glm::dvec2 place = glm::dvec2(device) + m_surface.direction(device) * (m_u - deviceU);
         return {place, std::max(device.z, m_surface.clearance(m_u))};
@@ -142,7 +143,7 @@ private:
     double m_u;
 };
 
-/// How the lattice lies under a scene: turned and moved by parts of a cell.
+/// Position of the lattice under a scene: turned, and moved by parts of a cell.
 struct Lie
 {
     double turnDeg;
@@ -165,9 +166,9 @@ std::size_t ticksIn(double seconds, const ContactConditions& conditions)
     return static_cast<std::size_t>(std::lround(seconds * conditions.rateHz));
 }
 
-/// The hand presses into the surface where `place(0)` is, along `inwards`, then goes where place() says.
+/// Returns a scene in which the hand presses into the surface at `place(0)`, along `inwards`, and then follows place().
 /// @param place   path over the surface, mm, of the travel so far
-/// @param ground  height that the hand takes for that of the surface, over u
+/// @param ground  height that the hand assumes for the surface, over u
 ContactScene slide(const Surface& surface, const Profile& ground, const ContactConditions& conditions, glm::dvec2 shift,
                    const glm::dvec3& inwards, const std::function<glm::dvec2(double)>& place, double lengthMm,
                    double mmPerS)
@@ -226,7 +227,7 @@ ContactFamily planes(double degrees, const ContactConditions& conditions)
 ContactFamily bowls(bool isFossa, const ContactConditions& conditions)
 {
     const double radius = isFossa ? 3.0 : 2.0;
-    // Beyond 60 degrees the sphere goes on as its tangent cone.
+    // Beyond 60 degrees the sphere continues as its tangent cone.
     const double edge = radius * std::sin(60.0 * kDegree);
     const Profile cap = [radius, edge](double u) {
         const double r = std::min(std::abs(u), edge);
@@ -262,7 +263,7 @@ ContactFamily grooves(double degrees, bool creaseOnNodes, const ContactCondition
     family.reachJumpN = 0.05;
     for (const Lie& lie : kLies) {
         Surface surface;
-        // A row of nodes lies at the origin with an odd side or half a cell of shift.
+        // A row of nodes is at the origin if the side is odd or the lattice is shifted by half a cell.
         const double onNodes = conditions.side % 2 == 0 ? 0.5 : 0.0;
         surface.across = creaseOnNodes ? glm::dvec2(1.0, 0.0) : turned(lie.turnDeg);
         const glm::dvec2 shift = creaseOnNodes ? glm::dvec2(onNodes, lie.shift.y) : lie.shift;
@@ -270,7 +271,7 @@ ContactFamily grooves(double degrees, bool creaseOnNodes, const ContactCondition
         surface.clearance = [slope, stand](double u) { return slope * std::abs(u) + stand; };
         const glm::dvec2 along(-surface.across.y, surface.across.x);
         for (const double speed : {20.0, 100.0}) {
-            // A hand that weaves a little across while it slides along.
+            // A hand that weaves a little sideways while it slides along.
             const auto place = [&](double travel) {
                 return along * (travel - 1.5) + surface.across * (0.1 * std::sin(4.0 * travel));
             };
@@ -281,7 +282,7 @@ ContactFamily grooves(double degrees, bool creaseOnNodes, const ContactCondition
     return family;
 }
 
-/// The offset of a step from 0 up to `heightMm` at u = 0.
+/// Returns the offset of a step from 0 up to `heightMm` at u = 0.
 Profile overStep(double heightMm, const Bur& bur)
 {
     return [heightMm, bur](double u) {
@@ -369,7 +370,7 @@ ContactFamily steps(double heightMm, const ContactConditions& conditions)
                 const double depth = 0.25 * std::min(1.0, t / 0.05 - 0.1);
                 const double travel = 2.0 * std::max(0.0, t - 0.06);
                 const double u = from + (up ? travel : -travel);
-                // The hand keeps its height until the bur is over the edge, then follows the new ground.
+                // The hand keeps its height until the bur is past the edge, then follows the new ground.
                 const double ground = up ? heightMm * std::clamp((u + 0.4) / 0.8, 0.0, 1.0)
                                          : heightMm * std::clamp((u + shape.headRadiusMm) / 0.8, 0.0, 1.0);
                 const glm::dvec3 device(surface.across * u, ground - depth);
@@ -478,7 +479,7 @@ double ridgeHoldsN(const std::string& method, int cells, std::size_t bur, double
 
 namespace {
 
-/// For every tick the length of the longest leap of the right bur within kLeapS of it, mm; 0 where there is none.
+/// Returns for every tick the longest leap of the right bur within kLeapS of it, mm; 0 if there is none.
 std::vector<double> leapsNear(const ContactScene& scene, double rateHz)
 {
     const auto reach = static_cast<std::size_t>(std::lround(kLeapS * rateHz));

@@ -10,7 +10,7 @@ namespace {
 
 using namespace core::servo;
 
-/// ServoLoop with nobody at the other end of its queues.
+/// A ServoLoop whose queues have no reader.
 class OurLoop final : public Contestant
 {
 public:
@@ -28,7 +28,7 @@ public:
             // a trial is not recorded
         }
         for (TilePatch patch; m_links->patches.tryPop(patch);) {
-            // nor looked at
+            // and no view shows it
         }
         for (core::contact::LiveTooth* old = nullptr; m_links->retired.tryPop(old);)
             delete old;

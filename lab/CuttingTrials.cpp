@@ -19,14 +19,15 @@ using namespace core;
 
 constexpr double kWallDepthMm = 1.0;
 constexpr double kOffWallMm = 0.02;
-constexpr glm::dvec2 kLie(0.13, 0.37);  ///< of the lattice: no feed runs along a row of nodes
+constexpr glm::dvec2 kLie(0.13, 0.37);  ///< place on the lattice: no feed runs along a row of nodes
 
-/// The firm hand and the device's moving mass and friction in one (docs/facts/haptics.md, sections 5 and 6).
+/// The mass of the firm hand and the device's moving mass and friction together (docs/facts/haptics.md, sections 5 and
+/// 6).
 constexpr double kHandKg = 0.4;
 constexpr double kHandNSPerMm = 0.0088;
 constexpr double kHandNPerMm = 0.7;
 
-/// A servo tick with a tooth of its own, drill on.
+/// A servo tick with its own tooth and the drill on.
 class Servo
 {
 public:
@@ -53,7 +54,7 @@ private:
     std::chrono::microseconds m_dt;
 };
 
-/// The block of a trial, and where its bur begins.
+/// The block of a trial, and the start of its bur.
 struct Scene
 {
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
@@ -72,7 +73,7 @@ Scene sceneOf(const PaceTrial& trial)
     return {layeredBlock(height, layers, trial.side, kLie), start};
 }
 
-/// Speed, mm/s, at which the law lets the bur of a trial advance.
+/// Returns the speed, mm/s, that the law gives the bur of a trial.
 double lawfulSpeed(const PaceTrial& trial)
 {
     const double radius = bur::burs()[trial.bur].headRadiusMm;
@@ -81,7 +82,8 @@ double lawfulSpeed(const PaceTrial& trial)
            (isDown ? std::numbers::pi * radius * radius : sweptSectionMm2(trial.bur, kWallDepthMm));
 }
 
-/// Rms from 20 to 300 Hz of a force sampled every `periodS`: power of the Fourier lines under a Hann window.
+/// Returns the rms from 20 to 300 Hz of a force sampled every `periodS`: power of the Fourier lines under a Hann
+/// window.
 double bandRms(const std::vector<glm::dvec3>& force, double periodS)
 {
     constexpr double kLowHz = 20.0;
@@ -115,7 +117,7 @@ double removedMm3(const PaceTrial& trial)
     const Scene scene = sceneOf(trial);
     Servo servo(scene.anatomy, trial.settings, trial.bur, trial.rateHz);
     servo.step(scene.startMm);
-    // The spring holds the force by its length; what it is aside of the line counts.
+    // The length of the spring holds the force. Only the part aside of the line counts.
     const double stretch = trial.newtons / trial.settings.force.stiffnessNPerMm;
     const auto ticks = std::llround(trial.seconds * trial.rateHz);
     for (long long tick = 0; tick < ticks; ++tick) {
@@ -177,7 +179,7 @@ glm::dvec3 feed(double headingDegrees, double downDegrees)
 {
     const double heading = headingDegrees * std::numbers::pi / 180.0;
     const double down = downDegrees * std::numbers::pi / 180.0;
-    // No rounding is left of a quarter turn: straight down is told from nearly so.
+    // A quarter turn without rounding, so that straight down differs from nearly straight.
     const double flat = downDegrees == 90.0 ? 0.0 : std::cos(down);
     return {flat * std::cos(heading), flat * std::sin(heading), -std::sin(down)};
 }

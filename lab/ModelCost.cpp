@@ -20,14 +20,14 @@ constexpr double kFromMm = -1.5;   ///< above the fossa of a molar, 2.6 mm below
 constexpr double kFloorMm = -3.6;  ///< a millimetre below it
 constexpr double kLengthMm = 3.0;
 constexpr double kShiftMm = 0.023;
-constexpr double kTurnedDeg = 7.0;  ///< against the lattice
+constexpr double kTurnedDeg = 7.0;  ///< relative to the lattice
 
-/// Where the tip goes, a place a tick.
+/// Returns the places of the tip, one for each tick.
 std::vector<glm::dvec3> slot(std::size_t which)
 {
     const double angle = 2.0 * std::numbers::pi * (static_cast<double>(which) / kSlots + kTurnedDeg / 360.0);
     const glm::dvec3 outwards(std::cos(angle), std::sin(angle), 0.0);
-    // No two lie alike on the lattice, or all of them would be wrong by the same.
+    // No two have the same place on the lattice; otherwise all would have the same error.
     const glm::dvec3 shift = kShiftMm * static_cast<double>(which) * glm::dvec3(1.0, 0.38, 0.71);
     std::vector<glm::dvec3> places;
     for (double z = kFromMm; z > kFloorMm; z -= kStepMm)

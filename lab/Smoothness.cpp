@@ -13,7 +13,7 @@ namespace {
 constexpr double kBeatS = 0.001;
 constexpr double kDownMm = 1.0;
 constexpr double kDownMmPerS = 5.0;
-constexpr int kRestTicks = 200;  ///< before the hand sets off
+constexpr int kRestTicks = 200;  ///< before the hand starts
 
 }  // namespace
 

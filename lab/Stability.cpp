@@ -20,14 +20,14 @@ namespace lab {
 namespace {
 
 constexpr double kTickS = 0.001;
-constexpr double kWatchedS = 0.5;  ///< of the time that the hand is still
+constexpr double kWatchedS = 0.5;  ///< part of the time that the hand is still
 constexpr double kSettledMm = 0.05;
-constexpr double kEndS = 0.1;      ///< over which it is averaged where the grip ends
-constexpr double kStaleS = 0.010;  ///< a device with nothing new for this long has no reading (HapticDevice.h)
-constexpr double kLetGoS = 0.020;  ///< after which the servo must have let go
+constexpr double kEndS = 0.1;      ///< average at the end of the grip's motion
+constexpr double kStaleS = 0.010;  ///< a device without data for this time has no reading (HapticDevice.h)
+constexpr double kLetGoS = 0.020;  ///< time after which the servo must give no force
 constexpr double kPressingMm = 0.05;
 
-/// The device of a trial, silent for a while where the scene wants it.
+/// The device of a trial, silent for a while if the scene asks for it.
 class TrialDevice final : public haptics::HapticDevice
 {
 public:
@@ -56,15 +56,15 @@ private:
     double m_silentS = 0.0;
 };
 
-/// A hand that nothing stops, and what the forces did on its way.
+/// A hand on a fixed path, and the work of the forces on it.
 class GivenPath final : public haptics::HapticDevice
 {
 public:
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
-        // The force answers where the hand was; it is held while the hand goes on.
+        // The force is the answer to the last place of the hand, and is held while the hand moves on.
         trapeziumMj += 0.5 * glm::dot(m_forceN + forceOnHandN, m_at - m_before);
-        const glm::dvec3 at{glm::vec3(next)};  // the servo sees floats
+        const glm::dvec3 at{glm::vec3(next)};  // the servo uses floats
         heldMj += glm::dot(forceOnHandN, at - m_at);
         m_before = m_at;
         m_at = at;
@@ -72,8 +72,8 @@ public:
         return {glm::vec3(next), true};
     }
     glm::dvec3 next{0.0};
-    double heldMj = 0.0;       ///< given to the hand, as the device gives it
-    double trapeziumMj = 0.0;  ///< and as a force that changes evenly would
+    double heldMj = 0.0;       ///< given to the hand by the force as the device holds it
+    double trapeziumMj = 0.0;  ///< and by a force that changes evenly
 
 private:
     glm::dvec3 m_at{0.0};
@@ -86,13 +86,13 @@ std::unique_ptr<Contestant> contestantFor(const StabilityScene& scene, const Sta
 {
     core::servo::ServoSettings settings = trial.settings;
     haptics::falcon::addFalconFeel(settings.force);
-    settings.force.vibrationN = 0.0;  // a tremble that is meant is none of the loop's
+    settings.force.vibrationN = 0.0;  // an intended tremble is not the loop's
     return *makeContestant(settings, trial.ceds, device,
                            std::make_unique<core::contact::LiveTooth>(core::terrain::Tooth(scene.anatomy)), scene.drill,
                            std::chrono::milliseconds(1));
 }
 
-/// A circle that the device is led round.
+/// A circle on which the device is led.
 struct Circle
 {
     glm::dvec3 a;
@@ -101,7 +101,7 @@ struct Circle
     double hz;
 };
 
-/// Largest energy that a round of one of some circles gives the hand, uJ. The first rounds are not counted.
+/// Returns the largest energy that a round of some circles gives the hand, uJ. The first rounds are not counted.
 double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial, double GivenPath::*energy)
 {
     constexpr double kDownS = 0.1;
@@ -121,7 +121,7 @@ double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial, dou
         device.next = at(0.0);
         const auto servo = contestantFor(scene, trial, device);
         const int round = static_cast<int>(std::lround(1.0 / (circle.hz * kTickS)));
-        // A bur that began inside feels its force come by and by: not counted until that is over.
+        // A bur that began inside feels its force gradually: not counted until that is over.
         const int first =
             static_cast<int>(std::lround(kDownS / kTickS)) +
             round * (1 + static_cast<int>(std::ceil(circle.hz * 2.0 * core::contact::ForceLaw::kReturnS)));
@@ -137,7 +137,7 @@ double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial, dou
     return worst;
 }
 
-/// The spring alone, so that nothing that rubs hides what the method makes.
+/// Returns the trial with the spring alone, so that no friction hides the effect of the method.
 StabilityTrial bare(const StabilityTrial& trial)
 {
     StabilityTrial spring = trial;
@@ -153,7 +153,7 @@ StabilityTrial bare(const StabilityTrial& trial)
     return spring;
 }
 
-/// Adds up what a held trial shows, tick by tick.
+/// Collects the results of a held trial, tick by tick.
 class Watch
 {
 public:
@@ -278,7 +278,7 @@ private:
     bool m_finite = true;
 };
 
-/// Deepest that was removed of a column that still stands, mm.
+/// Returns the greatest depth removed from a column that is not gone, mm.
 double deepestMm(const core::terrain::Tooth& tooth)
 {
     double deepest = 0.0;
@@ -288,15 +288,15 @@ double deepestMm(const core::terrain::Tooth& tooth)
     return deepest;
 }
 
-/// What a hand must wish for a grip that swings sin(w t): the spring and the damper of the hand have to carry mass and
-/// friction of the device, k e + b e' = F.
+/// Returns the wished amplitude of a hand whose grip swings by sin(w t). Spring and damper of the hand have to move
+/// mass and friction of the device: k e + b e' = F.
 double strokeWishMm(const StabilityScene& scene, const haptics::FalconFigures& falcon, const haptics::HandFigures& hand,
                     double t)
 {
     const double w = 2.0 * std::numbers::pi * scene.strokeHz;
     const double perMm = 0.001 * scene.strokeMm;
     const double inPhaseN = -(falcon.massKg + hand.massKg) * w * w * perMm;
-    // Of the square wave of dry friction, what is of this frequency.
+    // The part of the square wave of dry friction at this frequency.
     const double aheadN = falcon.viscousNSPerM * w * perMm + falcon.coulombN * 4.0 / std::numbers::pi;
     const double k = hand.stiffnessNPerM;
     const double bw = hand.dampingNSPerM * w;
@@ -333,7 +333,7 @@ StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
     const auto servo = contestantFor(scene, trial, device);
 
     const auto ticks = static_cast<int>(std::lround(scene.seconds / kTickS));
-    glm::dvec3 grabbed(0.0);  // from where the hand would be to where it was grabbed
+    glm::dvec3 grabbed(0.0);  // from the wished place of the hand to where it was grabbed
     Watch watch(scene, static_cast<std::size_t>(ticks));
     for (int tick = 0; tick < ticks; ++tick) {
         const double t = tick * kTickS;

@@ -24,7 +24,7 @@ double flat(glm::dvec2)
 {
     return 0.0;
 }
-/// A cone of 20 degrees to each side of its axis, 1 mm deep: narrower than the bur.
+/// Depth of a cone of 20 degrees to each side of its axis, 1 mm deep: narrower than the bur.
 double pit(glm::dvec2 at)
 {
     return -std::max(0.0, 1.0 - std::sqrt(glm::dot(at, at)) / std::tan(kPi / 9.0));
@@ -39,7 +39,7 @@ double wall(glm::dvec2 at)
 }
 Height ridge(int cells)
 {
-    // Columns stand half a cell to each side of x = 0.
+    // Columns are half a cell to either side of x = 0.
     return [cells](glm::dvec2 at) { return at.x > 0.0 && at.x < cells * kCellMm ? 3.0 : 0.0; };
 }
 Height step(double mm)
@@ -47,7 +47,7 @@ Height step(double mm)
     return [mm](glm::dvec2 at) { return at.x > 0.0 ? mm : 0.0; };
 }
 
-/// From `from` to `to` of the seconds evenly from 0 to 1.
+/// Rises evenly from 0 to 1 between the seconds `from` and `to`.
 double rise(double seconds, double from, double to)
 {
     return std::clamp((seconds - from) / (to - from), 0.0, 1.0);
@@ -59,7 +59,8 @@ double leaning(double seconds, double byS, double mmPerN, double newtons)
     return 0.5 - rise(seconds, 0.0, byS) * (0.5 + newtons * mmPerN);
 }
 
-/// What a hand wishes farther to overcome friction on a way that lasts from `from` to `to`, mm: a light one would not
+/// Returns the extra wish of a hand against friction on a way that lasts from `from` to `to`, mm. Without it a light
+/// hand would not move.
 /// move else.
 double urge(double seconds, double from, double to, double mmPerN, double newtons)
 {
@@ -141,7 +142,7 @@ private:
             slid.bars.rippleN = 0.02;
             slid.bars.errorMm = 0.04;
         }
-        // Up and down a plane of 27 degrees, pressed on straight down the plane's normal.
+        // Up and down a plane of 27 degrees, pressed along the plane's normal.
         StabilityScene& slope = add(0, "slope", m_slope, [](double t, double mmPerN) {
             const double x = -1.5 + 3.0 * rise(t, 0.4, 0.9) - 3.0 * rise(t, 0.9, 1.4);
             const double press = rise(t, 0.1, 0.3) * 1.2 * mmPerN;
@@ -190,7 +191,7 @@ private:
 
     void vanishingGround()
     {
-        // Pressed on, then taken away in a tick, as undo or a rule for columns that break takes it.
+        // Pressed, then removed in a tick, as by an undo or a rule for columns that break.
         StabilityScene& column =
             add(8, "column", enamelBlock([](glm::dvec2 at) {
                     return at.x > 0.0 && at.x < kCellMm && at.y > 0.0 && at.y < kCellMm ? 1.0 : 0.0;
@@ -228,7 +229,7 @@ private:
             brush.seconds = 2.4;
             brush.drill = drilling;
             if (drilling) {
-                brush.bars.depthMm = 0.005;  // a trench holds the bur back: no lag is asked for
+                brush.bars.depthMm = 0.005;  // a trench holds the bur back: no limit of the lag
             } else {
                 brush.along = {1.0, 0.0, 0.0};
                 brush.bars.lagMm = 0.02;
@@ -236,7 +237,7 @@ private:
         }
 
         for (const int ms : {5, 20, 100, 500}) {
-            // A hand that meanwhile has sunk in must lift the bur out before it is pushed again.
+            // A hand that has sunk in meanwhile must lift the bur out before it feels a force again.
             StabilityScene& scene = add(11, "dropout " + std::to_string(ms), m_plate, [](double t, double mmPerN) {
                 const double lifted = rise(t, 1.1, 1.3) - rise(t, 1.5, 1.8);
                 return glm::dvec3(0.0, 0.0, leaning(t, 0.3, mmPerN, 2.0) * (1.0 - lifted) + 1.0 * lifted);
@@ -322,7 +323,7 @@ private:
     std::shared_ptr<const core::terrain::ToothAnatomy> m_slope =
         enamelBlock([](glm::dvec2 at) { return kSlope * at.x; });
     std::shared_ptr<const core::terrain::ToothAnatomy> m_wall = enamelBlock(wall);
-    /// Where the crease lies on a row of columns, a quarter of a cell beside it, and between two.
+    /// With the crease on a row of columns, a quarter of a cell beside it, and between two rows.
     std::array<std::shared_ptr<const core::terrain::ToothAnatomy>, 3> m_groove{
         enamelBlock(groove, core::terrain::kDefaultGridSide, {0.5, 0.0}),
         enamelBlock(groove, core::terrain::kDefaultGridSide, {0.25, 0.0}), enamelBlock(groove)};

@@ -37,7 +37,7 @@ public:
     haptics::SimulatedFalcon falcon;
 };
 
-/// One trial: does the grip come to rest? Settings must have been checked.
+/// Returns whether the grip comes to rest in one trial. The settings must have been checked.
 bool comesToRest(const core::terrain::Tooth& flat, const ClosedLoop& loop)
 {
     haptics::HandFigures hand = loop.hand;
@@ -75,7 +75,7 @@ core::Result<double> stiffnessLimit(const ClosedLoop& loop)
         tried.settings.force.stiffnessNPerMm = nPerMm;
         return comesToRest(flat, tried);
     };
-    // Upwards first: the lattice method comes to rest again at stiffnesses far above the first that fails.
+    // Upwards first: the lattice method comes to rest again at stiffnesses far above its first failure.
     double holds = 0.0;
     double fails = kSoftestNPerMm;
     while (holdsAt(fails)) {

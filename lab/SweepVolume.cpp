@@ -18,10 +18,10 @@ using namespace core;
 
 constexpr double kTrenchMm = 3.0;
 constexpr double kArcRadiusMm = 1.2;
-constexpr double kCutStepMm = 0.01;  ///< from one cut to the next: half of what a bur does in a tick at 20 mm/s
-constexpr int kAlongEvery = 4;       ///< of so many lies one runs along the lattice, where whole rows count or do not
+constexpr double kCutStepMm = 0.01;  ///< between two cuts: half the way of a bur in a tick at 20 mm/s
+constexpr int kAlongEvery = 4;       ///< one of so many sweeps runs along the lattice, where whole rows count or do not
 
-/// Half a cross-section of what stands above the underside at `depthMm`: its area, mm2, and its moment about the bur's
+/// Half a cross-section of the part above the underside at `depthMm`: its area, mm2, and its moment about the bur's
 /// axis, mm3.
 struct HalfSection
 {
@@ -35,7 +35,7 @@ HalfSection halfSection(const bur::Bur& bur, double depthMm)
     const double corner = bur.cornerMm;
     const double bend = flat + bur.bendMm();
     const double round = std::min(depthMm, bur.undersideMm(bend));
-    // Past the rounded rim comes the cone, and past that the side is upright.
+    // After the rounded rim comes the cone, and after that the upright side.
     const double cone = std::min(depthMm, bur.undersideMm(bur.headRadiusMm)) - round;
     const double above = depthMm - round - cone;
     const double wider = bur.hasCone() ? cone / bur.coneSlope : 0.0;
@@ -50,7 +50,7 @@ HalfSection halfSection(const bur::Bur& bur, double depthMm)
                 0.5 * bur.headRadiusMm * bur.headRadiusMm * above};
 }
 
-/// One sweep in one lie: turned by `heading`, mm.
+/// One sweep in one position on the lattice, turned by `heading`, mm.
 class Way
 {
 public:
@@ -103,7 +103,7 @@ private:
     glm::dvec2 m_across;
 };
 
-/// What one lie has: the volume removed and the squares of what is wrong with the depths.
+/// Result of one position: the volume removed and the squares of the errors in depth.
 struct Trial
 {
     double removedMm3 = 0.0;
@@ -178,7 +178,7 @@ double sweptSectionMm2(std::size_t bur, double depthMm)
 SweepErrors measureSweep(Sweep sweep, int side, std::size_t bur, double depthMm)
 {
     // The fractions of multiples of these fill the unit cube evenly (powers of the root of x^4 = x + 1, the cube's
-    // golden ratio): any number of lies is fair.
+    // golden ratio), for any number of positions.
     constexpr glm::dvec3 kEven(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
     const double exact = sweptMm3(sweep, bur, depthMm);
     SweepErrors errors{0.0, 0.0, 0.0};

@@ -81,7 +81,7 @@ glm::dvec2 turned(double rad, double length)
     return length * glm::dvec2(std::cos(rad), std::sin(rad));
 }
 
-/// A dark frame with patches in it: what a search for tags has to look into.
+/// Draws a dark frame with patches, which a search for tags has to examine.
 void drawPatches(Canvas& canvas, core::Rng& rng, const glm::dvec2& at)
 {
     const double turn = rng.uniform(0.0, 3.2);
@@ -96,7 +96,7 @@ void drawPatches(Canvas& canvas, core::Rng& rng, const glm::dvec2& at)
              static_cast<float>(rng.uniform(0, 240)));
 }
 
-/// Short dark strokes in rows, as of print.
+/// Draws short dark strokes in rows, like print.
 void drawLetters(Canvas& canvas, core::Rng& rng, const glm::dvec2& at)
 {
     const double size = rng.uniform(3.0, 14.0);
@@ -125,7 +125,7 @@ void drawClutter(Canvas& canvas, std::uint64_t seed)
         drawPatches(canvas, rng, place());
     for (int n = 0; n < 3; ++n)
         drawLetters(canvas, rng, place());
-    for (int n = 0; n < 20; ++n) {  // long bars, as shelves and cables are
+    for (int n = 0; n < 20; ++n) {  // long bars, like shelves and cables
         const double turn = rng.uniform(0.0, 3.2);
         fill(canvas, place(), turned(turn, rng.uniform(20, 200)), turned(turn + 1.57, rng.uniform(0.6, 4.0)), grey());
     }
@@ -145,7 +145,7 @@ std::vector<float> gauss(double sigma)
     return kernel;
 }
 
-/// Weighted mean of each pixel of a box and its neighbours in steps of `step`.
+/// Replaces each pixel of a box by the weighted mean of its neighbours in steps of `step`.
 void blur(Canvas& canvas, const Box& box, const std::vector<float>& kernel, const glm::ivec2& step)
 {
     const Canvas before = canvas;
@@ -159,7 +159,7 @@ void blur(Canvas& canvas, const Box& box, const std::vector<float>& kernel, cons
         }
 }
 
-/// Mean of each pixel of a box along a way through it.
+/// Replaces each pixel of a box by the mean along a way through it.
 void smear(Canvas& canvas, const Box& box, const glm::dvec2& wayPx)
 {
     const Canvas before = canvas;
@@ -183,7 +183,7 @@ void smear(Canvas& canvas, const Box& box, const glm::dvec2& wayPx)
         }
 }
 
-/// What a ray meets: print, paper, or nothing of the card.
+/// What a ray meets: print, paper, or no part of the card.
 class Card
 {
 public:
@@ -193,7 +193,7 @@ public:
           m_eye(-(m_toTag * tag.pose.positionMm))
     {}
 
-    /// Adds what a ray meets to a sum, if that is the card.
+    /// Adds the brightness that a ray meets to a sum, if it meets the card.
     bool meets(const glm::dvec2& direction, float& sum) const
     {
         const glm::dvec3 ray = m_toTag * glm::dvec3(direction, 1.0);
@@ -252,7 +252,7 @@ void drawTag(Canvas& canvas, const PrintedTag& tag, const TagScene& scene)
 {
     const Card card(tag);
     const Box box = boxOf(tag, card.halfMm(), scene);
-    // Directions of the corners of the pixels of two rows: between them they are as good as linear.
+    // Directions of the corners of the pixels of two rows: between them they are nearly linear.
     const auto rowOf = [&](int y) {
         std::vector<glm::dvec2> row;
         for (int x = box.left; x <= box.right; ++x)
@@ -290,7 +290,7 @@ void drawTag(Canvas& canvas, const PrintedTag& tag, const TagScene& scene)
     }
 }
 
-/// Light and noise, rounded to whole grey levels.
+/// Adds light and noise, and rounds to whole grey levels.
 void expose(const Canvas& canvas, const TagScene& scene, Picture& picture)
 {
     core::Rng rng(scene.grain);

@@ -60,7 +60,7 @@ void VoxelTooth::forEachRun(const VoxelBur& bur, const glm::dvec3& tip, Visit&& 
     const glm::dvec2 at = m_grid.latticeOf({tip.x, tip.y});
     const double reach = bur.radiusMm() / cell;
     const double reach2 = bur.radiusMm() * bur.radiusMm();
-    const double tipLayer = (tip.z - m_lowMm) / cell - 0.5;  // a layer's own number is that of its centres
+    const double tipLayer = (tip.z - m_lowMm) / cell - 0.5;  // the number of a layer is that of its centres
     const int firstRow = std::max(0, static_cast<int>(std::ceil(at.y - reach)));
     const int lastRow = std::min(m_grid.side - 1, static_cast<int>(std::floor(at.y + reach)));
     for (int j = firstRow; j <= lastRow; ++j) {
