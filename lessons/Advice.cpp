@@ -33,7 +33,7 @@ const Moment* worstOf(const std::vector<Moment>& moments)
     return worst == moments.end() ? nullptr : &*worst;
 }
 
-/// Returns how far the floor lies below the ideal one and above it, mm.
+/// Returns how far the floor is below the ideal one and above it, mm.
 std::pair<double, double> depthOf(const Measured& measured)
 {
     if (!measured.deviation || !measured.deviation->depth)
@@ -41,7 +41,7 @@ std::pair<double, double> depthOf(const Measured& measured)
     return {measured.deviation->depth->tooDeepMm.value, measured.deviation->depth->tooShallowMm.value};
 }
 
-/// Returns how far the outline lies outside the ideal one and inside it, mm.
+/// Returns how far the outline is outside the ideal one and inside it, mm.
 std::pair<double, double> outlineOf(const Measured& measured)
 {
     if (!measured.deviation || !measured.deviation->outline)
@@ -49,7 +49,7 @@ std::pair<double, double> outlineOf(const Measured& measured)
     return {measured.deviation->outline->overMm.value, measured.deviation->outline->underMm.value};
 }
 
-/// Returns how much of the ideal preparation still stands, per cent.
+/// Returns how much of the ideal preparation is not cut, per cent.
 double leftPercent(const Measured& measured)
 {
     if (!measured.deviation || measured.deviation->idealMm3 <= 0.0)
@@ -66,7 +66,7 @@ Finding pitFinding(const Measured& measured, double value)
     return {worst->meanMm < 0.0 ? Rule::PitTooDeep : Rule::PitTooShallow, value, worst->depthMm};
 }
 
-/// Where enamel alone was to be cut, a floor that is too deep or too shallow means dentin cut or enamel left.
+/// Turns a floor that is too deep or too shallow into dentin cut or enamel left, if only enamel had to be cut.
 Finding toTheJunction(const Finding& finding, const Measured& measured)
 {
     constexpr auto kDentin = static_cast<std::size_t>(core::terrain::Material::Dentin);
@@ -77,7 +77,7 @@ Finding toTheJunction(const Finding& finding, const Measured& measured)
     return finding;
 }
 
-/// Advice that depends on the measure alone; the amount is what was measured.
+/// Advice that depends only on the measure; its amount is the measured value.
 constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"soft_left_percent", Rule::SoftDecayLeft},
                                                             {"leathery_left_mm2", Rule::LeatheryLeft},
                                                             {"perforated_mm2", Rule::Perforated},
@@ -98,7 +98,7 @@ constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"soft_left_percent"
                                                             {"layers_named_percent", Rule::NotNamed},
                                                             {"removed_mm3", Rule::CutInExercise}};
 
-/// @param feed  of the bur when most was lost, mm/s
+/// @param feed  of the bur when most points were lost, mm/s
 std::optional<Finding> findingOf(const Criterion& line, const Measured& measured, double feed)
 {
     if (line.isTooEarly)
@@ -116,7 +116,7 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
         return Finding{Rule::NearPulp, value};
     if (isOneOf(id, {"pulp_", "remaining_over_pulp"}))
         return fastOr(Rule::PulpOpenedFast, Rule::PulpOpened, 0.0);
-    // Decay that may stay in part.
+    // The lesson allows some decay to stay.
     const bool hasZones = measured.lesion && measured.lesion->zones;
     if (hasZones && id == "caries_at_junction_mm2")
         return Finding{Rule::LeftAtJunction, value};

@@ -19,7 +19,7 @@ const QString kFormatKey = QStringLiteral("format");
 const QString kTitle = QStringLiteral("title");
 constexpr const char* kTooLarge = QT_TRANSLATE_NOOP("Fault", "has %1; a lesson has at most %2");
 
-/// Puts one object over another: what is null goes, objects are merged, everything else is replaced (RFC 7386).
+/// Merges one object into another (RFC 7386): a null removes a key, objects are merged, and any other value replaces.
 QJsonObject merged(QJsonObject base, const QJsonObject& over)
 {
     for (auto entry = over.begin(); entry != over.end(); ++entry) {
@@ -33,11 +33,12 @@ QJsonObject merged(QJsonObject base, const QJsonObject& over)
     return base;
 }
 
-/// The keys that an object of a sound JSON text has twice, as it spells them: of two Qt keeps one, and says nothing.
+/// Returns the keys that occur twice in an object of a valid JSON text, in its spelling. Qt keeps one of the two
+/// without an error.
 QStringList keysSaidTwice(const QByteArray& json)
 {
     QStringList twice;
-    std::vector<QSet<QByteArray>> open;  // the keys of each object or list that we are in
+    std::vector<QSet<QByteArray>> open;  // keys of each open object or list
     QByteArray text;
     for (qsizetype k = 0; k < json.size(); ++k) {
         const char letter = json[k];
@@ -59,7 +60,7 @@ QStringList keysSaidTwice(const QByteArray& json)
     return twice;
 }
 
-/// As Qt says it, whatever language the program speaks.
+/// Returns Qt's English text of an error, whatever the language of the program.
 const char* parseFault(QJsonParseError::ParseError error)
 {
     switch (error) {
@@ -95,7 +96,7 @@ const char* parseFault(QJsonParseError::ParseError error)
     return QT_TRANSLATE_NOOP("Fault", "illegal value");
 }
 
-/// Whether an object has such a key ("rubric.criteria[2].weight").
+/// Returns whether an object has such a key ("rubric.criteria[2].weight").
 bool has(const QJsonObject& object, const QString& key)
 {
     QJsonValue value = object;
@@ -215,7 +216,7 @@ std::optional<Gathered> JsonFiles::gather(const QString& file, const QString& na
     else
         object = read(file, faults);
     for (ValidationIssue& fault : faults) {
-        // Who named the file has to mend what is wrong with all of it.
+        // The author of the naming file has to fix the whole fault.
         if (fault.key.isEmpty() && !namedIn.isEmpty())
             fault = {namedIn, kBasedOn, {"%1: %2", {noted(QFileInfo(file).fileName()), fault.what}}, true};
         m_faults.push_back(std::move(fault));
@@ -239,10 +240,10 @@ std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QS
     auto under = gather(baseFile, file, way);
     if (!under)
         return std::nullopt;
-    under->whole.remove(kFormatKey);  // each file says its own
+    under->whole.remove(kFormatKey);  // each file has its own
     for (auto& [name, part] : under->parts)
         part.remove(kFormatKey);
-    // In a language that a name leaves out it is not called as what it is based on.
+    // In a language without a title, the title of the base must not appear.
     if (object.value(kTitle).isObject())
         under->whole.remove(kTitle);
     under->whole = merged(under->whole, object);

@@ -14,10 +14,10 @@ namespace {
 constexpr qsizetype kLongestText = 4000;
 constexpr qsizetype kMostLanguages = 40;
 constexpr qsizetype kMostNames = 40;
-/// So many letters may differ for one key to be taken for a slip of another.
+/// Most letters that may differ for a key to count as a misspelling of another.
 constexpr int kSlip = 3;
 
-/// With all its digits where it is whole, as a version is.
+/// Returns a number with all its digits if it is whole, like a version.
 core::LocalizableText written(double number)
 {
     constexpr double kWrittenOut = 1.0e15;
@@ -25,7 +25,7 @@ core::LocalizableText written(double number)
     return isWhole ? noted(QString::number(number, 'f', 0)) : noted(number);
 }
 
-/// How many letters have to be changed, put in or left out to make b of a (Levenshtein).
+/// Returns the number of letters to change, insert or remove to turn a into b (Levenshtein).
 int lettersApart(const QString& a, const QString& b)
 {
     std::vector<int> row(static_cast<std::size_t>(b.size()) + 1);
@@ -42,7 +42,8 @@ int lettersApart(const QString& a, const QString& b)
     return row.back();
 }
 
-/// Not their halves: beyond the first plane of Unicode, where rare kanji stand, a letter takes two places.
+/// Returns the number of letters. Beyond the first plane of Unicode, for example in rare kanji, a letter has two code
+/// units.
 qsizetype lettersIn(const QString& text)
 {
     return text.toUcs4().size();
@@ -68,7 +69,8 @@ core::LocalizableText kindOf(const QJsonValue& value)
     return {QT_TRANSLATE_NOOP("Fault", "null")};
 }
 
-/// Control characters, but for the ends of lines and tabs, and those that turn the direction of what follows.
+/// Returns whether a character is invisible: a control character, except line ends and tabs, or one that changes the
+/// direction of the text.
 bool isHidden(QChar c)
 {
     const char16_t code = c.unicode();

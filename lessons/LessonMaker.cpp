@@ -55,7 +55,7 @@ bool checkFormat(JsonKeys& keys)
     return format == kLessonFormat;
 }
 
-/// SHA-256 of a file beside the lesson; empty, and a fault, if it cannot be read.
+/// Returns the SHA-256 of a file beside the lesson; empty, with a fault, if it cannot be read.
 std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
 {
     QFile file(path);
@@ -73,10 +73,10 @@ std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
 }
 
 constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
-/// A preset's with its version and hash.
+/// Length of a preset's name with its version and hash.
 constexpr qsizetype kLongestHardnessName = kLongestPresetName + 90;
 
-/// Turns the whole object of a lesson into a Lesson.
+/// Makes a Lesson from the whole object.
 class LessonMaker
 {
 public:
@@ -87,7 +87,7 @@ public:
     Lesson make(const QString& rubricFile)
     {
         Lesson lesson;
-        static_cast<void>(m_keys.has("$schema"));  // editors look there
+        static_cast<void>(m_keys.has("$schema"));  // for editors
         if (!checkFormat(m_keys))
             return lesson;
         lesson.id = takeId(m_keys);
@@ -196,7 +196,7 @@ private:
         return block;
     }
 
-    /// The numbers that a lesson sets otherwise than usual, each within its range.
+    /// Takes the sizes that a lesson sets, each within its range.
     template <class Design>
     static std::map<std::string, double> sizesOf(JsonKeys& owner, std::span<const core::NumberField<Design>> fields)
     {
@@ -251,7 +251,7 @@ private:
         return scan;
     }
 
-    /// Where a file that the lesson names lies, and its hash, which goes into the lesson's own.
+    /// Takes the path of a file that the lesson names, and its hash, which becomes part of the lesson's.
     void takeFile(JsonKeys& keys, const char* key, const QString& parent, const QString& name, std::string& path,
                   std::string& hash)
     {
@@ -305,7 +305,8 @@ private:
         return asked;
     }
 
-    /// The file goes into the text of the lesson, so that a recording can be marked again wherever it is.
+    /// Takes a captured ideal. The file is copied into the text of the lesson, so that a recording can be graded again
+    /// anywhere.
     Captured takeCaptured(JsonKeys& keys)
     {
         Captured captured;
@@ -382,8 +383,8 @@ private:
         }
     }
 
-    /// A preset's file beside the lesson. What it says of this tooth goes into the text of the lesson, so that a
-    /// recording knows it wherever it is.
+    /// Takes a preset's file beside the lesson. Its values for this tooth are copied into the text of the lesson, so
+    /// that a recording has them anywhere.
     void takePreset(Lesson& lesson, const QString& name)
     {
         const QString path = m_files->find(m_file, QStringLiteral("hardness"), name);
@@ -407,7 +408,7 @@ private:
                          QJsonObject{{"rate_mm3_per_ns", lesson.hardness->material[m].rateMm3PerNs},
                                      {"threshold_n", lesson.hardness->material[m].thresholdN}});
         m_whole.insert(QStringLiteral("hardness"), whole);
-        m_whole.remove(QStringLiteral("caries"));  // it says which rows of the preset these are
+        m_whole.remove(QStringLiteral("caries"));  // it names the rows of the preset
         m_whole.remove(QStringLiteral("plastic"));
     }
 
@@ -418,8 +419,8 @@ private:
                                                  "\"caries\" and \"plastic\"")});
     }
 
-    /// The school's, of which the lesson says the rows; or "natural", or one of those with other figures for some of
-    /// its materials.
+    /// Takes the hardness: the school's preset, with the rows that the lesson names; or "natural", or a named one with
+    /// other values for some materials.
     void takeHardness(Lesson& lesson)
     {
         lesson.kind.isPlastic = m_keys.flag("plastic", false);
@@ -467,7 +468,7 @@ private:
             material->nameTheRest();
         }
         using core::settings::kMinShare;
-        if (keys->has("axial_share"))  // lessons that were written before the other two mean every bur and any load
+        if (keys->has("axial_share"))  // in lessons written before the other two, it applies to every bur and load
             lesson.hardness = core::settings::withoutEndsAndFullLoad(std::move(*lesson.hardness));
         lesson.hardness->axialShare = keys->number("axial_share", kMinShare, 1.0, "", lesson.hardness->axialShare);
         lesson.hardness->flatEndShare =
@@ -557,7 +558,7 @@ private:
         rules->nameTheRest();
     }
 
-    /// What no single key tells.
+    /// Checks what depends on several keys.
     void checkWhole(const Lesson& lesson)
     {
         const bool isBlock = std::holds_alternative<Block>(lesson.tooth);
@@ -586,7 +587,7 @@ private:
             m_keys.fault("aids", {QT_TRANSLATE_NOOP("Fault", "layers are told apart without any; leave the key out")});
     }
 
-    /// Whether it was captured on this tooth. Of a scan that is known when it is read.
+    /// Checks that the ideal was captured on this tooth. For a scan, that is known only when it is read.
     void checkCaptured(const Lesson& lesson, const Captured& captured)
     {
         const auto* const made = std::get_if<MadeTooth>(&lesson.tooth);
@@ -602,7 +603,7 @@ private:
                            core::noted(ideal->tooth), noted(ideal->seed), noted(ideal->grid.side)}});
     }
 
-    /// Whether this ideal can be made on this tooth.
+    /// Checks that this ideal can be made on this tooth.
     void checkKind(const Lesson& lesson)
     {
         if (lesson.ideal->captured)

@@ -23,7 +23,7 @@
 namespace lessons {
 namespace {
 
-/// Base64 takes a third more, and names and hashes need room.
+/// Base64 takes a third more, and names and hashes need space.
 constexpr qint64 kLargestJsonBytes = kLargestPackBytes / 3 * 4 + qint64{1024} * 1024;
 const QStringList kSuffixes{QStringLiteral("json"),    QStringLiteral("cuspideal"), QStringLiteral("stl"),
                             QStringLiteral("obj"),     QStringLiteral("ply"),       QStringLiteral("mtl"),
@@ -47,7 +47,7 @@ QString hashOf(const QByteArray& content)
     return QString::fromLatin1(QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex());
 }
 
-/// Whether a file of a pack may be called so: on any system, and nothing that a program would run.
+/// Returns whether a file of a pack may have this name: valid on any system, and not executable.
 bool isNameInPack(const QString& name)
 {
     if (!isNameBeside(name) || !kSuffixes.contains(QFileInfo(name).suffix().toLower()))
@@ -61,7 +61,7 @@ bool isNameInPack(const QString& name)
     });
 }
 
-/// A name that may be anything, as a sentence can show it.
+/// Returns any name in a form that a sentence can show.
 QString shown(const QString& name)
 {
     QString safe = name.left(80);
@@ -138,7 +138,7 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
             return refused(core::ErrorCode::BadStructure, "%1. Only a lesson that can be given is packed.",
                            {grave->sentence()});
         }
-        // A scan is looked at when its tooth is made.
+        // A scan is checked when its tooth is made.
         if (std::holds_alternative<Scan>(read.lesson->tooth))
             if (const auto assigned = assign(*read.lesson); !assigned)
                 return tl::unexpected(assigned.error());
@@ -260,7 +260,7 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
         const QString path = into.filePath(file->name);
         core::Status written = writeInto(path, file->content);
         if (!written) {
-            // A disk that is full half-way: half of a pack would be in the way of the next try.
+            // If the disk is full half-way, the first part of a pack would block the next try.
             for (const QString& other : made)
                 QFile::remove(other);
             return written;
@@ -286,10 +286,10 @@ core::Result<QString> openPack(const QString& file)
                 return holds(QDir(folder).filePath(packed.name), packed.content);
             }))
             return folder;
-        // Who cleans caches takes single files, and anyone may write into one.
+        // A cleaner of caches may remove single files, and any program may change one.
         QDir(folder).removeRecursively();
     }
-    // Whole or not at all: another Cusp may look meanwhile.
+    // All or none of it: another Cusp may read it meanwhile.
     QDir().mkpath(cache.path());
     QTemporaryDir beside(cache.filePath(QStringLiteral("part-XXXXXX")));
     const core::Status put =

@@ -66,7 +66,7 @@ std::optional<QJsonObject> objectIn(const QString& path)
     return QJsonDocument::fromJson(file.read(kLargestLessonBytes)).object();
 }
 
-/// The file that a lesson may be based on, from the folder: its own name there, or that of one we ship.
+/// Returns the file that a lesson may be based on, as named in the folder or among the shipped ones.
 core::Result<QString> baseOf(const QString& from, const QString& folder)
 {
     if (isNameBeside(from) && QFileInfo(QDir(folder).filePath(from)).isFile())
@@ -107,19 +107,19 @@ QJsonObject toothOf(const NewLesson& wishes)
         tooth.insert(QStringLiteral("fdi"), wishes.fdi.value_or(kUsualTooth));
     else
         tooth.insert(QStringLiteral("block"), wishes.block);
-    // Without one the layers of a block come in another order each time.
+    // Without a seed, the layers of a block have another order each time.
     if (wishes.seed || wishes.block.isEmpty())
         tooth.insert(QStringLiteral("seed"), wishes.seed.value_or(0));
     return tooth;
 }
 
-/// A premolar keeps thinner ridges than a molar.
+/// Returns the rubric of a Class I: a premolar keeps thinner ridges than a molar.
 const char* classOneRubric(int fdi)
 {
     return fdi % 10 == 4 || fdi % 10 == 5 ? "class1_premolar" : "class1";
 }
 
-/// The kind of ideal that is usual for a tooth, and the rubric for it.
+/// Returns the usual kind of ideal for a tooth, and its rubric.
 core::Result<std::pair<QString, QString>> kindFor(int fdi)
 {
     using core::preparation::Kind;
@@ -132,7 +132,7 @@ core::Result<std::pair<QString, QString>> kindFor(int fdi)
     return refused(QStringLiteral("no ideal is made for tooth %1; give a captured one, or remove decay").arg(fdi));
 }
 
-/// The captured ideal, with its tolerances in a rubric of the lesson's own.
+/// Names the captured ideal in the lesson, with its tolerances in a rubric of the lesson's own.
 core::Status nameCaptured(QJsonObject& object, const QString& captured, const QString& folder, bool isBased)
 {
     const QString path = QDir(folder).filePath(captured);

@@ -13,11 +13,11 @@ namespace {
 
 using core::servo::ServoEvent;
 
-constexpr std::uint64_t kTicksAMark = 1000;  ///< in a stroke that goes on
-constexpr std::uint64_t kTicksALook = 10;    ///< at time, force and the like
+constexpr std::uint64_t kTicksAMark = 1000;  ///< in a stroke that continues
+constexpr std::uint64_t kTicksALook = 10;    ///< between two checks of time, force and the like
 constexpr double kFeedOverS = 0.1;           ///< the feed is averaged over this time
 
-/// The tenths that are lost now, each with the moment since when it has been: those lost last are won back first.
+/// The tenths lost so far, each with the time of its loss. When points are regained, the last lost come back first.
 class Losses
 {
 public:
@@ -44,8 +44,8 @@ private:
     int m_sum = 0;
 };
 
-/// What a criterion has lost by what was done, for telling more from less: a critical one has failed or not. Whether it
-/// can be earned at all is looked at in the end.
+/// Returns what a criterion has lost by the work so far, to compare two moments: a critical one has failed or not.
+/// Whether its points can be earned at all is decided at the end.
 int lostBy(const Criterion& line, Verdict verdict)
 {
     if (line.critical)
@@ -59,7 +59,7 @@ bool isOfTheWay(const std::string& measure)
     return known && core::grading::isOfProcess(*known);
 }
 
-/// Marks an attempt again and again while it is replayed.
+/// Grades an attempt repeatedly while it is replayed.
 class Ledger
 {
 public:
@@ -109,7 +109,7 @@ public:
     {
         if (auto marked = endPart(); !marked)
             return tl::unexpected(marked.error());
-        // Whatever else has changed since the last look did so by now.
+        // Other changes since the last check have happened by now.
         if (auto marked = markNow({Moment::Kind::Way, 0, m_servo.tick(), secondsNow(), 0}); !marked)
             return tl::unexpected(marked.error());
         PointLossTimeline result;
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// All that depends on the tooth, as it was after a tick that is gone back to.
+    /// The state that depends on the tooth, after a tick to which the attempt returns.
     struct Kept
     {
         std::vector<Losses> losses;
@@ -241,7 +241,7 @@ private:
             kept->second = Kept{m_losses, m_measured};
     }
 
-    /// The tooth is as it was after that tick, and so is what the tooth has cost. Time and force stay.
+    /// Restores the tooth, and its losses, to the state after that tick. Time and force stay.
     void goBackTo(std::uint64_t tick)
     {
         const Kept& then = m_kept.at(tick);
@@ -257,12 +257,12 @@ private:
     core::session::LiveAssessor m_examiner;
     core::servo::StrokeDetector m_watch;
     Rubric m_wayRubric;                    ///< the criteria that a tick without a cut can change
-    std::vector<std::size_t> m_wayPlaces;  ///< where they stand in the whole rubric
+    std::vector<std::size_t> m_wayPlaces;  ///< their places in the whole rubric
     std::vector<Losses> m_losses;          ///< by criterion
-    ScoreSheet m_sheet;                    ///< when the tooth was marked last
+    ScoreSheet m_sheet;                    ///< of the last time the tooth was graded
     core::grading::Measured m_measured;
     std::map<std::uint64_t, Kept> m_kept;  ///< by tick
-    std::optional<Moment> m_part;          ///< what has been cut since then began here
+    std::optional<Moment> m_part;          ///< start of the cuts since then
     std::chrono::microseconds m_time{0};
     int m_strokes = 0;
     double m_feedFromMm = 0.0;  ///< height of the bur at the beginning of the present tenth of a second

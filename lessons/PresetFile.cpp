@@ -71,7 +71,7 @@ void takeNumbers(JsonKeys& keys, FeelPreset& preset)
             group->nameTheRest();
 }
 
-/// "caries" stands for both kinds of it.
+/// Returns whether the file has a field. "caries" stands for both kinds of caries.
 bool says(const QJsonObject& whole, const Field& field)
 {
     const QString group = groupOf(field);
@@ -83,7 +83,7 @@ bool says(const QJsonObject& whole, const Field& field)
            (isCaries && whole.value(QLatin1String(kBothCaries)).toObject().contains(key));
 }
 
-/// The fields that format 2 brought. A file that says nothing of them is whole, and is cut as it was in format 1.
+/// Returns whether a field was added by format 2. A file without these fields is complete, and cuts as in format 1.
 bool isOfFormat2(const Field& field)
 {
     return field.value == &FeelPreset::flatEndShare || field.value == &FeelPreset::fullLoadN;
@@ -111,7 +111,7 @@ QStringList leftOutOf(const QJsonObject& whole)
     return left;
 }
 
-/// A name stands in one line of a table.
+/// Returns whether a name fits in one line of a table.
 bool isOneLine(const std::string& name)
 {
     return std::none_of(name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; });
@@ -200,7 +200,7 @@ ReadPreset readPreset(const QString& path)
 
 core::Status checkPreset(const FeelPreset& preset)
 {
-    // What can be written can be read back.
+    // A preset that can be written must be readable.
     const ReadPreset read = readPresetText(QJsonDocument(toJson(preset)).toJson(), QString::fromStdString(preset.name));
     if (read.preset)
         return {};

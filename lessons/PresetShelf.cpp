@@ -14,10 +14,10 @@ namespace {
 using core::settings::FeelPreset;
 
 constexpr int kTries = 16;
-/// Files of a folder that are looked at: nobody makes so many, and a folder of strangers shall not be read for hours.
+/// Most files of a folder that are read: no school has so many, and a foreign folder must not take hours.
 constexpr qsizetype kMostPresets = 2000;
 
-/// What a file may be called anywhere, and which two different names do not share.
+/// Returns a file name that is valid everywhere and that two different names do not share.
 QString fileNameOf(const FeelPreset& preset)
 {
     QString plain;
@@ -36,7 +36,7 @@ FeelPreset besideOwn(FeelPreset shipped, const std::vector<ReadPreset>& kept)
         return read.preset && read.preset->name == shipped.name && read.preset->version == shipped.version &&
                read.preset->hash != shipped.hash;
     };
-    if (shipped.version == 1)  // which came with the first Cusp
+    if (shipped.version == 1)  // it came with the first Cusp
         return shipped;
     while (std::any_of(kept.begin(), kept.end(), isTaken)) {
         ++shipped.version;
@@ -155,7 +155,7 @@ core::Result<FeelPreset> PresetFolder::save(const FeelPreset& preset) const
         const QString part = file + QStringLiteral(".part");
         if (auto written = writePreset(part, placed->preset); !written)
             return tl::unexpected(written.error());
-        if (QFile::rename(part, file))  // which puts nothing over a file that is there
+        if (QFile::rename(part, file))  // rename() does not replace an existing file
             return placed->preset;
         QFile::remove(part);
         if (!QFileInfo::exists(file))

@@ -11,11 +11,11 @@
 namespace lessons {
 namespace {
 
-/// What is no larger comes from rounding and is no error: in units of the measure, and of the numbers that went in.
+/// Largest difference that counts as rounding, in units of the measure and of its inputs.
 constexpr double kRoundingUnits = 1.0e-9;
 constexpr double kRoundingShare = 1.0e-14;
 
-/// Says where, and what is wrong there.
+/// Returns an error that names the place of the fault.
 tl::unexpected<core::Error> wrong(core::ErrorCode code, const Rubric& rubric, const CriterionRule& rule,
                                   const char* key, core::LocalizableText what)
 {
@@ -78,7 +78,7 @@ double tolerated(const CriterionRule& rule, const Values& values)
     return rule.tolerance + rule.allowance->each * std::max(0.0, scale);
 }
 
-/// How far a value is off its target on the side that counts.
+/// Returns how far a value is off its target on the side that counts.
 double offTarget(const CriterionRule& rule, double value)
 {
     switch (rule.side) {
@@ -92,7 +92,7 @@ double offTarget(const CriterionRule& rule, double value)
     return std::abs(value - rule.target);
 }
 
-/// An error as a share of the span; 1 where nothing was measured, for nothing unmeasured earns points.
+/// Returns an error as a share of the span; 1 if there is no measurement, because only measured values earn points.
 double shareOf(const Criterion& line)
 {
     if (!line.measured)
@@ -102,7 +102,7 @@ double shareOf(const Criterion& line)
     return line.span > 0.0 ? std::min(1.0, line.error / line.span) : 1.0;
 }
 
-/// What comes from rounding, for numbers as large as these.
+/// Returns the rounding error of numbers as large as these.
 double roundingOf(double sum)
 {
     return std::max(kRoundingUnits, kRoundingShare * sum);
@@ -135,13 +135,13 @@ Criterion judge(const CriterionRule& rule, const Values& values)
             !line.onceMeasured || rule.once->reaches - *line.onceMeasured >
                                       roundingOf(std::abs(*line.onceMeasured) + std::abs(rule.once->reaches));
     }
-    // Too early to earn anything, and too early to have failed.
+    // Too early to earn points, and too early to have failed.
     const double tooEarly = line.critical ? 0.0 : 1.0;
     line.share = line.isTooEarly ? tooEarly : shareOf(line);
     return line;
 }
 
-/// What the points that are left are limited to by the critical errors: the lowest limit takes all that lies above it.
+/// Limits the remaining points by the critical errors: the lowest limit takes all points above it.
 int limited(int left, std::vector<Criterion>& lines)
 {
     Criterion* lowest = nullptr;

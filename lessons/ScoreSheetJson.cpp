@@ -46,7 +46,7 @@ std::optional<Side> sideOf(const QString& name)
     return std::nullopt;
 }
 
-/// Reads what has to be there, and remembers whether it was.
+/// Reads required keys, and remembers whether they were there.
 class Keys
 {
 public:
@@ -68,7 +68,7 @@ public:
         return text;
     }
     QJsonArray list(QLatin1String key) { return need(key, QJsonValue::Array).toArray(); }
-    /// Nothing where it says so.
+    /// Returns a value; empty if the key is null.
     std::optional<double> measure(QLatin1String key)
     {
         const QJsonValue value = m_object.value(key);
@@ -89,7 +89,7 @@ private:
     bool m_areThere = true;
 };
 
-/// A sheet does not say it: it is that of the measure.
+/// Returns the unit of a measure, which a sheet does not contain.
 std::string unitOf(const std::string& measure)
 {
     const auto known = core::grading::findMeasure(measure);
