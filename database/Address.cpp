@@ -22,7 +22,8 @@ QString decoded(const QString& part)
     return QUrl::fromPercentEncoding(part.toUtf8());
 }
 
-/// Where a link leads: -wal and -shm, backups and the station's key lie beside the file itself, whatever it is called.
+/// Returns the target of a link: -wal and -shm, backups and the station's key are beside the file itself, whatever its
+/// name.
 QString linkedFile(const QString& name)
 {
     const QFileInfo file(name);

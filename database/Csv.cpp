@@ -23,7 +23,7 @@ char separatorOf(std::string_view firstLine)
     return best;
 }
 
-/// Signs, not bytes: those that go on with a sign are not counted.
+/// Returns the number of characters, not bytes: continuation bytes are not counted.
 std::size_t signsIn(std::string_view text)
 {
     constexpr unsigned kMore = 0x80;
@@ -35,7 +35,7 @@ std::size_t signsIn(std::string_view text)
 /// In bytes.
 constexpr std::size_t kLongestSign = 4;
 
-/// Where the first line that is no text stops being one.
+/// Returns the first place that is not valid text, if there is one.
 std::optional<CsvFault> noTextIn(std::string_view bytes)
 {
     const auto isText = [](std::string_view part) {
@@ -55,7 +55,8 @@ std::optional<CsvFault> noTextIn(std::string_view bytes)
     return {};
 }
 
-/// What a spreadsheet reads as one. Those of full width count in Japanese and Chinese ones.
+/// Returns whether a spreadsheet would read a text as a formula. Japanese and Chinese ones accept full-width signs as
+/// well.
 bool beginsFormula(std::string_view text)
 {
     constexpr std::array<std::string_view, 10> kBeginnings{"=",  "+",      "-",      "@",      "\t",

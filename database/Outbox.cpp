@@ -31,7 +31,7 @@ const QString kEnding = QStringLiteral(".attempt");
 const QString kExamEnding = QStringLiteral(".exam");
 const QString kArrived = QStringLiteral("arrived");
 
-/// The texts of a record, in the order of the file.
+/// Returns the texts of a record, in the order of the file.
 template <class Record>
 auto textsOf(Record& r)
 {
@@ -84,7 +84,8 @@ bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
     return bytes.ok();
 }
 
-/// As this program writes them; any other would hold up those behind it, since no database takes it.
+/// Returns whether a letter has the form that this program writes. No database takes any other, so it would block the
+/// letters behind it.
 bool isFit(const std::string& uid, const std::vector<const std::string*>& texts)
 {
     return uid.size() == kUidLength && std::none_of(texts.begin(), texts.end(), [](const std::string* text) {
@@ -101,7 +102,7 @@ bool isFit(AttemptRecord& attempt)
     return isFit(attempt.uid, texts);
 }
 
-/// Oldest first.
+/// Returns the letters of a folder, oldest first.
 QStringList lettersIn(const QString& folder)
 {
     QStringList files;
@@ -112,7 +113,7 @@ QStringList lettersIn(const QString& folder)
     return files;
 }
 
-/// One of that name there is the same attempt, and is replaced.
+/// Moves a letter to a folder. A file of the same name there is the same attempt, and is replaced.
 bool move(const QString& file, const QString& folder)
 {
     makeOwnFolder(folder);
@@ -133,7 +134,8 @@ core::Error damaged(const QString& file)
     return refused(ErrorCode::BadStructure, file, "it is damaged; it is kept in the folder \"damaged\"");
 }
 
-/// Of one that could not be read: why. Looked at afterwards, since two programs of one user deliver what waits there.
+/// Returns why a letter could not be read. It is checked afterwards, because another program of the same user may have
+/// delivered it.
 core::Error unreadable(const QString& file)
 {
     const QFileInfo now(file);

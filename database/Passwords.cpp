@@ -34,13 +34,13 @@ double threadMs()
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-/// The same letters typed on another keyboard are the same password.
+/// Returns the normal form of a password, so that the same letters from another keyboard are the same password.
 QByteArray normal(const std::string& password)
 {
     return QString::fromStdString(password).normalized(QString::NormalizationForm_KC).toUtf8();
 }
 
-/// What a hash says that it cost; nothing: it is none.
+/// Returns the cost of a hash; empty if it is no hash.
 std::optional<PasswordCost> costOf(const std::string& hash)
 {
     static const QRegularExpression kCost(QStringLiteral(R"(^\$argon2id\$v=19\$m=(\d{1,9}),t=(\d{1,9}),)"));
@@ -83,7 +83,7 @@ const QStringList kRows{"0123456789012345", "abcdefghijklmnopqrstuvwxyz",
                         "azertyuiop",       "asdfghjklöä",
                         "zxcvbnm",          "yxcvbnm"};
 
-/// Without digits and signs at either end.
+/// Removes digits and signs at both ends.
 QString wordIn(const QString& text)
 {
     qsizetype from = 0;
@@ -95,7 +95,7 @@ QString wordIn(const QString& text)
     return text.mid(from, to - from);
 }
 
-/// Letters for the signs that stand for them: "p@ssw0rd".
+/// Replaces signs by the letters that they are used for: "p@ssw0rd".
 QString spelled(QString text)
 {
     for (const auto& [sign, letter] :
@@ -113,7 +113,8 @@ bool isInARow(const QString& text)
                        [&](const QString& row) { return row.contains(text) || row.contains(back); });
 }
 
-/// What who guesses begins with (NIST SP 800-63B, 5.1.1.2: common words, repetitions, sequences, the user's name).
+/// Returns whether a password is among the first guesses (NIST SP 800-63B, 5.1.1.2: common words, repetitions,
+/// sequences, the user's name).
 /// @param given, username  in lower case
 bool isTriedFirst(const QString& given, const QString& username)
 {

@@ -13,8 +13,7 @@ constexpr Reach kOwn = Reach::Own;
 constexpr Reach kClasses = Reach::Classes;
 constexpr Reach kAll = Reach::All;
 
-/// Guest, student, instructor, admin; in the order of Operation. An admin keeps the school going and marks nobody's
-/// work.
+/// Guest, student, instructor, admin; in the order of Operation. An admin runs the school but marks no work.
 constexpr std::array<std::array<Reach, kRoles>, kOperations> kTable{{
     {kNone, kOwn, kOwn, kOwn},          // ChangeOwnPassword
     {kNone, kNone, kClasses, kAll},     // ListPeople

@@ -20,7 +20,7 @@ const unsigned char* bytesOf(std::string_view words)
     return reinterpret_cast<const unsigned char*>(words.data());
 }
 
-/// As this program writes it, in small letters: what has become other bytes is not the same.
+/// Reads bytes as this program writes them, in lower-case hex digits. Any other form is refused.
 template <std::size_t N>
 bool takeHex(const std::string& hex, std::array<unsigned char, N>& bytes)
 {

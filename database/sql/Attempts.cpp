@@ -172,7 +172,7 @@ core::Result<QVariant> insertRow(const DatabaseContext& school, const AttemptRec
                kAdd, values);
 }
 
-/// What a lesson's standing says after one more attempt.
+/// Updates the standing in a lesson for one more attempt.
 core::Status countIn(const DatabaseContext& school, PersonId person, const AttemptRecord& attempt)
 {
     return execute(school.db,
@@ -190,7 +190,7 @@ core::Status countIn(const DatabaseContext& school, PersonId person, const Attem
                     text(attempt.finishedUtc)});
 }
 
-/// Inside a transaction.
+/// Inserts an attempt, inside a transaction.
 core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, const std::string& actor,
                                const AttemptRecord& attempt, const QByteArray& recording)
 {
@@ -238,7 +238,7 @@ core::Status checkUid(const AttemptRecord& attempt)
     return core::unexpected(ErrorCode::BadStructure, "the attempt has no number of its own");
 }
 
-/// Whose an attempt is.
+/// Returns the person who made an attempt.
 core::Result<PersonId> ownerOf(const DatabaseContext& school, AttemptId id)
 {
     auto row = run(school.db, "SELECT person_id FROM attempts WHERE id = ?", kReadAttempts, {number(id.value)});
@@ -278,7 +278,7 @@ core::Result<std::string> checkWords(const std::string& words, const char* what)
     return trimmed.toStdString();
 }
 
-/// Of one person at one lesson, anew from the attempts.
+/// Computes the standing of one person in one lesson anew from the attempts.
 core::Status recount(const DatabaseContext& school, AttemptId id)
 {
     return execute(

@@ -19,7 +19,7 @@ namespace {
 const std::string kNote = "note it in the audit";
 const std::string kRead = "read the audit";
 constexpr std::size_t kCodeDigits = 12;
-/// No school has as many rows: numbers beyond this were put there by somebody, and the next row needs one, too.
+/// No school has as many rows. A larger number is false, and the next row needs one as well.
 constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 const QString kNoAttempt = QStringLiteral("AND action NOT IN ('attempt.add', 'exam.begin')");
@@ -35,9 +35,9 @@ AuditRow rowOf(const QSqlQuery& query)
             textOf(query, 6)};
 }
 
-/// Noted where the chain was found to end otherwise than was signed.
+/// Noted if the chain ends differently from its signature.
 const std::string kBroken = "audit.broken";
-/// Noted before the first row that a station signs, with its key. Each chain begins so.
+/// Noted, with its key, before the first row that a station signs. Each chain begins with it.
 const std::string kJoin = "station.join";
 
 std::string stationOf(const std::string& key)
@@ -55,7 +55,7 @@ IntegrityIssue about(const AuditRow& row, const char* words)
     return {words, {std::to_string(row.seq), row.atUtc, row.action, row.object}};
 }
 
-/// What is wrong with a row that does not follow from the one before it.
+/// Returns the fault of a row that does not follow from the one before it.
 std::optional<IntegrityIssue> faultOf(const AuditRow& row, const AuditRow& before)
 {
     if (row.seq > before.seq + 1)
@@ -72,7 +72,7 @@ std::optional<IntegrityIssue> faultOf(const AuditRow& row, const AuditRow& befor
     return {};
 }
 
-/// The same of a row and the signed head.
+/// Returns the fault of a row against the signed head.
 std::optional<IntegrityIssue> faultBySeal(const AuditRow& row, const AuditHead& head)
 {
     if (row.seq > head.seq)
@@ -87,7 +87,7 @@ std::optional<IntegrityIssue> faultBySeal(const AuditRow& row, const AuditHead& 
     return {};
 }
 
-/// The same of a row and the codes that reports show.
+/// Returns the fault of a row against the codes that reports show.
 /// @param witnesses  row and beginning of its hash
 std::optional<IntegrityIssue> faultByWitness(const AuditRow& row, const std::vector<AuditHead>& witnesses)
 {
@@ -99,7 +99,7 @@ std::optional<IntegrityIssue> faultByWitness(const AuditRow& row, const std::vec
     return {};
 }
 
-/// Of a chain that holds from its first row to its last: what is wrong with its end.
+/// Returns the fault at the end of a chain that is otherwise whole.
 std::optional<IntegrityIssue> faultOfEnd(const AuditRow& last, const AuditHead& head,
                                          const std::vector<AuditHead>& witnesses)
 {
@@ -114,7 +114,7 @@ std::optional<IntegrityIssue> faultOfEnd(const AuditRow& last, const AuditHead& 
     return {};
 }
 
-/// What is wrong with who signed the head.
+/// Returns the fault of the signer of the head.
 /// @param stations  keys of those that have joined, as they are noted
 std::optional<IntegrityIssue> faultOfSigner(const AuditHead& head, const std::string& signature, const std::string& key,
                                             const std::set<std::string>& stations)

@@ -43,7 +43,7 @@ core::Error refused(const QString& file, const std::string& why, ErrorCode code 
     return {code, "backup " + file.toStdString() + ": " + why};
 }
 
-/// What is wrong at the place where a backup is to be restored.
+/// Returns an error about the place where a backup is to be restored.
 core::Error refusedThere(const QString& databaseFile, const std::string& why,
                          ErrorCode code = ErrorCode::FileUnwritable)
 {
@@ -61,8 +61,8 @@ void removeWhole(const QString& databaseFile)
         QFile::remove(file);
 }
 
-/// A connection that reads a file that nobody changes. It makes nothing beside the file, which may be on a read-only
-/// disk; a write-ahead log that a crashed program left is read too.
+/// A connection that reads a file which no program changes. It creates no file beside it, so a read-only disk will do.
+/// A write-ahead log left by a crashed program is read too.
 class Reader
 {
 public:
@@ -135,7 +135,7 @@ core::Status copyInto(const QSqlDatabase& db, const QString& file, QFile::Permis
         refused(file, "it could not be written; make room on the disk and try again (" + done.error().detail + ')'));
 }
 
-/// Gives a file a name that is not taken. False if another file has that name.
+/// Gives a file a name that is not taken. Returns false if another file has that name.
 bool giveName(const QString& file, const QString& name)
 {
     if (renameat2(AT_FDCWD, QFile::encodeName(file).constData(), AT_FDCWD, QFile::encodeName(name).constData(),
@@ -144,7 +144,7 @@ bool giveName(const QString& file, const QString& name)
     return errno != EEXIST && QFile::rename(file, name);  // not every file system can do that in one step
 }
 
-/// Removes what a backup left that was killed more than a day ago.
+/// Removes the remains of backups that were killed more than a day ago.
 void removeLeftParts(const QString& folder, const QString& kind)
 {
     const QDateTime yesterday = QDateTime::currentDateTimeUtc().addDays(-1);
@@ -184,7 +184,7 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     }
 }
 
-/// Gives a database, and what lies beside it, another name. False: everything is where it was.
+/// Renames a database and the files beside it. If it fails, it returns false and all names are as before.
 bool moveWhole(const QString& from, const QString& to)
 {
     QStringList moved;

@@ -29,7 +29,7 @@ void say(CheckReport& report, const IntegrityIssue& finding)
         report.findings.push_back(finding);
 }
 
-/// Whether the tables are there that the migrations make, and the triggers that keep rows from being changed.
+/// Checks that the tables of the migrations exist, and the triggers that keep rows from being changed.
 core::Status checkSchema(const QSqlDatabase& db, CheckReport& report)
 {
     const auto steps = shippedMigrations();
@@ -207,7 +207,7 @@ core::Status checkRecordings(const QSqlDatabase& db, CheckReport& report, const 
     return {};
 }
 
-/// Anybody can make a key and sign with it.
+/// Reports a head that was signed with the key of another station: anyone can make a key and sign with it.
 core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, CheckReport& report)
 {
     const auto signer = ask(db, "SELECT station_key FROM audit_seal WHERE id = 1 AND seq > 0", kDoing);

@@ -17,7 +17,7 @@ const std::string kListClasses = "list the classes";
 const std::string kChange = "change the class";
 constexpr qsizetype kLongestName = 100;
 
-/// ", and only those": what a session's reach adds to a query over classes, as c.
+/// Returns the SQL condition that limits a query over classes, as c, to the reach of a session.
 QString within(const AuthorizedUser& who)
 {
     return who.reach == Reach::All ? QString()
@@ -62,7 +62,7 @@ core::Result<std::optional<ClassAssignment>> assignmentNow(const DatabaseContext
     return now;
 }
 
-/// For the class; whatever its number.
+/// Compares assignments for the class. Their numbers do not count.
 bool isSame(const std::optional<ClassAssignment>& one, const std::optional<ClassAssignment>& other)
 {
     return one.has_value() == other.has_value() &&

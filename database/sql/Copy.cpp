@@ -25,7 +25,7 @@ struct Table
     bool hasIds;
 };
 
-/// In the order in which they refer to each other. Failed logins are forgotten, recordings go by themselves.
+/// In the order in which they refer to each other. Failed logins are not copied, and recordings are copied separately.
 constexpr std::array kTables{Table{"people", true},       Table{"classes", true},       Table{"enrolments", false},
                              Table{"assignments", true},  Table{"settings", false},     Table{"attempts", true},
                              Table{"exam_starts", false}, Table{"score_sheets", false}, Table{"standings", false},
@@ -130,8 +130,8 @@ core::Status expectEmpty(const QSqlDatabase& to)
                             "database " + dialect::nameOf(to) + ": it holds a school already; copy into an empty one");
 }
 
-/// Makes the schema inside the transaction that copies. Another program that copies into it has to wait, and finds it
-/// filled.
+/// Makes the schema inside the transaction that copies. Another program that copies into it has to wait, and then finds
+/// it filled.
 core::Status makeSchema(const QSqlDatabase& to)
 {
     const auto steps = shippedMigrations();

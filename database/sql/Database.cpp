@@ -35,7 +35,7 @@ core::Error foreign(const QSqlDatabase& db)
             "database " + dialect::nameOf(db) + ": this database belongs to another program; choose another one"};
 }
 
-/// Checks whose file this is and that it is whole, before anything is written to it.
+/// Checks which program the file belongs to and that it is whole, before it is written to.
 core::Status examine(const QSqlDatabase& db)
 {
     const auto application = ask(db, "PRAGMA application_id", "open it");
@@ -66,8 +66,8 @@ core::Status examine(const QSqlDatabase& db)
     return {};
 }
 
-/// What SQLite has put beside a file that could not be written stays as the file was then, and would keep it from being
-/// written for ever.
+/// Gives read-only files beside a writable database its permissions. SQLite made them while the database was read-only,
+/// and they would keep it from being written.
 void freeBesides(const QString& path)
 {
     if (isReadOnly(path))
@@ -110,20 +110,20 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
     return execute(db, QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId), "set it up");
 }
 
-/// Whether this process may write it, whoever started it.
+/// Returns whether this process may write a file, whoever started it.
 bool mayWrite(const QString& path)
 {
     return faccessat(AT_FDCWD, QFile::encodeName(path).constData(), W_OK, AT_EACCESS) == 0;
 }
 
-/// There is a file, but it may not be written, or its folder may not: SQLite would only say that it "cannot open" it.
+/// Returns whether the file exists, but it or its folder is read-only: SQLite would only say that it "cannot open" it.
 bool isWhereNothingIsKept(const QString& path)
 {
     const QFileInfo file(path);
     return file.isFile() && !(mayWrite(path) && mayWrite(file.absolutePath()));
 }
 
-/// Why nothing can be put into a folder that is not there.
+/// Returns why a missing folder cannot hold a file.
 core::Error noFolder(const QString& path)
 {
     QString above = QFileInfo(path).absolutePath();
@@ -151,9 +151,9 @@ QStringList wholeOf(const QString& file)
     return files << file;
 }
 
-/// What can be said about the path without SQLite, which would only say that it "cannot open" it. The file itself is
-/// not opened: closing it again would drop the locks that other connections of this program hold on it, and another
-/// program would take away the write-ahead log beneath them (sqlite.org/howtocorrupt.html, 2.2).
+/// Checks a path without SQLite, which would only say that it "cannot open" it. The file itself is not opened: closing
+/// it again would drop the locks of this program's other connections, and another program would then remove the
+/// write-ahead log under them (sqlite.org/howtocorrupt.html, 2.2).
 core::Status checkPlace(const QString& path)
 {
     const QFileInfo info(path);

@@ -42,7 +42,7 @@ core::Status expectToMark(const DatabaseContext& school, const Login& session, O
     return {};
 }
 
-/// Goes on while the computer sleeps, and nobody sets it.
+/// Returns the time since boot. It continues while the computer sleeps, and cannot be set.
 qint64 msSinceBoot()
 {
     timespec since{};

@@ -29,7 +29,7 @@ constexpr int kNoRoomForShm = 4874;  // SQLITE_IOERR_SHMSIZE
 
 const std::string kNumber = "go on with its numbers";
 
-/// A number that no other program is likely to lock: "CUSP".
+/// A number that hardly any other program locks: "CUSP".
 constexpr int kSchemaLock = kApplicationId;
 
 core::Error sqliteError(const std::string& head, const QSqlError& error)
@@ -70,7 +70,7 @@ core::Error sqliteError(const std::string& head, const QSqlError& error)
     }
 }
 
-/// The codes are those of appendix A of PostgreSQL's manual: two digits for the class, three for the case.
+/// Returns the error for a code of appendix A of PostgreSQL's manual: two digits for the class, three for the case.
 core::Error postgresError(const std::string& head, const QSqlError& error, bool isOpen)
 {
     const QString code = error.nativeErrorCode();
@@ -130,7 +130,7 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
             head + "the server answered: " + said + "; let the server's administrator look at it"};
 }
 
-/// An UPDATE, a DELETE and a TRUNCATE end with an error.
+/// Returns the SQL of triggers that make an UPDATE, a DELETE and a TRUNCATE fail.
 QString appendOnly(bool postgres, const QString& table)
 {
     if (!postgres)
@@ -148,8 +148,9 @@ QString appendOnly(bool postgres, const QString& table)
         .arg(table);
 }
 
-/// Held until the transaction ends. Who waits for it stands in a queue; a row's lock often goes to who came last. A
-/// station that stops in the middle (a laptop that is shut) loses it, and its connection, before the others give up.
+/// Returns a statement that takes a lock until the transaction ends. Stations wait for it in turn, unlike for the lock
+/// of a row. A station that stops in the middle (a closed laptop) loses the lock and its connection before the others
+/// give up.
 QString lockAsProgram(const QSqlDatabase& db, const QString& lock)
 {
     constexpr int kLongestPauseMs = 3000;
@@ -161,8 +162,8 @@ QString lockAsProgram(const QSqlDatabase& db, const QString& lock)
                           : QString();
 }
 
-/// Lets others read and write. Of a table, and not of a number, which everybody could lock who may connect: who may
-/// only read shall not be able to hold up those that write.
+/// Returns a statement that locks a table but lets others read and write it. A lock on a number could be taken by
+/// anyone who may connect; a table cannot be locked by those who may only read.
 QString lockTable(const char* table)
 {
     return QStringLiteral("LOCK TABLE %1 IN SHARE UPDATE EXCLUSIVE MODE").arg(QLatin1String(table));

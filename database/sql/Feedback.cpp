@@ -9,10 +9,10 @@
 namespace database::sql {
 namespace {
 
-/// With the attempt's uid behind it: until when one has seen what was said of it.
+/// Followed by the attempt's uid: the time up to which a person has seen its feedback.
 const QString kSeen = QStringLiteral("feedback.");
 
-/// From comments or overrides.
+/// Returns the SQL for comments or overrides.
 QString saidIn(const char* table, const char* when)
 {
     return QStringLiteral("SELECT a.id, a.uid, a.lesson_id, TRIM(p.given_name || ' ' || p.family_name) AS author, t.%2 "

@@ -22,11 +22,11 @@ const std::string kLogIn = "log in";
 const std::string kSetPassword = "set the password";
 const QString kPasses = QStringLiteral("password.passes");
 const QString kMemory = QStringLiteral("password.memory");
-/// The hash of a password that nobody knows.
+/// Setting with the hash of a password that nobody knows.
 const QString kDecoy = QStringLiteral("password.decoy");
 constexpr int kMostDoublings = 20;
 
-/// What is known of a name when somebody tries it.
+/// Data of a name that is being tried.
 struct Account
 {
     std::optional<Person> person;
@@ -53,13 +53,13 @@ core::Error tooSoon(std::chrono::milliseconds wait)
                                     (seconds == 1 ? " second" : " seconds") + " and try again"};
 }
 
-/// A row of this name stands beside that of a name's failures while a try is compared.
+/// Returns the key of the row that exists beside a name's failures while a try is compared.
 QVariant tryOf(const std::string& hash)
 {
     return text("try:" + hash);
 }
 
-/// What is known of tries of a name.
+/// State of the tries of a name.
 struct Tries
 {
     std::chrono::milliseconds wait{0};  ///< until the next
@@ -95,8 +95,8 @@ core::Result<Tries> triesOf(const DatabaseContext& school, const std::string& ha
     return tries;
 }
 
-/// Counts what a clock that was ahead has counted as if it were just now: else the name would have to wait anew at each
-/// look until that time has come.
+/// Sets counts of a clock that was ahead to the present. Otherwise the wait would begin anew at each check until that
+/// time.
 core::Status bringBack(const DatabaseContext& school, const std::string& hash)
 {
     const qlonglong now = nowMs(school);
@@ -112,8 +112,8 @@ core::Status countTry(const DatabaseContext& school, const QVariant& name)
                    kLogIn, {name, nowMs(school)});
 }
 
-/// Counts a try as a failure before anything is compared: many at once are no more guesses than one after the other.
-/// False: the name has to wait.
+/// Counts a try as a failure before the comparison, so that many tries at once give no more guesses than one after the
+/// other. Returns false if the name has to wait.
 core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Result<bool> {
@@ -163,7 +163,7 @@ core::Status beginTry(const DatabaseContext& school, const std::string& hash)
     return tl::unexpected(tooSoon(std::chrono::seconds(1)));
 }
 
-/// Inside the transaction of what a right password or code leads to.
+/// Deletes the failures of a name, inside the transaction that follows a right password or code.
 core::Status forgive(const DatabaseContext& school, const std::string& hash)
 {
     return execute(school.db, "DELETE FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn, {text(hash), tryOf(hash)});
@@ -174,7 +174,7 @@ core::Status endTry(const DatabaseContext& school, const std::string& hash)
     return execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", kLogIn, {tryOf(hash)});
 }
 
-/// The try has failed, as it was counted.
+/// Ends a failed try, which is counted already.
 core::Status noteFailure(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Status {
@@ -184,7 +184,7 @@ core::Status noteFailure(const DatabaseContext& school, const std::string& hash)
     });
 }
 
-/// Nothing could be compared, which is nobody's failure.
+/// Takes a try back that could not be compared: it is no failure.
 core::Status takeBack(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Status {
@@ -221,15 +221,15 @@ core::Result<Account> accountOf(const DatabaseContext& school, const std::string
     return account;
 }
 
-/// Four letters or digits, three times. Whoever reads a code off a slip parts them by hyphens, by spaces, or not at
-/// all.
+/// Returns whether a text is three groups of four letters or digits with `by`, a regular expression, between them.
+/// People type a code from a slip with hyphens, with spaces, or without either.
 bool isCodeParted(const std::string& typed, const char* by)
 {
     const QRegularExpression code(QStringLiteral("^([0-9A-Za-z]{4})%1([0-9A-Za-z]{4})%1([0-9A-Za-z]{4})$").arg(by));
     return code.match(QString::fromStdString(typed).trimmed()).hasMatch();
 }
 
-/// No password looks like that.
+/// Returns whether a text looks like a code. No password does.
 bool looksLikeCode(const std::string& typed)
 {
     return isCodeParted(typed, "[-\u2010-\u2014 ]+");
@@ -302,7 +302,7 @@ core::Result<std::optional<Account>> compare(const DatabaseContext& school, cons
     return std::optional(std::move(*account));
 }
 
-/// What it leads to forgives the failures before.
+/// Returns the account for a right secret. What the caller does next has to forgive() the failures, in its transaction.
 core::Result<Account> tryAccount(const DatabaseContext& school, const std::string& username, const std::string& secret,
                                  Secret kind)
 {
@@ -322,7 +322,7 @@ core::Result<Account> tryAccount(const DatabaseContext& school, const std::strin
     return std::move(**account);
 }
 
-/// Takes a fraction of a second: not while others wait.
+/// Hashes a password. It takes a fraction of a second, so it must not run while others wait.
 core::Result<std::string> hashFor(const DatabaseContext& school, const std::string& password)
 {
     const auto cost = passwordCost(school);
@@ -337,7 +337,7 @@ core::Status setPassword(const DatabaseContext& school, const Person& person, co
                    kSetPassword, {text(hash), number(person.id.value)});
 }
 
-/// Not where an admin has just taken the password away.
+/// Replaces a password hash by one of a higher cost, unless an admin has just removed the password.
 core::Status keepDearer(const DatabaseContext& school, const Person& person, const std::string& before,
                         const std::string& hash)
 {
@@ -365,7 +365,7 @@ core::Status expectStill(const DatabaseContext& school, const Person& person, co
     return {};
 }
 
-/// What passwords cost from now on, and what nobody's is compared with: it takes as long.
+/// Saves the cost of passwords from now on, and the decoy hash of that cost.
 core::Status keepCost(const DatabaseContext& school, const std::string& actor, const PasswordCost& cost,
                       const std::string& decoy)
 {

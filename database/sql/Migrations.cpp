@@ -7,7 +7,7 @@
 #include "database/sql/Dialect.h"
 #include "database/sql/Statement.h"
 
-/// Resources of a static library must be asked for by name, outside any namespace.
+/// The resources of a static library must be requested by name, outside any namespace.
 static void useMigrationResources()
 {
     Q_INIT_RESOURCE(migrations);
@@ -16,7 +16,7 @@ static void useMigrationResources()
 namespace database::sql {
 namespace {
 
-/// The statements of a step, comments left out.
+/// Returns the statements of a step, without comments.
 QStringList statementsOf(const QString& sql)
 {
     QStringList statements;

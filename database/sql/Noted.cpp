@@ -22,7 +22,7 @@ using Say = std::function<void(const IntegrityIssue&)>;
 
 const std::string kComparing = "check it";
 
-/// What stands in a table, by what its rows are about ("person:1f..."): several rows may be about the same.
+/// The rows of a table by their object ("person:1f..."); several rows may have the same object.
 using Rows = std::map<std::string, std::multiset<std::string>>;
 
 std::string joined(std::initializer_list<std::string> values)
@@ -33,7 +33,7 @@ std::string joined(std::initializer_list<std::string> values)
     return all;
 }
 
-/// Follows the audit from its first row on and knows what each table should hold.
+/// Follows the audit from its first row on, and computes the expected content of each table.
 class Noted
 {
 public:
@@ -114,7 +114,7 @@ void Noted::take(const std::string& actor, const std::string& action, const std:
     }
 }
 
-/// The columns behind what a row is about, as they stand there.
+/// Returns the columns after the object, as stored.
 std::string plain(const QSqlQuery& row)
 {
     std::string all;

@@ -96,7 +96,8 @@ core::Status readCells(const DatabaseContext& school, ClassOverview& overview,
     return {};
 }
 
-/// What else counts where a class may try a lesson so often and no more.
+/// Reads what else counts if a class limits the attempts at a lesson: exams without a score, and limits of other
+/// classes.
 core::Status readLimits(const DatabaseContext& school, ClassOverview& overview,
                         const std::map<std::int64_t, std::size_t>& rowOf)
 {
@@ -130,7 +131,7 @@ core::Status readLimits(const DatabaseContext& school, ClassOverview& overview,
         });
 }
 
-/// The last attempts of each student, of which those at the lesson tried last are kept.
+/// Reads the last attempts of each student. Only those at the lesson tried last stay.
 core::Status readRecent(const DatabaseContext& school, ClassOverview& overview,
                         const std::map<std::int64_t, std::size_t>& rowOf)
 {
@@ -156,7 +157,7 @@ core::Status readRecent(const DatabaseContext& school, ClassOverview& overview,
         });
 }
 
-/// The value of which a share of the rest is smaller, between two neighbours by their distance.
+/// Returns a quantile, interpolated between two neighbours.
 int quantile(const std::vector<int>& sorted, double share)
 {
     const double place = share * static_cast<double>(sorted.size() - 1);

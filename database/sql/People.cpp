@@ -55,7 +55,7 @@ core::Status checkNames(const NewPerson& who)
     return {};
 }
 
-/// Somebody must be left who can let others in.
+/// Fails if no other admin would be left to let people in.
 core::Status expectAnotherAdmin(const DatabaseContext& school, PersonId person)
 {
     const auto other = ask(school.db,

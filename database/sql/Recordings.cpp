@@ -24,7 +24,7 @@ std::string_view viewOf(const QByteArray& bytes)
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
 }
 
-/// "recordings/3f/3f9a….cusprec" beside the database.
+/// Returns "recordings/3f/3f9a….cusprec" beside the database.
 QString fileOf(const QSqlDatabase& db, const std::string& hash)
 {
     const QString name = QString::fromStdString(hash);

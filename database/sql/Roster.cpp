@@ -29,7 +29,7 @@ using Kind = RosterFault::Kind;
 const std::string kImporting = "import the class list";
 constexpr std::array<const char*, 5> kRosterColumns{"username", "given_name", "family_name", "role", "class"};
 
-/// What spreadsheets in the languages of the window call the columns, beside English names that people think of first.
+/// Names of the columns in spreadsheets in the languages of the window, and common English names.
 constexpr std::array kMeant{
     std::pair{"benutzername", "username"},
     std::pair{"anmeldename", "username"},
@@ -76,10 +76,10 @@ struct Line
     std::vector<std::string> classes;
 };
 
-/// Where each column stands in the file.
+/// Position of each column in the file.
 using Places = std::map<std::string, std::size_t>;
 
-/// How many letters have to be put in, left out or changed to make one word of another.
+/// Returns the number of letters to insert, remove or change to turn one word into another.
 std::size_t distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> row(b.size() + 1);
@@ -94,7 +94,8 @@ std::size_t distance(std::string_view a, std::string_view b)
     return row.back();
 }
 
-/// By its meaning where that is known, or else by its letters, unless half of them would be others. Empty: none.
+/// Returns the column that a name means, or else the one with the nearest spelling, unless half of the letters differ.
+/// Empty if there is none.
 std::string nearestColumn(const std::string& name)
 {
     std::string words = name;
@@ -108,7 +109,7 @@ std::string nearestColumn(const std::string& name)
     return 2 * distance(name, nearest) < name.size() ? nearest : std::string();
 }
 
-/// What is wrong with the first line is told all at once.
+/// Returns the positions of the columns. All faults of the first line are reported at once.
 Places placesOf(const CsvRow& head, std::vector<RosterFault>& faults)
 {
     Places places;
@@ -215,7 +216,7 @@ private:
     std::map<std::string, int> m_seen;
 };
 
-/// What is there before the list.
+/// The people and classes before the import.
 struct Present
 {
     std::map<std::string, Person> people;    ///< by username
@@ -247,7 +248,7 @@ core::Result<Present> presentAt(const DatabaseContext& school)
     return present;
 }
 
-/// What the list leads to, without doing it: into `outcome`, and the lines that are to be entered.
+/// Computes the result of a list without applying it. Sets `outcome`, and returns the lines to enter.
 std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, RosterOutcome& outcome)
 {
     std::vector<Line> wanted;
@@ -306,7 +307,7 @@ core::Status rename(const DatabaseContext& school, AuditBatch& audit, const Logi
                       {{"names_digest", QString::fromStdString(digestOfNames(renamed))}});
 }
 
-/// Enters one line, and tells the code of who is new.
+/// Enters one line, and returns the code of a new person.
 core::Result<std::string> take(const DatabaseContext& school, AuditBatch& audit, const Login& session, const Line& line,
                                Present& present)
 {
@@ -337,7 +338,7 @@ core::Result<std::string> take(const DatabaseContext& school, AuditBatch& audit,
     return code;
 }
 
-/// Inside a transaction: enters all, unless there are faults, and notes it in the audit at one go.
+/// Enters all lines inside a transaction, unless there are faults, and notes them in the audit at once.
 core::Status enterAll(const DatabaseContext& school, const Login& session, const std::vector<Line>& lines,
                       RosterOutcome& outcome, const RosterOutcome* asSeen)
 {

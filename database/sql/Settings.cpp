@@ -12,7 +12,7 @@ namespace {
 
 const std::string kKeep = "keep the setting";
 constexpr qsizetype kLongestValue = 16'000;
-/// What belongs to logins is told to nobody.
+/// Settings of logins, which are never given out.
 const QString kSecret = QStringLiteral("password.%");
 
 core::Status refuseSecret(const std::string& name)

@@ -16,9 +16,9 @@ const std::string kList = "list the exams that were begun";
 
 using Pair = std::pair<std::int64_t, std::string>;  ///< a person and a lesson
 
-/// Those of the starts that a condition asks for, with no score, newest first of each person and lesson. In the order
-/// in which they ended the attempts have each the last start before that which no earlier one has: of two exams that
-/// went on at once, in two windows, both have theirs, whichever ended first.
+/// Returns the starts that meet a condition and have no score, newest first for each person and lesson. The attempts
+/// are matched in the order of their ends: each takes the last free start before its end. So of two exams at once, in
+/// two windows, both are matched, whichever ended first.
 core::Result<std::map<Pair, std::vector<ExamStart>>> withoutScore(const DatabaseContext& school, const QString& where,
                                                                   const QVariantList& values)
 {

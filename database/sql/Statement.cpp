@@ -14,8 +14,8 @@ namespace {
 constexpr int kOutcomePatienceMs = 10'000;
 constexpr unsigned long kOutcomeRestMs = 200;
 
-/// How a transaction ended whose end was not answered (PostgreSQL's manual, "Transaction ID and Snapshot Information
-/// Functions"). Nothing: nobody says.
+/// Returns how a transaction ended when its end was not answered (PostgreSQL's manual, "Transaction ID and Snapshot
+/// Information Functions"). Empty if that is unknown.
 std::optional<bool> wasKept(const QSqlDatabase& lost, const QVariant& transaction)
 {
     const QString name = lost.connectionName() + QStringLiteral(", how it ended");
