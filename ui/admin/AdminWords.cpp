@@ -76,14 +76,14 @@ constexpr std::array kWholes{
     std::pair{"audit", QT_TRANSLATE_NOOP("Admin", "the audit")},
 };
 
-/// "my soft v1"; a name may have a " v" in it.
+/// Returns "my soft v1". The name itself may contain a " v".
 QString presetWords(const QString& noted)
 {
     const qsizetype at = noted.lastIndexOf(QStringLiteral(" v"));
     return QCoreApplication::translate("Admin", "preset %1, version %2").arg(noted.left(at), noted.mid(at + 2));
 }
 
-/// "backup-2026-11-20-10.15.00", or what somebody has called it.
+/// Returns "backup-2026-11-20-10.15.00", or the name that a person gave the backup.
 QString backupWords(const QString& noted)
 {
     QDateTime made = QDateTime::fromString(noted, QStringLiteral("'backup-'yyyy-MM-dd-HH.mm.ss"));
@@ -94,7 +94,7 @@ QString backupWords(const QString& noted)
     return QCoreApplication::translate("Admin", "backup of %1").arg(told);
 }
 
-/// "person:1f..." is told by name, and so is "name:2e...", with which somebody tried to log in.
+/// Returns the name for "person:1f...", and for "name:2e...", the key of a login that was tried.
 QString named(const QString& what, const NamesByUid& names)
 {
     const QString id = what.section(u':', 1);
@@ -125,7 +125,7 @@ QString named(const QString& what, const NamesByUid& names)
     return what;
 }
 
-/// Of a finding: a moment, an action, a lesson, or what something was done to.
+/// Returns the words for a value of a finding: a time, an action, a lesson, or the object of an action.
 QString noted(const QString& value, const NamesByUid& names, const text::LessonTitles& titles)
 {
     if (const auto title = titles.find(value); title != titles.end())
@@ -136,7 +136,7 @@ QString noted(const QString& value, const NamesByUid& names, const text::LessonT
     return action == value ? named(value, names) : action;
 }
 
-/// One thing that was noted beside an action; some say all by their value.
+/// Returns the words for one detail of an action. Some details are named by their value alone.
 QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names, const text::LessonTitles& titles)
 {
     constexpr double kTenths = 10.0;

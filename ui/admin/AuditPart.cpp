@@ -164,7 +164,7 @@ void AuditPart::fill()
     fit();
 }
 
-/// What is done to may be long: it has what the others leave, and never less than some.
+/// Gives the objects, which may be long, the width that the other columns leave, but at least a minimum.
 void AuditPart::fit()
 {
     const QAbstractItemView& cells = *m_table;

@@ -220,7 +220,7 @@ void BackupPart::fill()
     m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
 }
 
-/// A row that the table made the current one when it got the focus was chosen by nobody.
+/// Returns the row that the user chose. A row that became current only because the table got the focus does not count.
 QModelIndex BackupPart::chosenRow() const
 {
     return m_table->selectionModel()->selectedRows().value(0);
@@ -296,7 +296,7 @@ void BackupPart::refuseCode()
     m_code->selectAll();
 }
 
-/// Once more, since everybody is logged out; what lies there now is kept beside it.
+/// Asks once more, since everybody is logged out. The present database is kept beside the restored one.
 void BackupPart::restore()
 {
     if (!m_thought->isAsked()) {

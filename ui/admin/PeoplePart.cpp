@@ -54,7 +54,7 @@ QString nameOf(const Person& person)
     return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
 }
 
-/// As high as the fields leave it room for, and at least three lines.
+/// A list as high as the fields leave room for, with at least three lines.
 class TickList final : public QListWidget
 {
 public:
@@ -431,7 +431,7 @@ void PeoplePart::fill()
         m_table->scrollTo(chosen);
 }
 
-/// Among those that are shown.
+/// Returns the row of a person among those that are shown.
 QModelIndex PeoplePart::rowOf(qint64 person) const
 {
     for (int row = 0; row < m_shown->rowCount() && person != 0; ++row)
@@ -582,7 +582,7 @@ void PeoplePart::write(const Typed& typed)
     fillClasses(typed.classes);
 }
 
-/// Touched is not enough: what was typed and taken out again is nothing.
+/// Returns whether the form has unsaved input. Text that was typed and deleted again does not count.
 bool PeoplePart::isHalfFilled() const
 {
     if (!m_isTouched)
@@ -634,7 +634,7 @@ void PeoplePart::discardChanges()
     fill();
 }
 
-/// The question is about what was on the screen when it was asked.
+/// Withdraws a question: it was about what was on the screen at that time.
 void PeoplePart::endThought()
 {
     if (!m_thought->isAsked())
@@ -644,7 +644,7 @@ void PeoplePart::endThought()
     showButtons(chosen());
 }
 
-/// Whether what cannot be undone was asked about and may be done. The first time it is asked.
+/// Returns whether an irreversible action was confirmed. The first call asks.
 bool PeoplePart::isAnswered(Question question)
 {
     if (m_thought->isAsked() && m_question == question) {
@@ -660,7 +660,7 @@ bool PeoplePart::isAnswered(Question question)
     return false;
 }
 
-/// In the language there is, and in another when that is chosen.
+/// Shows a sentence, also again in another language when that is chosen.
 void PeoplePart::say(const Words& sentence, const Words& fault)
 {
     m_sentence = sentence;
@@ -674,7 +674,7 @@ bool PeoplePart::isOwn(const Person* person) const
     return person != nullptr && person->uid == m_admin.toStdString();
 }
 
-/// Of a double click whose first has changed what the buttons are.
+/// Returns whether a click is the second of a double click whose first has changed the buttons.
 bool PeoplePart::isSecondClick() const
 {
     return m_sinceSubmitted.isValid() &&
@@ -749,7 +749,7 @@ void PeoplePart::showButtons(const Person* person)
     m_disable->setToolTip(brokenIntoLines(tr("Who is disabled cannot log in; attempts and names stay")));
 }
 
-/// The person's own first; DEN2 before DEN10.
+/// Fills the list of classes: the person's own first, and DEN2 before DEN10.
 void PeoplePart::fillClasses(const QSet<qint64>& wanted)
 {
     const auto belongs = [&](const database::SchoolClass& one) {
@@ -820,7 +820,7 @@ void PeoplePart::submit()
     });
 }
 
-/// A password is gone for good, and a code that is shown may have been told: one click must not do it.
+/// Asks before a password is reset: the password would be lost for good, and a shown code may be in use already.
 void PeoplePart::askToReset()
 {
     if (isSecondClick())

@@ -40,7 +40,7 @@ constexpr auto* kExample = "username,given_name,family_name,role,class\n"
 
 const QString kFolder = QStringLiteral("folders/roster");
 
-/// Where a class list was chosen, or codes were saved, last.
+/// Returns the folder of the last class list or the last saved codes.
 QString folder()
 {
     const QString last = memory().value(kFolder).toString();
@@ -261,7 +261,7 @@ void RosterPart::refuseFile(const QString& file, const QString& sentence, const 
     m_fault->setToolTip(brokenIntoLines(technical));
 }
 
-/// Codes that nobody has saved would each have to be given anew.
+/// Asks before unsaved codes are left, because each would have to be issued anew.
 void RosterPart::leaveCodes(const std::function<void()>& what)
 {
     if (unsavedChanges().isEmpty())

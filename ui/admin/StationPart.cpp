@@ -25,7 +25,7 @@ constexpr int kRows = 8;
 constexpr int kKeyShown = 16;
 constexpr int kLongestIdle = 240;
 
-/// What the desktop tells of, by name.
+/// Returns the names of the pointing devices that the desktop reports.
 QString foundDevices()
 {
     QStringList found;

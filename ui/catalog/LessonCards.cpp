@@ -36,7 +36,7 @@ QFont titleFont()
     return typeface(kBody, QFont::Medium);
 }
 
-/// The title in lines as wide as a card, the last one cut off if there are too many.
+/// Returns the title in lines as wide as a card; the last line is cut off if there are too many.
 QStringList titleLines(const QString& title)
 {
     const double wide = kCardPx - 2.0 * (kCardEdgePx + kPadPx);

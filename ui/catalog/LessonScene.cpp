@@ -102,7 +102,7 @@ bool isPictured(const Lesson& lesson)
     return lesson.task != Task::TellLayers;
 }
 
-/// Whoever is to look for decay is not told where it ends.
+/// Returns whether the ideal may be shown: a student who has to find the decay must not see its end.
 bool isIdealTold(const Lesson& lesson)
 {
     return lesson.aids.ideal && (lesson.task == Task::CutIdeal || lesson.task == Task::TraceShape);

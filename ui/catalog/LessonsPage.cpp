@@ -260,7 +260,7 @@ QWidget* LessonsPage::makeContinue(QWidget* parent)
     return m_continue;
 }
 
-/// The arch, beneath its button, until a tooth is picked: its number is then searched for.
+/// Shows the arch below its button until a tooth is picked. Its number is then searched for.
 void LessonsPage::pickTooth()
 {
     auto* popup = new QFrame(this, Qt::Popup);
@@ -379,7 +379,7 @@ const Given* LessonsPage::givenOf(const CatalogEntry& entry) const
     return found == m_given.end() ? nullptr : &found->second;
 }
 
-/// Given by a teacher, and not passed yet.
+/// Returns whether a teacher has assigned the lesson and it is not passed yet.
 bool LessonsPage::isToDo(const CatalogEntry& entry) const
 {
     const Standing* const standing = standingOf(entry);
@@ -393,14 +393,14 @@ void LessonsPage::setUnfinished(const std::function<QString()>& title, const QDa
     tellContinue();
 }
 
-/// It may be tried so many times, and was.
+/// Returns whether all attempts at the lesson are used.
 bool LessonsPage::isUsedUp(const CatalogEntry& entry) const
 {
     const Given* const given = givenOf(entry);
     return given != nullptr && given->attemptsLeft && *given->attemptsLeft <= 0;
 }
 
-/// The lesson that was tried last, if it was not passed then or before and can be tried again.
+/// Returns the lesson tried last, if it was never passed and can be tried again.
 const CatalogEntry* LessonsPage::lastTried() const
 {
     const CatalogEntry* last = nullptr;
@@ -462,7 +462,7 @@ void LessonsPage::tellFeedback()
                             QString::fromStdString(newest.author));
 }
 
-/// A teacher's own lesson may be on that teacher's computer only.
+/// Says which lessons are missing here: a teacher's own lesson may be only on that teacher's computer.
 void LessonsPage::tellMissing()
 {
     QStringList missing;
@@ -562,7 +562,7 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
     item.setData(notes.join(QStringLiteral(", ")), Qt::AccessibleDescriptionRole);
 }
 
-/// Of what a lesson is, so that neither its dates nor its points are found.
+/// Returns the words in which a lesson is searched; neither its dates nor its points are among them.
 QString LessonsPage::searchedWords(const CatalogEntry& entry) const
 {
     const auto& lesson = entry.read.lesson;
@@ -577,7 +577,7 @@ QString LessonsPage::searchedWords(const CatalogEntry& entry) const
     return words.join(u' ');
 }
 
-/// Entries that are wanted and in which every word occurs; first those on a tooth whose number is one of the words.
+/// Returns the wanted entries that contain every word. Entries on a tooth whose number is one of the words come first.
 std::vector<std::size_t> LessonsPage::found() const
 {
     const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
@@ -622,7 +622,7 @@ void LessonsPage::fillList()
     describe();
 }
 
-/// The first that fits is chosen, so that Enter starts it.
+/// Searches, and chooses the first match, so that Enter starts it.
 void LessonsPage::search()
 {
     fillList();
@@ -651,7 +651,7 @@ void LessonsPage::choose(const ::lessons::Lesson& lesson)
     begin(lesson, [this, lesson] { emit lessonChosen(lesson); });
 }
 
-/// How often a lesson was graded, and how many attempts are left: "1 attempt(s) left, 2 graded so far".
+/// Returns how often a lesson was graded and how many attempts are left: "1 attempt(s) left, 2 graded so far".
 QString LessonsPage::attemptsWords(const std::string& lessonId) const
 {
     const auto given = m_given.find(lessonId);
@@ -817,8 +817,8 @@ void LessonsPage::showEvent(QShowEvent* event)
     m_list->setFocus();
 }
 
-/// To the card that is furthest down, or up, within a page, and of those the nearest to the side. Qt finds none among
-/// cards of which headings take whole rows.
+/// Moves to the card that is furthest down, or up, within a page, and of those to the one nearest to the side. Qt finds
+/// none among cards whose headings take whole rows.
 void LessonsPage::turnPage(bool down)
 {
     const QRect from = m_list->visualRect(m_list->currentIndex());
@@ -842,7 +842,7 @@ void LessonsPage::turnPage(bool down)
     }
 }
 
-/// From the search one goes on in the list without the mouse, and back by typing.
+/// Lets the keyboard go from the search to the list, and back by typing.
 bool LessonsPage::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_list && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {

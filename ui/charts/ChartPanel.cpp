@@ -159,7 +159,7 @@ void ChartPanel::paintOver(QPainter& painter)
     painter.drawEllipse(plot().at(m_stops[*m_stop].x, m_stops[*m_stop].y), kRingPx, kRingPx);
 }
 
-/// The ring around the value, and its words beside it.
+/// Shows the ring around the value, and its words beside it.
 void ChartPanel::tell()
 {
     view()->update();

@@ -93,7 +93,7 @@ QStringList wordsOf(const QList<Tick>& ticks)
     return words;
 }
 
-/// As many as have room for their labels.
+/// Returns as many ticks as have room for their labels.
 QList<Tick> ticksAlong(const Axis& axis, double lengthPx)
 {
     int most = kMostTicks;
@@ -155,7 +155,7 @@ QPen middlePen(const Ink& ink)
     return {ink.quiet, 1.8, Qt::DashLine};
 }
 
-/// An entry of the key: what lines, marks and areas stand for.
+/// An entry of the key: the meaning of a line, mark or area.
 struct Entry
 {
     QString name;
@@ -183,7 +183,7 @@ QList<Entry> entriesOf(const Chart& chart, const Ink& ink)
     return entries;
 }
 
-/// The key beneath a chart, in as many rows as it needs.
+/// The key below a chart, in as many rows as needed.
 class Key
 {
 public:
@@ -240,7 +240,8 @@ private:
     int m_rows = 0;  ///< after the first
 };
 
-/// In as many lines as a bar has room for. What is left out is left out in the middle, for names often begin alike.
+/// Folds a name into the lines that a bar has room for. Letters are left out in the middle, because names often begin
+/// alike.
 QString folded(const QString& name, double widthPx, int most)
 {
     QStringList lines{QString()};
@@ -257,7 +258,7 @@ QString folded(const QString& name, double widthPx, int most)
     return lines.join(u'\n');
 }
 
-/// What is beside the plot: labels and title of the upright axis, or names.
+/// Returns the width left of the plot: labels and title of the upright axis, or names.
 double leftOf(const Chart& chart, const Axis& y, const QSizeF& roomPx)
 {
     if (const auto* bars = std::get_if<Bars>(&chart.content)) {
@@ -362,7 +363,7 @@ void drawBand(QPainter& painter, const Plot& plot, QList<Slice> slices, const In
     painter.drawPolyline(middle);
 }
 
-/// Beside each dot its note, where it covers least of the others and of the lines.
+/// Draws the note of each dot beside it, where it covers least of the other notes and the lines.
 void drawNotes(QPainter& painter, const Plot& plot, const Curve& curve, const Ink& ink)
 {
     constexpr double kLineStepPx = 5.0;
@@ -435,7 +436,7 @@ void drawContent(QPainter& painter, const Plot& plot, const Curve& curve, const 
     drawNotes(painter, plot, curve, ink);
 }
 
-/// The names of bars stand where their axis has no labels.
+/// Draws bars; their names take the place of the labels of an axis.
 void drawContent(QPainter& painter, const Plot& plot, const Bars& bars, const QSizeF& roomPx, const Ink& ink)
 {
     const QStringList names = namesOf(bars, roomPx);
@@ -505,7 +506,7 @@ void drawContent(QPainter& painter, const Plot& plot, const Map& map, const QSiz
     }
 }
 
-/// Words in a column, as high as they come out.
+/// Paints words in a column and returns their height.
 double paintWords(QPainter& painter, const QRectF& area, const QString& words, const QFont& font, const QColor& colour)
 {
     if (words.isEmpty())

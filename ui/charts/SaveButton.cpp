@@ -22,7 +22,7 @@ namespace {
 
 using namespace ui::kit;
 
-/// Translated with the rest of what a panel says.
+/// Words of the button, translated with the rest of the panel.
 struct SaveWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::charts::ChartPanel)

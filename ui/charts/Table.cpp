@@ -31,7 +31,7 @@ QByteArray written(const QString& words)
     return safe.toUtf8();
 }
 
-/// As precise as anybody measures: 76.1, and not what the last bit of its sum makes of it.
+/// Returns a number with useful precision: 76.1, without the rounding error of a sum.
 QByteArray written(double value)
 {
     constexpr int kDigits = 12;
@@ -85,7 +85,7 @@ Table table(const Histogram& histogram)
     return made;
 }
 
-/// Maps are pictures for documents.
+/// Returns an empty table: maps are pictures for documents.
 Table table(const Map&)
 {
     return {};

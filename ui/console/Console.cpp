@@ -32,31 +32,31 @@ constexpr int kMostLines = 500;
 constexpr int kMostHinted = 6;
 constexpr int kMostHistory = 100;
 constexpr std::size_t kNameWidth = 30;  ///< characters, at least
-/// What lies beneath shines through, and however bright it is, words stand out by 4.5 to 1.
+/// The ground is translucent. Whatever is below it, words have a contrast of at least 4.5 to 1.
 constexpr QColor kGround(14, 16, 17, 204);
 
 const QStringList kCommands{QStringLiteral("export"),  QStringLiteral("get"),  QStringLiteral("help"),
                             QStringLiteral("list"),    QStringLiteral("load"), QStringLiteral("plot"),
                             QStringLiteral("reset"),   QStringLiteral("save"), QStringLiteral("set"),
                             QStringLiteral("unwatch"), QStringLiteral("watch")};
-/// Commands that a parameter's name follows.
+/// Commands that take the name of a parameter.
 const QStringList kOfNames{QStringLiteral("export"),  QStringLiteral("get"),   QStringLiteral("list"),
                            QStringLiteral("plot"),    QStringLiteral("reset"), QStringLiteral("set"),
                            QStringLiteral("unwatch"), QStringLiteral("watch")};
 
-/// Commands that the name of a preset follows, which may have spaces.
+/// Commands that take the name of a preset, which may contain spaces.
 bool isOfPresets(const QString& line)
 {
     return line.startsWith(u"load ") || line.startsWith(u"save ");
 }
 
-/// Where what Tab completes begins.
+/// Returns the start of the word that Tab completes.
 qsizetype begunAt(const QString& line)
 {
     return (isOfPresets(line) ? line.indexOf(u' ') : line.lastIndexOf(u' ')) + 1;
 }
 
-/// A number as programs write it, or as the window shows it.
+/// Returns a number written as in programs or as in the window.
 std::optional<double> numberIn(const QString& text, bool isSwitch)
 {
     bool isNumber = false;
@@ -201,7 +201,7 @@ void Console::execute(const QString& line)
     }
 }
 
-/// Answers nothing where say() follows.
+/// Asks for a preset. Returns an empty answer if say() follows.
 QString Console::askForPreset(const Preset& what, const QString& name)
 {
     if (isFeelVeiled(m_parameters))
@@ -258,7 +258,7 @@ void Console::set(const QString& name, const QString& value)
         say(refused);
 }
 
-/// Of all, those that are felt: nobody wants the view turned back with them.
+/// Resets a parameter. "All" means those of the feel: the view stays.
 void Console::reset(const QString& name)
 {
     if (!name.isEmpty()) {
@@ -293,7 +293,7 @@ void Console::watch(const QString& name, bool plotted)
         say(tr("There is room for %1. Take one away with \"unwatch NAME\".").arg(WatchPanel::kMost));
 }
 
-/// Where nothing else is said it lies among the user's documents, as a table.
+/// Exports a plot, by default as a table among the user's documents.
 void Console::exportPlot(const QString& name, const QString& file)
 {
     const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
@@ -359,7 +359,7 @@ QString Console::completed(const QString& line) const
     return line.left(begin) + common + (found.size() == 1 ? QStringLiteral(" ") : QString());
 }
 
-/// What the line may become, or what the parameter that it names is.
+/// Shows the possible completions of the line, or the parameter that it names.
 void Console::hint()
 {
     const QString line = m_line->text();

@@ -22,7 +22,7 @@ QString withUnit(const QString& number, const core::settings::Parameter& paramet
     return parameter.unit.empty() ? number : number + u' ' + QString::fromStdString(parameter.unit);
 }
 
-/// As the window writes numbers, but without signs between thousands, so that it can be typed again.
+/// Returns a number as the window writes it, but without group separators, so that it can be typed again.
 QString written(double value, char format, int digits)
 {
     QLocale locale;
@@ -30,7 +30,7 @@ QString written(double value, char format, int digits)
     return locale.toString(value, format, digits);
 }
 
-/// Without zeros behind.
+/// Returns a number without trailing zeros.
 QString plain(double value)
 {
     return written(value, 'g', 6);

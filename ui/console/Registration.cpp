@@ -30,7 +30,7 @@ struct RegistrationWords
     Q_DECLARE_TR_FUNCTIONS(ui::console::Words)
 };
 
-/// Files say the unit with the key; to type, a name without it will do.
+/// Returns a name to type. In files the key contains the unit, but the typed name does not need it.
 std::string nameOf(const core::NumberField<FeelPreset>& field)
 {
     QString name = QLatin1String(field.id);

@@ -111,7 +111,7 @@ void ControllerButtonsCard::stopLearning()
         showWords();
 }
 
-/// A second click leaves the action without a button.
+/// Handles a click on an action. A second click leaves the action without a button.
 void ControllerButtonsCard::clickAction(ControllerAction action, bool isChecked)
 {
     if (!isChecked) {
@@ -122,7 +122,7 @@ void ControllerButtonsCard::clickAction(ControllerAction action, bool isChecked)
     showWords();
 }
 
-/// A button does one thing.
+/// Assigns a button. Each button has only one action.
 void ControllerButtonsCard::assign(int button)
 {
     const auto action = std::exchange(m_learning, std::nullopt);

@@ -129,7 +129,7 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     });
 }
 
-/// The list, and what concerns all hands.
+/// Makes the list of hands, and the settings for all of them.
 QWidget* DevicesPage::makeHands()
 {
     auto* part = new QWidget(this);
@@ -459,7 +459,7 @@ void DevicesPage::showSound()
     m_help->setText(helpWords(report));
 }
 
-/// The check box that stands in for the button of a hand; null if a hand is shown.
+/// Returns the check box shown in place of the button of a hand; null if a hand is shown.
 QCheckBox* DevicesPage::shownSwitch() const
 {
     if (shownHand() == QLatin1String(kHeadTracking))
@@ -467,7 +467,7 @@ QCheckBox* DevicesPage::shownSwitch() const
     return shownHand() == QLatin1String(kSound) ? &m_sound->soundSwitch() : nullptr;
 }
 
-/// One button is filled: what is to be done next.
+/// Fills one button: the next step.
 void DevicesPage::showNextStep()
 {
     const QString id = shownHand();

@@ -21,7 +21,7 @@ struct Direction
     int column;
 };
 
-/// In the order of the rows, as the keyboard walks them.
+/// In the order of the rows and of the Tab key.
 const std::array<Direction, 6> kDirections{{
     {"pushAway", QT_TRANSLATE_NOOP("ui::devices::ForceTest", "Away"), {0.0, 1.0, 0.0}, 0, 1},
     {"pushUp", QT_TRANSLATE_NOOP("ui::devices::ForceTest", "Up"), {0.0, 0.0, 1.0}, 0, 3},

@@ -32,7 +32,7 @@ QColor ink(const QWidget& widget)
     return widget.palette().color(QPalette::WindowText);
 }
 
-/// A thick line with an outline: a forearm, a finger.
+/// Paints a thick line with an outline: a forearm or a finger.
 void paintLimb(QPainter& painter, const QWidget& widget, const QPainterPath& path, double widthPx = kForearmPx)
 {
     painter.setBrush(Qt::NoBrush);
@@ -83,7 +83,7 @@ void HandGuidePicture::setHeights(std::optional<double> gripMm, double restMm)
     update();
 }
 
-/// From above: the screen, the tooth, and a forearm that holds the handpiece.
+/// Paints from above: the screen, the tooth, and a forearm that holds the handpiece.
 void HandGuidePicture::paintHand(QPainter& painter) const
 {
     painter.setPen(inkPen(ink(*this)));
@@ -106,7 +106,7 @@ void HandGuidePicture::paintHand(QPainter& painter) const
     painter.restore();
 }
 
-/// From the side: the eye, the screen at arm's length, its upper edge no higher than the eye.
+/// Paints from the side: the eye, and the screen at arm's length with its upper edge no higher than the eye.
 void HandGuidePicture::paintScreen(QPainter& painter) const
 {
     paintDesk(painter, *this);
@@ -132,7 +132,7 @@ void HandGuidePicture::paintScreen(QPainter& painter) const
     painter.drawText(QRectF(100.0, 30.0, 170.0, 26.0), Qt::AlignCenter, tr("50 to 70 cm"));
 }
 
-/// From the side: the forearm on the table, or the hand on a rest before a force device.
+/// Paints from the side: the forearm on the table, or the hand on a rest before a force device.
 void HandGuidePicture::paintRest(QPainter& painter) const
 {
     paintDesk(painter, *this);
@@ -163,7 +163,7 @@ void HandGuidePicture::paintRest(QPainter& painter) const
     paintHeights(painter);
 }
 
-/// The work area as a vertical scale: a point where the grip is, a line at the height that is stored.
+/// Paints the work area as a vertical scale: a point for the grip, a line for the stored height.
 void HandGuidePicture::paintHeights(QPainter& painter) const
 {
     const QRectF scale(326.0, 40.0, 10.0, 150.0);
@@ -184,7 +184,7 @@ void HandGuidePicture::paintHeights(QPainter& painter) const
     painter.drawEllipse(QPointF(scale.center().x(), yAt(*m_gripMm)), 8.0, 8.0);
 }
 
-/// A place that is aimed at, and the trace of a hand that trembles.
+/// Paints a place to aim at, and the trace of a trembling hand.
 void HandGuidePicture::paintStill(QPainter& painter) const
 {
     const QPointF middle(0.5 * kWide, 0.5 * kHigh);

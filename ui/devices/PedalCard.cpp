@@ -131,7 +131,7 @@ ControllerSettings PedalCard::settingsOf(const Controller& controller) const
     return known != m_settings.end() ? known->second : firstSettings(controller.isGamepad);
 }
 
-/// The list changes only when something is plugged in or out: it may be open.
+/// Updates the list only when a controller is plugged in or removed: the list may be open.
 void PedalCard::listControllers()
 {
     const auto& all = m_state.report.controllers;
@@ -207,7 +207,7 @@ void PedalCard::choosePedal(bool isPedal)
     emit pedalChosen(m_pedal, m_state.pedalName);
 }
 
-/// A pedal that was taken away for good is waited for no longer.
+/// Forgets a pedal that was removed for good, so that it is not waited for.
 void PedalCard::forgetPedal()
 {
     m_pedal.clear();

@@ -27,7 +27,7 @@ QPen drawnWith(const QColor& colour, double widthPx)
     return {colour, widthPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
 }
 
-/// The body, with its arms along +x and the grip at their end.
+/// Paints the body, with its arms along +x and the grip at their end.
 void paintDevice(QPainter& painter, const QPalette& palette)
 {
     const QColor words = palette.color(QPalette::WindowText);

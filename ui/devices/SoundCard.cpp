@@ -182,7 +182,7 @@ void SoundCard::setReport(const SoundReport& report)
     emit stateChanged();
 }
 
-/// An output that was chosen and is missing stays in the list.
+/// Lists the outputs. A chosen output that is missing stays in the list.
 void SoundCard::listOutputs()
 {
     const QSignalBlocker silent(m_output);

@@ -29,7 +29,7 @@ constexpr int kProgressSteps = 100;
 constexpr double kScreenMmPerInch = 25.4;
 constexpr int kStillDecimals = 2;
 
-/// Up to this a hand counts as steady; docs/hand-and-rest.md says why.
+/// Limit for a steady hand; docs/hand-and-rest.md has the reasons.
 constexpr Stillness kSteadyOnTooth{0.5, 0.15};
 constexpr Stillness kSteadyOnScreen{3.0, 0.5};
 

@@ -69,7 +69,7 @@ void TagPicture::describe()
                                     : tr("Picture of the camera, without the tag"));
 }
 
-/// Where the picture is drawn: as large as it fits.
+/// Returns the place of the picture: as large as fits.
 QRectF TagPicture::place() const
 {
     const QSizeF fitting = QSizeF(m_picture.size()).scaled(QSizeF(size()), Qt::KeepAspectRatio);

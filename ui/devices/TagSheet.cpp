@@ -35,7 +35,7 @@ double withBorder(double edgeMm)
 
 }  // namespace
 
-/// Draws in millimetres. Letters are laid out in dots: their sizes are whole numbers.
+/// Draws in millimetres. Letters are laid out in dots, because their sizes are whole numbers.
 class TagSheet::Pen
 {
 public:

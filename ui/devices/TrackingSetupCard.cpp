@@ -168,7 +168,7 @@ void TrackingSetupCard::retranslateUi()
     listLenses();
 }
 
-/// In rows of four equal columns, or of two.
+/// Arranges the card in rows of four equal columns, or of two.
 void TrackingSetupCard::setNarrow(bool isNarrow)
 {
     const int columns = isNarrow ? kNarrowColumns : kColumns;

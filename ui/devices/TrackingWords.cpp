@@ -21,7 +21,7 @@ bool isVideo(const TrackingState& state)
     return !state.settings.video.isEmpty();
 }
 
-/// A camera that exposes for longer than it should, as cameras do in little light.
+/// Returns whether a camera exposes for too long, as cameras do in little light.
 bool isSlow(const TrackingState& state)
 {
     constexpr double kEnough = 0.7;

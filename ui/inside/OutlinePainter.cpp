@@ -60,7 +60,7 @@ Fit fitOf(const QRectF& area, const FromAbove& above)
         plot.center(), mm.center()};
 }
 
-/// What is shown at a node of the lattice, from 0 to 1. Outside the tooth, light and decay go on as they are at its
+/// The colour at a node of the lattice, each value from 0 to 1. Outside the tooth, light and decay are those of its
 /// rim.
 struct ReliefNode
 {
@@ -69,7 +69,7 @@ struct ReliefNode
     float decay = 0.0F;  ///< open at the surface
 };
 
-/// Weighted mean of the nodes in the 3 x 3 around (i, j) that are solid, and the share of the weights that they have.
+/// Returns the weighted mean of the solid nodes in the 3 x 3 around (i, j), and their share of the weights.
 /// @param valueOf  of the index of a node
 template <typename Value>
 std::pair<float, float> smoothed(const core::terrain::ToothAnatomy& anatomy, int i, int j, const Value& valueOf)
@@ -141,7 +141,7 @@ QRgb reliefPixel(const ReliefNode& node)
                  static_cast<int>(std::lround(inside * 255.0F)));
 }
 
-/// The tooth as a soft light from the upper left shows it, brown where decay lies open.
+/// Returns the tooth in a soft light from the upper left, brown where decay is open.
 QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
 {
     const core::terrain::Grid& grid = anatomy.grid;

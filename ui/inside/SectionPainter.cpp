@@ -30,7 +30,7 @@ using core::terrain::Material;
 using core::terrain::MaterialSpan;
 using core::terrain::ToothAnatomy;
 
-/// Of a picture on the screen, and on paper.
+/// Colours of a picture on the screen, and on paper.
 struct Ground
 {
     QRgb ground, grid, words;
@@ -64,7 +64,7 @@ constexpr double kLeastDepthMm = 9.0;  ///< what must be seen below the highest 
 constexpr double kBetweenPx = 6.0;     ///< two numbers below the picture
 constexpr double kLabelPx = 20.0;      ///< nearer than this, labels leave some out
 
-/// Millimetres of the plane on the paper.
+/// Converts millimetres of the plane to the paper.
 struct Frame
 {
     QRectF plot;
@@ -78,8 +78,9 @@ struct Frame
     [[nodiscard]] double bottomMm() const { return topMm - plot.height() / pxPerMm; }
 };
 
-/// The whole width of the tooth along the plane, wherever the plane lies: nothing jumps while the bur moves.
-/// @param aboveMm  shown over the highest point
+/// Returns the frame for the whole width of the tooth along the plane, wherever the plane is: the picture does not jump
+/// while the bur moves.
+/// @param aboveMm  height shown over the highest point
 Frame frameFor(const QRectF& plot, const SectionScene& scene, double aboveMm)
 {
     const ToothAnatomy& anatomy = *scene.tooth->anatomy;
@@ -151,7 +152,7 @@ void paintLabels(QPainter& painter, const Frame& frame, const QColor& words)
                      Qt::AlignRight | Qt::AlignVCenter, unit);
 }
 
-/// Whether a pattern has ink at a pixel: strokes that rise to the right, wide and thin ones that fall, or dots.
+/// Returns whether a pattern has ink at a pixel: strokes that rise to the right, wide and thin ones that fall, or dots.
 bool hasInk(Qt::BrushStyle pattern, int x, int y)
 {
     constexpr int kStrokesPx = 8;
@@ -173,7 +174,7 @@ QRgb mixed(QRgb below, QRgb above, double share)
                  channel(qBlue(below), qBlue(above)), channel(qAlpha(below), qAlpha(above)));
 }
 
-/// How much paler decay is at a height, mm: leathery decay is paler than soft, and firm paler than leathery.
+/// Returns how much paler decay is at a height, mm: leathery decay is paler than soft, and firm paler than leathery.
 double paleShare(const core::terrain::DecayZones& zones, double heightMm)
 {
     if (heightMm <= static_cast<double>(zones.firmRoof))
@@ -181,8 +182,8 @@ double paleShare(const core::terrain::DecayZones& zones, double heightMm)
     return heightMm <= static_cast<double>(zones.leatheryRoof) ? kLeatheryPaler : 0.0;
 }
 
-/// The materials, one column of device pixels to a sample: no seams, whatever the painter's scale. Pixel by pixel:
-/// a thousand rectangles take longer.
+/// Returns the picture of the materials, one column of device pixels for each sample: no seams, whatever the painter's
+/// scale. It is made pixel by pixel, because a thousand rectangles take longer.
 QImage tissue(const Section& section, const Frame& frame, double pixelRatio, render::Palette palette)
 {
     const int width = static_cast<int>(section.samples.size());
@@ -226,7 +227,7 @@ QImage tissue(const Section& section, const Frame& frame, double pixelRatio, ren
     return image;
 }
 
-/// A line of heights, where there was tooth and the height is one.
+/// Paints a line of heights, where there was tooth and the height exists.
 void paintHeights(QPainter& painter, const Section& section, const Frame& frame, float SectionSample::*height,
                   const QPen& pen)
 {
@@ -262,7 +263,8 @@ QPen idealPen()
     return pen;
 }
 
-/// Between the highest and the lowest that costs nothing, sample by sample; hatched, so that it is seen on any colour.
+/// Paints the band between the highest and the lowest cut without loss, sample by sample; hatched, so that it is
+/// visible on any colour.
 void paintBand(QPainter& painter, const Frame& frame, const SectionScene& scene, const Section& section)
 {
     const double toMm = section.fromMm + static_cast<double>(section.samples.size() - 1) * section.stepMm;
@@ -331,7 +333,7 @@ bool meetsTooth(const Section& section)
     });
 }
 
-/// In the lower half, out of the way of a bur.
+/// Paints a note in the lower half, clear of the bur.
 void paintNothingHere(QPainter& painter, const QRectF& plot, const Ground& ground)
 {
     const QString words = QCoreApplication::translate("Section", "The plane does not meet the tooth here.");

@@ -28,9 +28,9 @@ namespace {
 using namespace kit;
 
 constexpr qint64 kPaintEveryMs = 30;
-/// At most every second frame of the view: where that is slow, the section does not make it slower still.
+/// At most every second frame of the view, so that a slow view gets no slower.
 constexpr int kFramesBetween = 2;
-/// Faster than that, the last digit is a blur.
+/// A faster change would make the last digit a blur.
 constexpr qint64 kFiguresEveryMs = 80;
 constexpr double kStirMm = 0.005;  ///< a third of a pixel: less does not show
 constexpr int kHalfTurnDeg = 180;
@@ -44,7 +44,7 @@ double radians(int degrees)
 
 }  // namespace
 
-/// Where the section is painted.
+/// The widget in which the section is painted.
 class SectionCanvas : public QWidget
 {
 public:

@@ -55,7 +55,7 @@ double beamRadians(int degrees)
 
 }  // namespace
 
-/// A film with its caption, as large as there is room for.
+/// A film with its caption, as large as fits.
 class FilmView : public QWidget
 {
 public:
@@ -157,7 +157,7 @@ void XrayPage::retranslateUi()
     nameSides();
 }
 
-/// Which side of a film is which of the tooth.
+/// Names the sides of the films by the sides of the tooth.
 void XrayPage::nameSides()
 {
     const double right = ownBeam().angleRad - 0.5 * std::numbers::pi;
@@ -315,7 +315,7 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth)
     develop();
 }
 
-/// In the tooth's own frame.
+/// Returns the beam in the tooth's own frame.
 core::imaging::Beam XrayPage::ownBeam() const
 {
     core::imaging::Beam beam;

@@ -31,7 +31,7 @@ QString drawingOf(const QAction* action)
     return action->property(kDrawing).toString();
 }
 
-/// The favourites of the last run, or the first burs.
+/// Returns the favourites of the last run, or else the first burs.
 QList<int> rememberedBurs()
 {
     QList<int> favourites;

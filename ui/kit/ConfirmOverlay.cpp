@@ -100,7 +100,7 @@ void ConfirmOverlay::answer(const std::function<void()>& doing)
     todo();
 }
 
-/// No key that means something elsewhere in the window means it now.
+/// Keeps all keys from the rest of the window.
 bool ConfirmOverlay::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {

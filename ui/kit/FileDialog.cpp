@@ -25,7 +25,7 @@ constexpr int kSize = 1;  ///< columns of QFileSystemModel
 constexpr int kKind = 2;
 constexpr int kModified = 3;
 
-/// "*.png", "*.PNG" of "Pictures (*.png *.PNG)".
+/// Returns "*.png" and "*.PNG" for "Pictures (*.png *.PNG)".
 QStringList patternsOf(const QStringList& nameFilters)
 {
     static const QRegularExpression kWithin(QStringLiteral(R"(\(([^()]*)\)\s*$)"));
@@ -35,7 +35,7 @@ QStringList patternsOf(const QStringList& nameFilters)
     return patterns;
 }
 
-/// Never opens a file.
+/// Chooses icons by name, and never opens a file.
 class ByName final : public QFileIconProvider
 {
 public:
@@ -51,7 +51,7 @@ public:
     }
 };
 
-/// Qt's own model tells sizes and dates as the computer does, whatever language the program speaks.
+/// Writes sizes and dates in the program's language. Qt's own model uses the computer's.
 class InProgramsLanguage final : public QIdentityProxyModel
 {
 public:

@@ -38,7 +38,7 @@ struct Words
     Q_DECLARE_TR_FUNCTIONS(ui::kit::FormInputs)
 };
 
-/// That of the window's language, but a point or a comma never stands between thousands.
+/// Returns the locale of the window's language, but without group separators.
 QLocale formLocale()
 {
     QLocale locale;
@@ -46,9 +46,9 @@ QLocale formLocale()
     return locale;
 }
 
-/// A point and a comma are both the decimal sign, in every language: who types 0.25 in German means a quarter.
-/// What is beyond the range can be typed, but neither it nor a part of it is taken: 99 is no 9. What was there before
-/// stays, and a note below says so.
+/// A number input in which a point and a comma are both the decimal sign, in every language: 0.25 typed in German is a
+/// quarter. A number beyond the range can be typed, but neither it nor a part of it is taken: 99 is not read as 9. The
+/// earlier value stays, and a note below explains it.
 class NumberInput final : public QDoubleSpinBox
 {
 public:
@@ -199,7 +199,7 @@ private:
     QPointer<QLabel> m_note;
 };
 
-/// Entries of a list, far enough apart to be hit.
+/// Paints the entries of a list, far enough apart to click.
 class EntryDelegate final : public QStyledItemDelegate
 {
 public:
@@ -278,7 +278,7 @@ QLabel* faultLabel(QWidget* parent)
     return made;
 }
 
-/// A sign before the words: a fault is not told by colour alone.
+/// Shows a fault with a sign before the words, so that it is not marked by colour alone.
 void showFault(QLabel* label, const QString& what)
 {
     label->setText(what.isEmpty() ? QString() : QStringLiteral("⚠ ") + what);

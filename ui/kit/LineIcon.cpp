@@ -15,7 +15,8 @@ QByteArray drawing(const QString& name)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Our drawings say currentColor; the renderer does not know it, so it is written in before parsing.
+/// Paints a drawing. It uses currentColor, which the renderer does not know, so the colour is written in before
+/// parsing.
 void paintDrawing(QPainter& painter, const QRectF& where, QByteArray svg, const QColor& colour)
 {
     svg.replace("currentColor", colour.name(QColor::HexRgb).toLatin1());

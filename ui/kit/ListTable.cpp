@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kListRowPx = 34;
 
-/// The arrow of the sorting is one of the words of its heading, before those that are aligned to the right: Qt's own
-/// lies at the right, over their last letters.
+/// Headings whose sorting arrow is one of their words, placed before right-aligned ones. Qt's own arrow is at the
+/// right, over their last letters.
 class Heads final : public QHeaderView
 {
 public:
@@ -65,7 +65,7 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     });
 }
 
-/// Its headings may be said in another language after everything else.
+/// Sets a model. Its headings may change their language after everything else.
 void ListTable::setModel(QAbstractItemModel* model)
 {
     QTableView::setModel(model);

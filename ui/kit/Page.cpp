@@ -17,7 +17,7 @@
 namespace ui::kit {
 namespace {
 
-/// One line, with an ellipsis where it has no room.
+/// One line, with an ellipsis if it has no room.
 class Title final : public QLabel
 {
 public:
@@ -75,7 +75,7 @@ Page::Page(const Actions& actions, QWidget* parent) : QWidget(parent), m_title(n
     column->addLayout(m_body, 1);
 }
 
-/// Enter presses the arrow as it does the buttons beside it; Qt leaves a tool button the space bar only.
+/// Makes Enter press the arrow like the buttons beside it. Qt gives a tool button only the space bar.
 bool Page::eventFilter(QObject* watched, QEvent* event)
 {
     if (auto* arrow = qobject_cast<QToolButton*>(watched);

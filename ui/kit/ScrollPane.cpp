@@ -19,7 +19,7 @@ namespace {
 constexpr int kEdgePx = 36;
 constexpr int kArrowPx = 18;
 
-/// Over the lower end of what scrolls.
+/// Fades the lower end of the scrolled content.
 class LowerEdge : public QWidget
 {
 public:
@@ -52,7 +52,7 @@ private:
     QPalette::ColorRole m_ground;
 };
 
-/// Around what the keyboard scrolls.
+/// A ring around content that the keyboard scrolls.
 class Ring : public QWidget
 {
 public:
@@ -72,7 +72,7 @@ protected:
     }
 };
 
-/// Something within can have the keyboard, and with it its keys scroll.
+/// Returns whether a widget within can have the focus; then its keys scroll.
 bool hasStop(const QWidget& content)
 {
     const auto all = content.findChildren<QWidget*>();
@@ -112,7 +112,8 @@ ScrollPane::ScrollPane(QWidget* content, QPalette::ColorRole ground, QWidget* pa
     });
 }
 
-/// With some room around it, clear of the edge that fades; of what is higher than the pane, its upper end.
+/// Scrolls to a widget with some room around it, clear of the edge that fades. If it is higher than the pane, its upper
+/// end is shown.
 void ScrollPane::reveal(const QWidget& what)
 {
     QScrollBar* const bar = verticalScrollBar();
@@ -148,7 +149,7 @@ bool ScrollPane::event(QEvent* event)
     return QScrollArea::event(event);
 }
 
-/// Those that nothing within wants for itself.
+/// Handles the keys that no widget within uses.
 void ScrollPane::keyPressEvent(QKeyEvent* event)
 {
     if (isScrollKey(*event) && (event->key() == Qt::Key_Home || event->key() == Qt::Key_End))

@@ -65,7 +65,8 @@ QPalette paletteOf(const Colours& c)
     return p;
 }
 
-/// The style sheet with every palette(role) replaced by that palette's colour; palette(faint) is for words at rest.
+/// Returns the style sheet with every palette(role) replaced by that palette's colour; palette(faint) is for words of
+/// less weight.
 QString sheetFor(const QPalette& palette)
 {
     const QList<std::pair<QString, QColor>> roles{

@@ -37,7 +37,7 @@ std::vector<IdealField> fieldsFrom(std::span<const core::NumberField<Design>> fi
     return made;
 }
 
-/// The kind of an ideal that is made by rule.
+/// Returns the kind of an ideal that is made by rule.
 std::optional<core::preparation::Kind> ruleOf(const Lesson& lesson)
 {
     if (lesson.task != ::lessons::Task::CutIdeal || !lesson.ideal || lesson.ideal->captured)
@@ -46,7 +46,7 @@ std::optional<core::preparation::Kind> ruleOf(const Lesson& lesson)
     return kind ? std::optional(*kind) : std::nullopt;
 }
 
-/// With the sizes that the lesson sets otherwise.
+/// Returns the design with the sizes that the lesson sets.
 core::preparation::ToothDesign designOf(const Lesson& lesson, core::preparation::Kind kind,
                                         core::preparation::ToothDesign usual)
 {
@@ -70,7 +70,7 @@ std::vector<IdealField> fieldsOf(const Lesson& lesson, const std::optional<core:
     return fieldsFrom<core::preparation::ToothDesign>(fields, designOf(lesson, *kind, *usual));
 }
 
-/// What was made for the draft before, as far as it is the same.
+/// The parts made for the draft before, if they are still valid.
 struct Kept
 {
     std::shared_ptr<const core::terrain::ToothAnatomy> anatomy;
@@ -89,7 +89,7 @@ Kept keptOf(const EvaluatedDraft* before, const Lesson& lesson)
             old.ideal == lesson.ideal && old.task == lesson.task};
 }
 
-/// A draft whose rubric is none, read with that of the draft before, else with that of the lesson it is based on.
+/// Reads a draft without a valid rubric, using the rubric of the draft before or else of the base lesson.
 std::optional<Lesson> withAnotherRubric(QJsonObject draft, const QString& file, const EvaluatedDraft* before)
 {
     const QString key = QStringLiteral("rubric");
@@ -103,7 +103,7 @@ std::optional<Lesson> withAnotherRubric(QJsonObject draft, const QString& file, 
     return read.lesson ? std::optional(*read.lesson) : std::nullopt;
 }
 
-/// The sizes of a preparation on this tooth, of which nothing is kept.
+/// Returns the usual sizes of a preparation on this tooth.
 std::optional<core::preparation::ToothDesign> usualOf(const Lesson& lesson)
 {
     const auto kind = ruleOf(lesson);
@@ -116,7 +116,7 @@ std::optional<core::preparation::ToothDesign> usualOf(const Lesson& lesson)
     return usual ? std::optional(*usual) : std::nullopt;
 }
 
-/// As lessons::assign(), with what is kept.
+/// Like lessons::assign(), but reuses valid parts.
 core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, const EvaluatedDraft* before)
 {
     if (!kept.anatomy) {
@@ -143,7 +143,7 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
     return assignment;
 }
 
-/// The fault that makes no lesson of it, beside the field that it is about where its sentence names one.
+/// Returns the fault that prevents the lesson, at the field that its sentence names, if there is one.
 ::lessons::ValidationIssue faultOf(const core::Error& error, const QString& file, const Lesson& lesson)
 {
     const QString what = QString::fromStdString(error.detail);
@@ -154,7 +154,7 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
     return {file, key, core::wordsOf(error), true};
 }
 
-/// A name, in which a limit in mm stands in the place of another.
+/// Returns a name with one limit in mm replaced by another.
 QString withLimit(const QString& name, const QString& language, double before, double now)
 {
     const QLocale locale(language);
@@ -166,7 +166,7 @@ QString withLimit(const QString& name, const QString& language, double before, d
     return QString(name).replace(limit, shown(now));
 }
 
-/// The value from which on there is an error.
+/// Returns the value from which there is an error.
 double limitOf(const QJsonObject& criterion)
 {
     const double target = criterion.value(QStringLiteral("target")).toDouble();
@@ -175,7 +175,7 @@ double limitOf(const QJsonObject& criterion)
                                                                                         : target + tolerance;
 }
 
-/// A name in one language, or in several.
+/// Does the same for a name in one language or several.
 QJsonValue withLimit(const QJsonValue& names, double before, double now)
 {
     if (names.isString())

@@ -57,7 +57,7 @@ std::filesystem::path toPath(const QString& file)
     return {file.toStdU16String()};
 }
 
-/// An empty field has no place in a file that one could go to.
+/// Returns the words of a fault. A field that is empty has no place in the file to go to.
 QString wordsOf(const ::lessons::ValidationIssue& fault, const LessonDraft& draft)
 {
     return fault.key == QStringLiteral("title") && draft.title().isEmpty()
@@ -65,8 +65,8 @@ QString wordsOf(const ::lessons::ValidationIssue& fault, const LessonDraft& draf
                : text::faultWords(fault);
 }
 
-/// Writes a draft where it stands. Empty when that is done, else a sentence that says why not.
-/// @param weighed  what it comes to
+/// Writes a draft to its file. Returns an empty text, or else a sentence with the reason of the failure.
+/// @param weighed  its evaluation
 QString write(LessonDraft& draft, const EvaluatedDraft& weighed)
 {
     if (draft.isOvertaken())
@@ -117,7 +117,7 @@ LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
     text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-/// The inputs are made anew, and what is weighed is weighed again: its words are of the language before.
+/// Makes the inputs anew and evaluates the draft again, because its words are in the previous language.
 void LessonEditor::retranslateUi()
 {
     if (m_present.isEmpty()) {
@@ -324,7 +324,7 @@ void LessonEditor::edit(const ::lessons::ReadLesson& lesson, const QString& fold
     turnTo(present);
 }
 
-/// Nothing of the lesson before may be left: where this one comes to nothing, what is wrong is said and no more.
+/// Turns to another draft. If it fails, only its fault is shown, and no part of the lesson before.
 void LessonEditor::turnTo(const QString& present)
 {
     m_present = present;
@@ -420,7 +420,7 @@ void LessonEditor::take(const std::shared_ptr<const EvaluatedDraft>& weighed, bo
         save();
 }
 
-/// By rule, or each captured ideal that lies beside the lesson.
+/// Offers the ideals: by rule, or each captured one beside the lesson.
 void LessonEditor::offerReferences()
 {
     const QString folder = QFileInfo(draft().file()).absolutePath();
@@ -436,7 +436,7 @@ void LessonEditor::showMeaning()
                                          : tr("Costs nothing: %1.").arg(meaning));
 }
 
-/// Each beside what it is about; what has no place of its own at the top.
+/// Shows each fault beside its field, and others at the top.
 void LessonEditor::showFaults()
 {
     QStringList general;
@@ -445,7 +445,7 @@ void LessonEditor::showFaults()
     kit::showFault(m_generalFault, general.join(u' '));
 }
 
-/// The ideal, marked as if a student had cut it, must lose nothing.
+/// Shows whether the ideal loses points: graded like a student's work, it must lose none.
 void LessonEditor::showCheck()
 {
     const auto& itself = m_now->itself;
@@ -476,7 +476,8 @@ void LessonEditor::showCheck()
     m_fit->setVisible(itself && !isFull);
 }
 
-/// As wide as the ideal itself needs, to the next step of the input. What was not measured cannot be fitted.
+/// Sets the tolerances to what the ideal itself needs, rounded up to the step of the input. An unmeasured value is
+/// left.
 void LessonEditor::fitTolerances()
 {
     if (!m_now || !m_now->itself)
@@ -596,7 +597,7 @@ void LessonEditor::refuseToSave(const QString& whyNot)
     m_anew->setVisible(draft().isOvertaken());
 }
 
-/// Nothing that was changed here is lost: it is a step back.
+/// Opens the lesson anew. Changes made here are not lost: undo brings them back.
 void LessonEditor::openAnew()
 {
     const ::lessons::ReadLesson read = ::lessons::readLesson(draft().file());

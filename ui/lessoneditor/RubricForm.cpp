@@ -158,7 +158,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
     showMore();
 }
 
-/// For who sees the form, and for who hears it.
+/// Sets the visible title, and the one for screen readers.
 void RubricForm::Criterion::call(const QString& title) const
 {
     name->setText(title);
@@ -179,7 +179,7 @@ void RubricForm::connectInput(QDoubleSpinBox* input, int index, const char* key)
     });
 }
 
-/// What a measure ought to be, and over how much too far the points go.
+/// Makes the inputs for the target of a measure and the span over which the points fall.
 QWidget* RubricForm::makeMore(const ::lessons::CriterionRule& rule, Criterion& inputs)
 {
     auto* more = new QWidget(m_inputs);
@@ -253,7 +253,7 @@ std::vector<::lessons::ValidationIssue> RubricForm::takeFaults(const std::vector
     return others;
 }
 
-/// Of what is in the inputs: a rubric whose weights do not add up is none.
+/// Adds the weights of the inputs up: a rubric whose sum is wrong is invalid.
 void RubricForm::sumUp()
 {
     double sum = 0.0;

@@ -224,7 +224,7 @@ void SweepPage::takeAttempts(const std::shared_ptr<const PastAttempts>& past)
     measureLater();
 }
 
-/// Against this ideal, if they have not been; then only marked.
+/// Measures the attempts against this ideal if that has not been done; otherwise only grades them.
 void SweepPage::measureLater()
 {
     if (!m_good)
@@ -253,7 +253,7 @@ void SweepPage::measureLater()
     });
 }
 
-/// What the history knows was measured against the ideal as it was.
+/// Returns whether the ideal is as it was opened: the history was measured against that one.
 bool SweepPage::isAsOpened() const
 {
     const ::lessons::Lesson& lesson = *m_good->assignment->lesson;

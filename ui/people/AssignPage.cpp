@@ -44,7 +44,7 @@ constexpr int kHeadingPx = 30;
 constexpr int kBoxPx = 16;
 constexpr int kBarPx = 4;
 
-/// A lesson that is ticked by a click anywhere on it or the space bar; or the heading of some.
+/// Paints a lesson that a click or the space bar ticks, or the heading of a group.
 class OfferRow final : public QStyledItemDelegate
 {
 public:
@@ -121,7 +121,7 @@ private:
     }
 };
 
-/// The space bar ticks here, whatever else it is the key of.
+/// A list in which the space bar ticks, whatever other use it has.
 class OfferList final : public QListView
 {
 public:
@@ -138,7 +138,7 @@ protected:
     }
 };
 
-/// "7 of 12", and beneath it a bar of that length.
+/// Paints "7 of 12", and below it a bar of that length.
 class PassedCell final : public QStyledItemDelegate
 {
 public:
@@ -329,7 +329,7 @@ QWidget* AssignPage::makeGiven()
     return part;
 }
 
-/// What was done, and the way back.
+/// Makes the foot: what was done, and the button that undoes it.
 QWidget* AssignPage::makeFeet()
 {
     auto* part = new QWidget(this);
@@ -415,7 +415,7 @@ QString AssignPage::titleOf(const std::string& lessonId) const
     return found == m_lessons.end() ? QString::fromStdString(lessonId) : found->title;
 }
 
-/// How many have tried as often as that allows: what they did before it was given counts.
+/// Returns who has no attempt left under these terms. Attempts before the assignment count.
 std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given) const
 {
     std::set<std::size_t> students;
@@ -432,7 +432,7 @@ std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given)
     return students;
 }
 
-/// What is ticked stays, unless it has been given meanwhile.
+/// Fills the offers. Ticks stay, unless the lesson has been assigned meanwhile.
 void AssignPage::fillOffers()
 {
     const std::vector<std::string> before = ticked();
@@ -476,7 +476,7 @@ void AssignPage::fillOffers()
     tellChosen();
 }
 
-/// Lessons in which every word occurs, under the headings that are left.
+/// Shows the lessons that contain every word, under the remaining headings.
 void AssignPage::search()
 {
     int heading = -1;
@@ -504,7 +504,7 @@ void AssignPage::search()
     keepCurrentInSight();
 }
 
-/// Keys go to the current row: one that the search has put away would be ticked unseen.
+/// Keeps the current row visible: a hidden row would be ticked unseen.
 void AssignPage::keepCurrentInSight()
 {
     const QModelIndex current = m_list->currentIndex();
@@ -678,7 +678,8 @@ void AssignPage::tellChosen()
     m_undo->setEnabled(!m_isAsking);
 }
 
-/// The school's database has no lessons: whoever is given one that is not shipped finds it only where its file is.
+/// Says where lessons must be: the school's database has none, so a student finds a lesson that is not shipped only
+/// where its file is.
 void AssignPage::tellWhere()
 {
     QStringList titles;

@@ -102,7 +102,7 @@ AssignTerms::Terms AssignTerms::changed(const Terms& before) const
     return {m_isDueChanged ? now.dueUtc : before.dueUtc, m_isLimitChanged ? now.attemptLimit : before.attemptLimit};
 }
 
-/// What one might not expect of them.
+/// Explains the terms where they may surprise.
 void AssignTerms::tellNote()
 {
     QStringList notes;
@@ -133,7 +133,7 @@ void AssignTerms::retell()
     tellNote();
 }
 
-/// Its months and days, as they are called today.
+/// Names months and days of the calendar in the present language.
 void AssignTerms::sayCalendar()
 {
     QCalendarWidget* calendar = m_day->calendarWidget();
@@ -150,8 +150,8 @@ void AssignTerms::sayCalendar()
             button->setAccessibleName(tr("The next month"));
 }
 
-/// The calendar is made when it is opened first. A whole day can be typed as it is written, whether one comes with the
-/// mouse or has chosen all of what is there: else the digits would go into the month or the year that was pointed at.
+/// Makes the calendar when it is first opened. A whole day can be typed over, whether the field was entered with the
+/// mouse or all of it is selected; otherwise the digits would go into the month or the year under the pointer.
 bool AssignTerms::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress)

@@ -29,8 +29,8 @@ constexpr double kFullest = 0.42;       ///< more, and the words on it would be 
 constexpr QStringView kSign = u"  ▲ ";  ///< between a name and what is needed
 constexpr QStringView kGone = u"  – ";  ///< and between that of who comes no more and the word for it
 
-/// As if so much of it lay over the other. What is transparent takes Qt's painter over ten times as long: it shares out
-/// each of the small areas among threads, and waits for them.
+/// Mixes two colours like a translucent layer. Qt's painter takes over ten times as long for transparency: it divides
+/// each small area among threads and waits for them.
 QColor mixed(const QColor& below, const QColor& above, double share)
 {
     const auto channel = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
@@ -253,7 +253,7 @@ int ClassModel::columnCount(const QModelIndex& parent) const
     return parent.isValid() ? 0 : kFirstLesson + static_cast<int>(m_overview.lessons.size());
 }
 
-/// One cell as a sentence, for a tooltip and for who hears it.
+/// Returns one cell as a sentence, for a tooltip and for screen readers.
 QString ClassModel::cellWords(const QModelIndex& index) const
 {
     const MatrixStudent& student = m_overview.students[static_cast<std::size_t>(index.row())];
@@ -305,7 +305,7 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
     }
 }
 
-/// The title, and beneath it when the lesson is due; for who points at it, how often it may be tried as well.
+/// Returns the title, and below it the due date. The tooltip also has the number of attempts.
 QString ClassModel::headWords(std::size_t lesson, bool isTip) const
 {
     const std::string& id = m_overview.lessons[lesson];
@@ -322,7 +322,7 @@ QString ClassModel::headWords(std::size_t lesson, bool isTip) const
     return words.join(u'\n');
 }
 
-/// Behind a name; empty: nothing.
+/// Returns the mark after a name; empty if there is none.
 QString ClassModel::markOf(int row) const
 {
     return m_overview.students[static_cast<std::size_t>(row)].isDisabled

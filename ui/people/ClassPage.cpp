@@ -217,7 +217,7 @@ QWidget* ClassPage::makeMatrix()
     return m_stack;
 }
 
-/// What stands there while there is nobody.
+/// Makes the page for an empty class.
 QWidget* ClassPage::makeEmpty()
 {
     auto* part = new QWidget(m_stack);
@@ -303,7 +303,7 @@ void ClassPage::listClasses(const QList<database::SchoolClass>& classes)
     retell();
 }
 
-/// Under its name stands no other.
+/// Takes the class. No results of another class may be shown under its name.
 void ClassPage::takeClass()
 {
     if (!isRead())
@@ -600,7 +600,7 @@ void ClassPage::drawCharts()
     show(m_difficulty, difficultyChart(m_results, m_criteria));
 }
 
-/// Lessons share what room there is, down to what their titles need.
+/// Divides the width among the lessons, down to what their titles need.
 void ClassPage::fitColumns()
 {
     const int lessons = static_cast<int>(m_model->overview().lessons.size());
@@ -631,7 +631,7 @@ void ClassPage::say(std::function<QString()> words)
         announce(*m_said);
 }
 
-/// A path may be longer than there is room for.
+/// Shows the message; a path in it may be longer than the room.
 void ClassPage::tellSaying()
 {
     m_said->setText(m_saying ? m_saying() : QString());

@@ -236,7 +236,7 @@ void HistoryPage::setExamsWithoutScore(const QList<database::ExamStart>& newestF
     tellWithoutScore();
 }
 
-/// Of the lesson that is shown.
+/// Shows the exams without a score in the lesson that is shown.
 void HistoryPage::tellWithoutScore()
 {
     const auto shown = lesson();
@@ -261,7 +261,7 @@ void HistoryPage::setWaiting(int count)
     tellWaiting();
 }
 
-/// And whether there is anything to show at all.
+/// Shows what is still waiting, and whether the page has any content.
 void HistoryPage::tellWaiting()
 {
     m_waitingWords->setText(
@@ -313,7 +313,7 @@ void HistoryPage::setClassMedians(const std::optional<scoring::ClassMedians>& me
     drawCharts();
 }
 
-/// The lessons that were tried, with how often, the one that is shown kept.
+/// Fills the list of tried lessons with their counts, and keeps the selection.
 void HistoryPage::fillLessons()
 {
     const auto kept = lesson();
@@ -446,7 +446,7 @@ void HistoryPage::setFeedback(const std::vector<database::Feedback>& feedback)
     makeRoom();
 }
 
-/// As wide as their words in this language; the lesson has the rest.
+/// Makes the columns as wide as their words in this language; the lesson takes the rest.
 void HistoryPage::fitColumns()
 {
     const QFontMetrics metrics(typeface(kBody));
@@ -469,7 +469,7 @@ void HistoryPage::fitColumns()
     makeRoom();
 }
 
-/// Force and time, which have charts beside the list, leave their room to the titles of lessons where it is scarce.
+/// Hides force and time, which have charts beside the list, if the titles need the room.
 void HistoryPage::makeRoom()
 {
     // Titles take no more than the longest of them needs.

@@ -22,16 +22,16 @@ constexpr int kTilePx = 46;
 constexpr int kPanelTilePx = 70;
 constexpr int kNumberPx = 18;
 constexpr int kBelowTipPx = 2;  ///< from the tip to the number, and as much above the shank
-/// What is drawn of the neck above a head at least, mm.
+/// Least length of the neck that is drawn above a head, mm.
 constexpr double kNeckSeenMm = 0.4;
-/// The shank of a diamond with the ring that tells its grit, above the neck.
+/// The shank of a diamond with the ring for its grit, above the neck.
 constexpr double kShankPx = 13.0;
 constexpr double kRingPx = 5.0;
 constexpr double kBladePx = 4.0;     ///< from blade to blade
 constexpr double kBladeSlope = 0.6;  ///< of a groove: horizontal pixels per vertical pixel
 constexpr double kGrainPx = 2.0;
 
-/// Both halves of the head, tip at the origin, y upwards negative.
+/// Returns both halves of the head, with the tip at the origin and y negative upwards.
 QPainterPath headOf(const core::bur::Bur& bur)
 {
     QPainterPath path;
@@ -55,7 +55,7 @@ void drawBlades(QPainter& painter, const QRectF& head, const QColor& groove, boo
         painter.drawLine(QPointF(head.left(), y), QPointF(head.right(), y));
 }
 
-/// Draws grains in rows, of which every other one is half a grain on.
+/// Draws grains in rows; every other row is shifted by half a grain.
 void drawGrains(QPainter& painter, const QRectF& head, const QColor& grain)
 {
     painter.setPen(Qt::NoPen);

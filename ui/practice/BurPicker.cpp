@@ -43,7 +43,7 @@ constexpr std::array<const char*, 6> kGroups{
     QT_TRANSLATE_NOOP("ui::practice::BurPicker", "Diamonds"),
 };
 
-/// Into kGroups.
+/// Returns the index of a bur's group in kGroups.
 int kindOf(const Bur& bur)
 {
     if (bur.isDiamond())
@@ -77,7 +77,7 @@ const Bur& thatBur(int index)
     return core::bur::burs()[static_cast<std::size_t>(index)];
 }
 
-/// "1.0 × 3.8 mm", the ISO size, and the grit of a diamond.
+/// Returns "1.0 × 3.8 mm", the ISO size, and the grit of a diamond.
 QString sizeWords(const Bur& bur)
 {
     const QLocale locale;
@@ -91,7 +91,8 @@ QString sizeWords(const Bur& bur)
     return bur.isDiamond() ? size + u'\n' + BurPicker::tr("Grit %1").arg(bur.grit) : size;
 }
 
-/// Whether a bur is what somebody looks for: its number begins so, its size or number in ISO 6360 or its name has it.
+/// Returns whether a bur matches a search: its number begins with the words, or its size, its ISO 6360 number or its
+/// name contains them.
 bool isMeant(int index, const QString& words)
 {
     const Bur& bur = thatBur(index);
@@ -238,7 +239,7 @@ void BurPicker::search(const QString& words)
     m_none->setVisible(shown().isEmpty());
 }
 
-/// Takes the bur whose number was typed in full, or the first one that was found.
+/// Takes the bur whose number was typed in full, or else the first match.
 void BurPicker::takeFound()
 {
     const QList<Cell> cells = shown();
@@ -286,7 +287,7 @@ void BurPicker::takeStar(int bur, bool isFavourite)
     m_actions.setFavouriteBurs(favourites);
 }
 
-/// Moves the keyboard so many tiles on, among those that are shown.
+/// Moves the focus by so many visible tiles.
 void BurPicker::step(int by)
 {
     const QList<Cell> cells = shown();
@@ -301,7 +302,7 @@ void BurPicker::step(int by)
         m_search->setFocus(Qt::TabFocusReason);
 }
 
-/// The arrows mean the same wherever the keyboard is; buttons would take them for the next button.
+/// Gives the arrows one meaning wherever the focus is. Buttons would use them to go to the next button.
 bool BurPicker::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() != QEvent::KeyPress)

@@ -238,7 +238,7 @@ void ExerciseCard::conclude()
     showProgress();
 }
 
-/// Of each pad, once the work has been graded.
+/// Shows the truth for each pad, once the work is graded.
 void ExerciseCard::sayTruth()
 {
     int widest = 0;

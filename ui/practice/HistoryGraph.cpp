@@ -7,14 +7,14 @@
 namespace ui::practice {
 namespace {
 
-/// A line of moments, each the oldest that follows from the one before.
+/// A line of moments. Each next one is the oldest that follows from the one before.
 struct Line
 {
     int parent = -1;
     std::vector<int> rows;
 };
 
-/// In the order of their first rows.
+/// Returns the lines in the order of their first rows.
 std::vector<Line> linesOf(const std::vector<HistoryRow>& rows)
 {
     std::vector<Line> lines;

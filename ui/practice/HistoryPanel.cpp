@@ -23,7 +23,7 @@
 
 namespace ui::practice {
 
-/// The rows of the history. The panel shows them; their words are for who listens.
+/// The rows of the history. The panel shows them; their words are for screen readers.
 class HistoryModel final : public QAbstractListModel
 {
 public:
@@ -62,7 +62,7 @@ std::uint64_t number(MomentId id)
     return static_cast<std::uint64_t>(id);
 }
 
-/// "1:07", or what the first moment is.
+/// Returns "1:07", or the words for the first moment.
 QString whenWords(const HistoryRow& row)
 {
     if (row.moment.tick == 0 && row.parent < 0)
@@ -72,7 +72,7 @@ QString whenWords(const HistoryRow& row)
     return text::duration(row.moment.seconds);
 }
 
-/// What came off most.
+/// Returns the material that was removed most.
 QString takenWords(const HistoryRow& row)
 {
     if (row.parent < 0 || row.moment.tick == 0)
@@ -86,7 +86,7 @@ QString takenWords(const HistoryRow& row)
         .arg(text::number(*most, 2), text::materialName(material));
 }
 
-/// One moment: its place among the branches, its picture, its words.
+/// Paints one moment: its place among the branches, its picture and its words.
 class HistoryDelegate final : public QStyledItemDelegate
 {
 public:
@@ -290,7 +290,7 @@ const QImage* HistoryPanel::picture(MomentId id)
     return known;
 }
 
-/// On a thread of the pool; what another tooth or palette was wanted for meanwhile is thrown away.
+/// Draws a moment on a thread of the pool. A picture for another tooth or palette is dropped.
 void HistoryPanel::draw(MomentId id)
 {
     if (!m_tooth || !m_source.heights || m_underWay.contains(number(id)))

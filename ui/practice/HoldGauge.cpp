@@ -54,7 +54,7 @@ void HoldGauge::setForce(double newtons)
     update();
 }
 
-/// The band stands in the middle.
+/// Returns the place of a force; the band is in the middle.
 double HoldGauge::placeOf(double newtons) const
 {
     const double share = std::clamp(newtons / (2.0 * m_asked.forceN), 0.0, 1.0);

@@ -177,7 +177,7 @@ QString LessonStrip::stepWords() const
                        : tr("The decay is out. Press G for the score.");
 }
 
-/// Each step begins without its hint.
+/// Goes to a step. Each step begins without its hint.
 void LessonStrip::goTo(std::size_t step)
 {
     m_step = step;

@@ -35,14 +35,14 @@ using lessons::ShownTarget;
 constexpr int kWidthPx = 272;
 constexpr double kRpmStep = 1000.0;  ///< finer says nothing
 constexpr int kSwatchPx = 18;
-/// Words and digits change this often at most; faster than that, the last digit is a blur.
+/// Least interval between changes of words and digits. A faster change would make the last digit a blur.
 constexpr qint64 kWordsEveryMs = 80;
-/// Less than this is friction, and not what a person wonders about.
+/// A smaller force is friction, which a person does not notice.
 constexpr double kSidewaysFromN = 0.15;
-/// In the air, less than this is the tremble of the bur (core::contact::BurVibration), and no push.
+/// In the air, a smaller force is the tremble of the bur (core::contact::BurVibration) and no push.
 constexpr double kTrembleN = 0.2;
-/// Distance to the pulp: less than this wants a lining, and less than that harms the pulp (docs/teeth.md, "Ideal
-/// preparations").
+/// Distance to the pulp. Below the first a lining is needed, and below the second the pulp is harmed (docs/teeth.md,
+/// "Ideal preparations").
 constexpr double kThinMm = 1.0;
 constexpr double kHarmfulMm = 0.5;
 
@@ -277,7 +277,7 @@ void SidePanel::setBlindfold(bool on)
     showFigures();
 }
 
-/// Those that may be told, and that mean something.
+/// Shows the figures that are permitted and have a meaning now.
 void SidePanel::showFigures()
 {
     for (QWidget* telling : {m_material.block, m_removedBlock})

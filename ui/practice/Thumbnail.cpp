@@ -16,7 +16,7 @@ constexpr float kTint = 0.45F;
 constexpr float kCutMm = 0.02F;  ///< less is a scratch
 constexpr int kFiner = 2;        ///< a side is drawn so many times as fine, against jags
 
-/// The column at a node, or a slope of 0 where the tooth ends.
+/// Returns the slope at a node, or 0 where the tooth ends.
 float rise(const core::terrain::Grid& grid, std::span<const float> top, int i, int j, int di, int dj)
 {
     if (!grid.contains(i + di, j + dj) || !grid.contains(i - di, j - dj))

@@ -24,7 +24,7 @@ constexpr double kMostApart = 0.1;
 constexpr double kNearest = 0.6;
 constexpr double kFarthest = 1.6;
 
-/// What the two eyes can be given without harm, whatever a file says.
+/// Limits the settings to what two eyes can bear, whatever a file contains.
 void keepInBounds(render::Presentation& how)
 {
     const auto bounded = [](double value, double low, double high, double otherwise) {
@@ -191,7 +191,7 @@ void ViewMenu::read()
     take();
 }
 
-/// What the actions say becomes the settings, and is kept. The mirror is taken in hand anew each time.
+/// Stores the settings of the actions. The mirror is not stored: it is taken in hand anew each time.
 void ViewMenu::take()
 {
     tooth::ViewSettings now = m_settings;

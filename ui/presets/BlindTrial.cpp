@@ -11,7 +11,7 @@ namespace {
 
 using core::settings::FeelPreset;
 
-/// In quotes, a quote doubled (RFC 4180).
+/// Returns a name in quotes, with quotes doubled (RFC 4180).
 QByteArray quoted(const FeelPreset& preset)
 {
     return '"' + QByteArray::fromStdString(core::settings::labelOf(preset)).replace("\"", "\"\"") + '"';

@@ -31,7 +31,7 @@ constexpr double kStepN = 0.1;  ///< of the arrow keys
 constexpr int kPoints = 80;
 constexpr int kRows = 20;  ///< of a table
 
-/// Pulp gives way at a touch: its line would only press the others flat.
+/// The lines of the chart. Pulp yields at a touch: its line would only flatten the others.
 struct Line
 {
     Substance substance;
@@ -39,15 +39,15 @@ struct Line
     QColor onDark;
     Qt::PenStyle inFiles;
 };
-/// After Okabe and Ito, each readable on its page. On the screen the figures tell them apart as well, in a file
-/// strokes.
+/// After Okabe and Ito, each readable on its background. Figures distinguish them on the screen as well, and strokes in
+/// a file.
 const std::array<Line, 5> kLines{{{Substance::SoftCaries, "#8A4B00", "#E69F00", Qt::SolidLine},
                                   {Substance::FirmCaries, "#B5478A", "#CC79A7", Qt::DashLine},
                                   {Substance::Plastic, "#5B6770", "#A9B4BC", Qt::DashDotLine},
                                   {Substance::Dentin, "#00785A", "#2FBF98", Qt::DashDotDotLine},
                                   {Substance::Enamel, "#0060A8", "#56B4E9", Qt::SolidLine}}};
 
-/// In one line, in any script: between Japanese signs a line breaks as it does at a space.
+/// Returns words on one line, in any script: Japanese text may break between any two characters.
 QString unbroken(const QString& words)
 {
     static const QRegularExpression kBetweenSigns(
@@ -200,7 +200,7 @@ void FeedChart::point(std::optional<QPointF> at)
     tell(at ? std::clamp(plot().xAt(at->x()), 0.0, kMostN) : kToldN);
 }
 
-/// Each figure with the colour of its line.
+/// Shows each figure in the colour of its line.
 void FeedChart::say(const QString& sentence)
 {
     const bool dark = kit::isDark(palette());

@@ -113,7 +113,7 @@ void PresetTable::setPreset(const core::settings::FeelPreset& preset)
     m_isQuiet = false;
 }
 
-/// Only the number that was touched: what has more decimals than are shown keeps them.
+/// Reports only the number that was changed: others keep the decimals that are not shown.
 void PresetTable::tell()
 {
     if (m_isQuiet)

@@ -39,7 +39,7 @@ constexpr int kListPx = 250;
 constexpr int kNarrowListPx = 180;
 constexpr int kRowPx = 48;
 constexpr int kHighRowPx = 66;  ///< of three lines
-/// In a narrower page the chart is below the numbers; there, and in a lower one, what there is no room for scrolls.
+/// In a narrower page the chart is below the numbers. There, and in a lower page, the parts without room scroll.
 constexpr int kNarrowestChartPx = 1000;
 constexpr int kLowestPx = 560;
 constexpr int kLowestChartPx = 240;
@@ -59,7 +59,7 @@ bool isSameVersion(const FeelPreset& a, const FeelPreset& b)
     return a.name == b.name && a.version == b.version;
 }
 
-/// But for name, version and hash.
+/// Compares two presets without name, version and hash.
 bool isSameFeel(FeelPreset a, const FeelPreset& b)
 {
     a.name = b.name;
@@ -68,7 +68,8 @@ bool isSameFeel(FeelPreset a, const FeelPreset& b)
     return a == b;
 }
 
-/// A button at rest gives the keys to the list: to the button beside it a second Space would say what nobody meant.
+/// Enables a button. When it is disabled, the list gets the focus: on the next button a second Space would act by
+/// mistake.
 void enable(QPushButton* button, bool may, QWidget* list)
 {
     if (!may && button->window()->focusWidget() == button)
@@ -190,7 +191,7 @@ QWidget* PresetsPage::makeDetails()
     return side;
 }
 
-/// Its name, notes, numbers and feed.
+/// Makes name, notes, numbers and feed.
 QWidget* PresetsPage::makePreset(QWidget* parent)
 {
     auto* side = new QWidget(parent);
@@ -417,7 +418,7 @@ void PresetsPage::fill()
     m_other->setCurrentIndex(m_other->findText(other));
 }
 
-/// Until another is chosen it is the version that was changed, or else the first that feels otherwise.
+/// Offers another version to compare: the one that was changed, or else the first with a different feel.
 void PresetsPage::offerOther()
 {
     const auto at = [this](int row) -> const FeelPreset& {
@@ -463,7 +464,7 @@ void PresetsPage::choose(const FeelPreset& preset)
         Qt::QueuedConnection);
 }
 
-/// In the list.
+/// Marks the shown preset in the list.
 void PresetsPage::markShown()
 {
     const QSignalBlocker quiet(m_list);
@@ -500,7 +501,7 @@ void PresetsPage::setDraft(const FeelPreset& preset)
     write(preset);
 }
 
-/// Numbers alone: the words stand in their own lines.
+/// Takes the numbers only: the words have their own fields.
 void PresetsPage::take(const FeelPreset& preset)
 {
     FeelPreset next = preset;
@@ -546,7 +547,7 @@ bool PresetsPage::isRetired() const
     });
 }
 
-/// Not what is in use or shipped, in any of its versions.
+/// Returns whether a preset may be retired: it must not be in use or shipped, in any version.
 bool PresetsPage::mayBeRetired() const
 {
     const auto isNamedSo = [this](const FeelPreset& preset) { return preset.name == m_base.name; };
@@ -554,8 +555,8 @@ bool PresetsPage::mayBeRetired() const
     return !isNamedSo(m_inUse) && std::none_of(shipped.begin(), shipped.end(), isNamedSo);
 }
 
-/// What the sliders may start from, so that a version stands as far from what it came from as it has been turned
-/// altogether, however often it was kept on the way: what is shipped, then its own versions, the oldest first.
+/// Returns the presets that the sliders may start from: the shipped one, then its own versions, oldest first. So a
+/// version is as far from its origin as all changes together, however often it was saved on the way.
 std::vector<FeelPreset> PresetsPage::origins() const
 {
     std::vector<FeelPreset> all = lessons::shippedPresets();
@@ -619,8 +620,8 @@ void PresetsPage::resizeEvent(QResizeEvent* event)
     fit();
 }
 
-/// With large text a window has as little room as a small one: then the numbers have their height, the chart its own,
-/// and all of it scrolls.
+/// Fits the page. With large text a window has as little room as a small one: then the numbers and the chart keep their
+/// heights, and all of it scrolls.
 void PresetsPage::fit()
 {
     const bool isWide = width() >= kNarrowestChartPx;

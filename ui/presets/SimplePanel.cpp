@@ -105,7 +105,7 @@ void SimplePanel::setPreset(const std::vector<core::settings::FeelPreset>& bases
     }
 }
 
-/// Sliders in the middle tell nothing to who does not know of what.
+/// Says which preset the sliders start from: otherwise their middle has no meaning.
 void SimplePanel::say()
 {
     //: Of sliders. %1 is a hardness preset

@@ -31,15 +31,15 @@ constexpr int kHighestChartPx = 460;
 constexpr int kLowestTrialPx = 200;
 constexpr double kHardlyChance = 0.05;
 
-/// So that every row of a preset can be felt that teeth are cut by: enamel, dentin and soft decay lie in the block side
-/// by side, the others take their place.
+/// Blocks for every row of a preset. Enamel, dentin and soft decay are side by side in the block, and the others take
+/// their places.
 constexpr std::array<core::settings::ToothKind, 3> kBlocks{{
     {},
     {false, core::settings::DecayKind::Firm},
     {true},
 }};
 
-/// What the answers are worth, to somebody who has not learnt statistics.
+/// Returns what the answers are worth, for a reader without statistics.
 QString chanceWords(double p)
 {
     const int times = std::max(1, static_cast<int>(std::lround(100.0 * p)));
@@ -256,7 +256,7 @@ void TrialCard::turn(const core::settings::FeelPreset& preset)
     emit felt(preset);
 }
 
-/// What the dials make of the feed.
+/// Draws the feed that the dials result in.
 void TrialCard::draw()
 {
     m_title->setText(text::presetWords(*m_tuned));
@@ -302,7 +302,7 @@ void TrialCard::say()
     setAccessibleName(m_title->text());
 }
 
-/// A block that nothing was cut of.
+/// Begins with an uncut block.
 void TrialCard::beginAnew()
 {
     m_cutMm3 = std::numeric_limits<double>::max();

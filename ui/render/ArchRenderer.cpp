@@ -155,7 +155,7 @@ void ArchRenderer::draw(const ArchScene& scene)
 
 namespace {
 
-/// Distance along the ray to the nearest triangle (Moeller and Trumbore), infinite where it passes by.
+/// Returns the distance along the ray to the nearest triangle (Moeller and Trumbore), infinite if it hits none.
 double distanceTo(const LookMesh& mesh, const Ray& ray)
 {
     double nearest = std::numeric_limits<double>::infinity();

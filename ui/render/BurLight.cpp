@@ -18,14 +18,14 @@ namespace {
 
 constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
 constexpr float kLampReachMm = 9.0F;  ///< about the bur
-/// Half the width of a shadow's edge a millimetre of height: the operating light is 20 cm wide and 70 cm away.
+/// Half the width of a shadow's edge per millimetre of height: the operating light is 20 cm wide and 70 cm away.
 constexpr double kSpotPenumbra = 0.14;
 constexpr double kSoftestMm = 0.08;  ///< an edge is never less: the lattice has a node for it
 constexpr double kThickFor = 3.0;  ///< times a box is half as large as: a rod that no corner of it is in, leaves it lit
 constexpr float kTold = 0.85F;     ///< strength of the shadow of bur and shank, which a shadow is to tell about
 constexpr float kFilled = 0.45F;   ///< of the handpiece's, which is wide and far: other lamps of the room fill it
 
-/// What throws a shadow: a round rod.
+/// A round rod that casts a shadow.
 struct Rod
 {
     glm::dvec3 fromMm;  ///< frame of the handpiece
@@ -35,7 +35,8 @@ struct Rod
 };
 constexpr std::size_t kRods = 5;
 
-/// Bur, shank, head of the handpiece, its neck and its handle: those of SolidMesh, rounded off. The first is the bur's.
+/// Returns bur, shank, head of the handpiece, its neck and its handle: the shapes of SolidMesh, rounded. The first is
+/// the bur.
 std::array<Rod, kRods> rodsOf(const core::bur::Bur& bur)
 {
     const double chuck = core::bur::kChuckMm;
@@ -49,7 +50,7 @@ std::array<Rod, kRods> rodsOf(const core::bur::Bur& bur)
              {{20.0, 0.0, chuck + 9.0}, {60.0, 0.0, chuck + 24.0}, 4.6, kFilled}}};
 }
 
-/// How far a way towards the light passes a rod by, from its middle line, less what is in its penumbra; mm.
+/// Returns the distance between a way towards the light and a rod's middle line, minus the penumbra; mm.
 double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& towardsLight)
 {
     const glm::dvec3 way = rod.toMm - rod.fromMm;
@@ -63,7 +64,7 @@ double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& tow
     return glm::length(away + towardsLight * along - way * on) - rod.radiusMm - kSpotPenumbra * along - kSoftestMm;
 }
 
-/// Whether a rod may keep light from something in a box.
+/// Returns whether a rod may shade a point of a box.
 bool isShadowed(const Box& box, const Rod& rod, const glm::dvec3& towardsLight)
 {
     const glm::dvec3 low(box.low);

@@ -55,7 +55,7 @@ void Canvas::resize(QSize sizePx)
     m_size = sizePx;
 }
 
-/// What is drawn into, made when it is first wanted.
+/// Returns the frame buffer, made at the first use.
 QOpenGLFramebufferObject& Canvas::pixels(int samples)
 {
     auto& pixels = samples > 0 ? m_smooth : m_hard;
@@ -83,7 +83,7 @@ const QImage& Canvas::picture(const std::function<void()>& draw, int samples)
     return m_image;
 }
 
-/// OpenGL counts lines from below. Strip by strip, so that a strip is still in the cache when it is turned round.
+/// Reads the pixels back. OpenGL counts lines from below, so strips are turned while they are in the cache.
 void Canvas::readBack(QOpenGLFramebufferObject& from)
 {
     const int width = m_size.width();

@@ -31,7 +31,7 @@ constexpr float kOwnFrom = 1.5F;  ///< from the rim, nodes: from where the slope
 constexpr float kOwnFull = 4.0F;
 constexpr float kAlikeMm = 0.25F;  ///< of heights: what is much higher or lower says less of a node
 
-/// A plane through values around a node, by weighted least squares; places in cells.
+/// A plane through values around a node by weighted least squares; places in cells.
 struct Plane
 {
     double ones = 0.0;  ///< sums of weights, and of weights times places

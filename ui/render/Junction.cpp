@@ -19,7 +19,7 @@ constexpr float kKeepsToLine = 4.0F;  ///< nodes
 constexpr float kSteepestMm = 0.4F;   ///< between two columns that tell the height of the line well
 constexpr int kRounds = 5;
 
-/// Between a column with dentin and one without.
+/// A crossing between a column with dentin and one without.
 struct Crossing
 {
     glm::vec2 node;
@@ -34,7 +34,7 @@ float squareTo(const Crossing& crossing, glm::vec2 node)
     return glm::dot(to, to);
 }
 
-/// Height of the line near a node.
+/// Returns the height of the line near a node.
 float heightAt(const std::vector<Crossing>& line, glm::vec2 node, float blurNodes, float nearest2)
 {
     float sum = 0.0F;

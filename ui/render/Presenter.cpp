@@ -49,8 +49,8 @@ bool Presenter::initialize(QString& reason)
     return buildProgram(m_program, "backdrop", "present", reason);
 }
 
-/// Both eyes look straight ahead, side by side, through one window in the plane of convergence: no toe-in, which would
-/// tilt what lies aside.
+/// Returns the scene for one eye. Both eyes look straight ahead, side by side, through one window in the plane of
+/// convergence. There is no toe-in, which would tilt objects at the side.
 Scene Presenter::seenBy(int eye, const Scene& scene, const Presentation& how, double focusMm)
 {
     Scene seen = scene;

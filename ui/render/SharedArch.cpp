@@ -17,7 +17,7 @@ struct Waiting
     std::function<void(const ArchPointer&)> done;
 };
 
-/// Of the ui thread alone.
+/// Used by the ui thread only.
 struct Shelf
 {
     ArchPointer arch;

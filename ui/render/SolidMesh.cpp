@@ -22,10 +22,10 @@ constexpr float kRing = 5.0F;
 constexpr float kRingMm = 0.6F;  ///< length of the ring on a diamond's shank
 constexpr int kAround = 48;      ///< facets of a turned part
 constexpr float kPi = 3.14159265F;
-/// Edges sharper than this stay edges: cosine of 35 degrees.
+/// Sharper edges stay edges: cosine of 35 degrees.
 constexpr float kCrease = 0.82F;
 
-/// A circle of a swept part: where its centre is, how large, and what it is made of from here on.
+/// A circle of a swept part: its centre, its size, and the material from here on.
 struct Ring
 {
     glm::vec3 centre;
@@ -33,7 +33,8 @@ struct Ring
     float finish;
 };
 
-/// Sweeps circles along a path in the x, z plane. Normals are smooth where the profile is and split at its edges.
+/// Sweeps circles along a path in the x, z plane. Normals are smooth where the profile is smooth, and split at its
+/// edges.
 void sweep(SolidMesh& mesh, std::span<const Ring> rings)
 {
     const std::size_t count = rings.size();
@@ -82,7 +83,7 @@ void sweep(SolidMesh& mesh, std::span<const Ring> rings)
     }
 }
 
-/// A part turned about the z axis.
+/// Adds a part turned about the z axis.
 void turn(SolidMesh& mesh, std::span<const glm::vec3> radiusHeightFinish)
 {
     std::vector<Ring> rings;
@@ -98,7 +99,7 @@ float finishOf(const core::bur::Bur& bur)
     return bur.isCrosscut() ? kNotchedBlades : kBlades;
 }
 
-/// Gives the part of a profile between two heights the finish of the ring. Heights must not fall.
+/// Returns a profile whose part between two heights has the finish of the ring. Heights must not fall.
 std::vector<glm::vec3> withRing(const std::vector<glm::vec3>& profile, float fromMm, float toMm)
 {
     std::vector<glm::vec3> ringed;

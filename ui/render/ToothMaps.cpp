@@ -205,7 +205,7 @@ TileBounds ToothMaps::boundsOf(const ToothSurface& surface, std::size_t tile, Si
     return bounds;
 }
 
-/// Counts and bounds of the tiles that a rectangle of nodes touches.
+/// Computes counts and bounds of the tiles that a rectangle of nodes touches.
 void ToothMaps::measureTiles(const ToothSurface& surface, const core::terrain::NodeRect& rect)
 {
     constexpr int kCells = ToothSurface::kTileCells;

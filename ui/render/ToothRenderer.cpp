@@ -34,8 +34,7 @@ void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, con
     gl.glUniformMatrix4fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
 }
 
-/// Heights between which the gum around the tooth itself fades, x above y: of a gum whose tooth is not among the
-/// pieces.
+/// Returns the heights between which the gum around a tooth fades, x above y, if the tooth is not among the pieces.
 glm::vec2 fadeOf(const std::vector<core::teeth::ArchPiece>& pieces)
 {
     glm::vec2 fade(kNoFadeMm, kNoFadeMm - 1.0F);
@@ -56,7 +55,8 @@ glm::vec2 fadeOf(const std::vector<core::teeth::ArchPiece>& pieces)
     return fade.x > fade.y ? fade : glm::vec2(kNoFadeMm, kNoFadeMm - 1.0F);
 }
 
-/// Size of a diamond's grains, mm: those of ISO 6360 are about 25 to 180 um. An odd number is drawn as medium.
+/// Returns the size of a diamond's grains, mm: those of ISO 6360 are about 25 to 180 um. An unknown number is drawn as
+/// medium.
 double grainOf(int grit)
 {
     switch (grit) {
@@ -186,7 +186,7 @@ void ToothRenderer::draw(const Scene& scene)
     glDisable(GL_BLEND);
 }
 
-/// Tooth and room: of the tooth only what lies before a plane, unless that is zero.
+/// Draws tooth and room. Unless the plane is zero, only the part of the tooth before it is drawn.
 void ToothRenderer::drawStill(const Scene& scene, const glm::dvec4& clipPlane)
 {
     m_clipPlane = glm::vec4(clipPlane);
@@ -238,7 +238,7 @@ void ToothRenderer::copyPixels(GLuint from, GLuint to, QSize size, GLbitfield wh
     glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), what, GL_NEAREST);
 }
 
-/// All of it, but only these pixels.
+/// Draws the whole room, limited to these pixels.
 void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
 {
     glEnable(GL_SCISSOR_TEST);
@@ -260,8 +260,8 @@ void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
     glDisable(GL_SCISSOR_TEST);
 }
 
-/// The scene as it stands behind the glass: its mirror image, seen by the same eye. Half as fine as the picture, unless
-/// that has smooth edges.
+/// Draws the scene in the mirror: its mirror image, seen by the same eye. It has half the resolution of the picture,
+/// unless that has smooth edges.
 void ToothRenderer::drawReflection(const Scene& scene)
 {
     GLint target = 0;
@@ -306,7 +306,8 @@ void ToothRenderer::drawReflection(const Scene& scene)
     glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 
-/// Frame of the mirror: its middle, +z out of the glass, its handle towards +x, which points up as far as it can.
+/// Draws the mirror. Its frame: the origin in the middle, +z out of the glass, the handle towards +x, which points up
+/// as far as possible.
 void ToothRenderer::drawMirror(const Scene& scene)
 {
     const glm::dvec3& z = scene.mirror->normal;
@@ -331,7 +332,7 @@ void ToothRenderer::drawMirror(const Scene& scene)
     glDrawArrays(GL_TRIANGLE_FAN, 0, kGlassCorners);
 }
 
-/// The bur where the hand holds it.
+/// Draws the bur at the place of the hand.
 void ToothRenderer::drawGhost(const Scene& scene)
 {
     useMetal(scene, toothFromBur(scene, *scene.ghostMm));
@@ -351,8 +352,8 @@ glm::dmat4 ToothRenderer::toothFromBur(const Scene& scene, const glm::dvec3& tip
     return glm::rotate(glm::translate(glm::dmat4(1.0), tipMm), scene.handAzimuthRad, glm::dvec3(0.0, 0.0, 1.0));
 }
 
-/// Shank and handpiece as on a bur without lift and lean. They lean about the top of the bur's neck, where that has
-/// left the tooth.
+/// Returns the frame of shank and handpiece, which have their place on a bur without lift and lean. They lean about the
+/// top of the bur's neck once that has left the tooth.
 glm::dmat4 ToothRenderer::toothFromHand(const Scene& scene)
 {
     const double headMm = core::bur::burs()[scene.burIndex].headLengthMm;
@@ -409,7 +410,7 @@ void ToothRenderer::drawBackdrop(const Scene& scene)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// Sets what every program that draws lattice nodes shares.
+/// Sets the uniforms of every program that draws lattice nodes.
 void ToothRenderer::useTooth(QOpenGLShaderProgram& program, const Scene& scene)
 {
     program.bind();
@@ -462,7 +463,7 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     glFrontFace(GL_CCW);
 }
 
-/// Multiplies what bur and handpiece change of the light upon what is drawn already: it moves with them, and the rest
+/// Multiplies the drawn picture by the changes of light from bur and handpiece. Only they move; the rest of the light
 /// does not.
 void ToothRenderer::drawLightOfBur(const Scene& scene)
 {
@@ -512,7 +513,7 @@ void ToothRenderer::drawInstrument(const Scene& scene)
     glDisable(GL_BLEND);
 }
 
-/// Sets where the metal is seen through: about the last millimetres of the bur, as they are seen.
+/// Sets where the metal is see-through: about the last millimetres of the bur on the screen.
 void ToothRenderer::fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFromHand)
 {
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
@@ -535,7 +536,7 @@ void ToothRenderer::fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFr
     m_metalProgram.setUniformValue("tipAwayMm", static_cast<float>(glm::distance(scene.eyeMm, scene.tipMm)));
 }
 
-/// A thin line from the tip to the tooth below it: where the bur will land.
+/// Draws a thin line from the tip to the tooth below it, where the bur will land.
 void ToothRenderer::drawCue(const Scene& scene)
 {
     if (!scene.surfaceBelowTipMm || scene.tipMm.z - *scene.surfaceBelowTipMm < 0.25)

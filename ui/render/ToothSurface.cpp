@@ -123,9 +123,9 @@ void ToothSurface::takeAnatomy()
     m_indexCounts.assign(tiles, 0);
 }
 
-/// The resting height is low enough that a bur beside the tooth is beside it, and high enough that it need not climb
-/// far: the height that a quarter of the tooth lies below. But nothing that is worked on lies below it: no fossa, no
-/// fissure and no decay. What does is a flank near the outline.
+/// Finds the resting height. It is low enough that a bur beside the tooth is beside it, and high enough that the bur
+/// need not climb far: a quarter of the tooth is lower. No place to work on is lower, though: no fossa, no fissure and
+/// no decay. A lower place is a flank near the outline.
 void ToothSurface::findResting()
 {
     std::vector<float> heights;
@@ -182,8 +182,8 @@ void ToothSurface::findResting()
         m_beside[k] = inside[k] > 0 && static_cast<double>(m_wholeTop[k]) >= m_restingMm ? 0 : 1;
 }
 
-/// A fissure is hardly wider than a cell: its bottom would go up and down as the lattice happens to meet it, like a
-/// rope. Where the surface is bent like a groove its heights are averaged along the groove.
+/// Smooths fissures. A fissure is hardly wider than a cell, so its bottom would rise and fall with the lattice, like a
+/// rope. Where the surface is bent like a groove, its heights are averaged along the groove.
 void ToothSurface::smoothFissures()
 {
     const int side = m_lattice.side;
@@ -239,8 +239,8 @@ void ToothSurface::smoothFissures()
     }
 }
 
-/// Near the rim a flank falls by millimetres within a cell, and how far the last nodes lie down it depends on where
-/// the lattice falls. Drawn as they are they would make a comb of it. So they are averaged along the rim, not across.
+/// Smooths flanks. Near the rim a flank falls by millimetres within a cell, so the height of its last nodes depends on
+/// the lattice, and they would look like a comb. They are averaged along the rim, not across.
 void ToothSurface::smoothFlanks()
 {
     m_flankTop = m_wholeTop;
@@ -395,7 +395,7 @@ ToothSurface::Changes ToothSurface::sweepLight()
     return changes;
 }
 
-/// Solid where there is height left, rim where an empty node is sewn to solid ones.
+/// Marks nodes with height as solid, and empty nodes joined to solid ones as rim.
 void ToothSurface::sew(const NodeRect& written)
 {
     for (int j = written.beginJ; j < written.endJ; ++j) {
@@ -418,7 +418,7 @@ void ToothSurface::sew(const NodeRect& written)
     }
 }
 
-/// Calls use(node, weight) for the rim nodes around (and at) a place, the near ones with more weight.
+/// Calls use(node, weight) for the rim nodes at and around a place; near ones have more weight.
 template <class Use>
 void ToothSurface::forRimAround(int i, int j, Use&& use) const
 {
@@ -435,8 +435,8 @@ void ToothSurface::forRimAround(int i, int j, Use&& use) const
     }
 }
 
-/// At a steep flank the last solid node may lie anywhere on it, as the lattice happens to fall, and a sewn height with
-/// it. The tooth's rim does not jump like that: its heights are averaged along it.
+/// Smooths the rim. At a steep flank the last solid node, and so the height of the rim, depends on the lattice. The rim
+/// of a tooth has no such jumps, so its heights are averaged along it.
 void ToothSurface::smoothRim(const NodeRect& rect)
 {
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
@@ -458,7 +458,7 @@ void ToothSurface::smoothRim(const NodeRect& rect)
     }
 }
 
-/// Rim nodes move to the average of the rim nodes around them: the steps of the lattice become an outline.
+/// Moves rim nodes to the average of the rim nodes around them, so that the steps of the lattice become an outline.
 void ToothSurface::smoothOutline(const NodeRect& rect)
 {
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
@@ -482,7 +482,7 @@ void ToothSurface::smoothOutline(const NodeRect& rect)
     }
 }
 
-/// Slope of a height map by a 3 x 3 Sobel operator over the nodes that are shown; a missing one is mirrored.
+/// Returns the slope of a height map by a 3 x 3 Sobel operator over the visible nodes; a missing one is mirrored.
 glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) const
 {
     const float here = heights[m_lattice.index(i, j)];
@@ -499,7 +499,7 @@ glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) c
     return {(e - w) / cell, (n - s) / cell};
 }
 
-/// 1 where all around a node is as it was, 0 where it is cut.
+/// Returns 1 if all nodes around a node are uncut, 0 if it is cut.
 float ToothSurface::uncutAround(int i, int j) const
 {
     int nearest2 = kUncutReach * kUncutReach;
@@ -517,8 +517,8 @@ float ToothSurface::flankNormal(std::size_t map, std::size_t k, glm::vec3& norma
                               map == 0 ? m_tops[k] : m_bottoms[k], normal);
 }
 
-/// At the lip of a cut the surface turns by a right angle within a cell, and triangles would show the corners of it. So
-/// it turns over a few.
+/// Returns a softened normal. At the lip of a cut the surface turns by a right angle within a cell, and triangles would
+/// show its corners. So the turn is spread over a few cells.
 glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
 {
     static const auto fades = [] {
@@ -693,7 +693,7 @@ double ToothSurface::heightMm(glm::dvec2 pointMm) const
     return between(pointMm, [this](std::size_t k) { return pickHeight(k); });
 }
 
-/// Linear between the four nodes around a point on the lattice; at its edge as the nearest has it.
+/// Interpolates between the four nodes around a point on the lattice; at the edge, the nearest value is taken.
 template <class Value>
 double ToothSurface::between(glm::dvec2 pointMm, Value&& value) const
 {
@@ -707,7 +707,7 @@ double ToothSurface::between(glm::dvec2 pointMm, Value&& value) const
            v * ((1.0 - u) * of(i, j + 1) + u * of(i + 1, j + 1));
 }
 
-/// The same where all four are there; else as the nearest has it, if that is there.
+/// The same if all four are there; otherwise the nearest value, if that is there.
 template <class IsThere, class Value>
 std::optional<double> ToothSurface::where(glm::dvec2 pointMm, IsThere&& isThere, Value&& value) const
 {
@@ -777,7 +777,8 @@ void ToothSurface::setIdeal(const core::grading::IdealTop& ideal)
     smoothIdealOutline();
 }
 
-/// Averages over neighbours (1 2 1 along x and along y): what is left of the lattice in the outline of an upright wall.
+/// Averages over neighbours (1 2 1 along x and along y), so that the outline of an upright wall does not show the
+/// lattice.
 void ToothSurface::smoothIdealOutline()
 {
     const auto side = static_cast<std::size_t>(m_lattice.side);
@@ -840,7 +841,7 @@ bool ToothSurface::meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointM
     return true;
 }
 
-/// Where a ray first lies below a height, which `height` gives for a point seen from above.
+/// Returns where a ray first is below a height, which `height` gives for a point seen from above.
 template <class Height>
 std::optional<glm::dvec3> ToothSurface::firstBelow(const Ray& ray, Height&& height) const
 {

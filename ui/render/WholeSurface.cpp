@@ -11,7 +11,7 @@ namespace {
 using AnatomyPointer = std::shared_ptr<const core::terrain::ToothAnatomy>;
 using SurfacePointer = std::shared_ptr<const ToothSurface>;
 
-/// The last teeth, newest first. One's own, and one that is looked at meanwhile.
+/// The last teeth, newest first: the user's own, and one that is viewed meanwhile.
 struct LastSurfaces
 {
     std::mutex mutex;

@@ -6,10 +6,10 @@
 namespace ui::replay {
 namespace {
 
-/// Two moments nearer than this are one: the position that is told is behind by a beat.
+/// Moments nearer than this are equal: the reported position is one update behind.
 constexpr double kSameS = 0.025;
 
-/// It changed the tooth, or what is shown on it.
+/// Returns whether a mark changed the tooth or its display.
 bool isStep(const Mark& mark)
 {
     return mark.kind == Mark::Kind::Undo || mark.kind == Mark::Kind::Redo || mark.kind == Mark::Kind::StartAgain ||

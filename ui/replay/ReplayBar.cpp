@@ -29,7 +29,7 @@ using namespace ui::practice;
 
 constexpr std::array<double, 8> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 constexpr std::size_t kAsMade = 3;
-/// What is told of the moment shown is older than a seek for so long.
+/// Time after a seek during which the report is still about the moment before.
 constexpr qint64 kBehindMs = 100;
 constexpr double kThereS = 0.05;
 constexpr int kWordsFromPx = 1400;  ///< a narrower bar has no place for them

@@ -37,13 +37,13 @@ constexpr double kMostLabelsPx = 72.0;  ///< from one time on the scale to the n
 constexpr double kSignPx = 6.0;         ///< half a sign
 constexpr int kMostWords = 280;         ///< characters of a remark; all of it stands on the score card
 
-/// Least contrast of a bar with the bed that it is drawn on (WCAG 2.1, 1.4.11).
+/// Least contrast of a bar on its bed (WCAG 2.1, 1.4.11).
 constexpr double kBarContrast = 3.0;
 
 /// Colours of the common burs, after Okabe and Ito, in the order of core::bur::burs().
 constexpr std::array<QRgb, core::bur::kCommonBurs> kCommonBurColours{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
 
-/// The number that a bur is sold under: "330".
+/// Returns the number under which a bur is sold: "330".
 QString burNumber(std::uint64_t index)
 {
     const auto burs = core::bur::burs();
@@ -58,7 +58,7 @@ double scaleStep(double lengthS, double widthPx)
     return 1800.0;
 }
 
-/// A triangle with an exclamation mark.
+/// Paints a triangle with an exclamation mark.
 void paintInfraction(QPainter& painter, QPointF at, const Tones& tone)
 {
     QPainterPath sign;
@@ -74,7 +74,7 @@ void paintInfraction(QPainter& painter, QPointF at, const Tones& tone)
     painter.drawPoint(at + QPointF(0.0, 3.5));
 }
 
-/// A bubble with words in it.
+/// Paints a speech bubble.
 void paintRemark(QPainter& painter, QPointF at)
 {
     QPainterPath sign;
@@ -92,7 +92,7 @@ void paintRemark(QPainter& painter, QPointF at)
     painter.drawLine(at + QPointF(-3.5, -0.6), at + QPointF(1.5, -0.6));
 }
 
-/// An arrow head that points to where time went.
+/// Paints an arrow head in the direction in which time jumped.
 void paintArrow(QPainter& painter, QPointF at, double way)
 {
     painter.drawLine(at + QPointF(3.5 * way, 0.0), at - QPointF(3.5 * way, 0.0));
@@ -136,7 +136,7 @@ void paintMark(QPainter& painter, QPointF at, const Mark& mark)
     }
 }
 
-/// An answer that was given in an exercise, where it is one.
+/// Returns the words of an answer that was given in an exercise; empty for other notes.
 QString noteWords(std::uint64_t code)
 {
     if (const auto answer = core::grading::answerOf(code); answer && answer->pad < core::grading::kPads)
@@ -348,7 +348,7 @@ void TimeLine::paintLane(QPainter& painter, const Lane& lane) const
     }
 }
 
-/// Infractions last, so that nothing hides them, and before them what people took the trouble to write.
+/// Paints the marks. Infractions come last, so that no mark hides them, and remarks by people before them.
 void TimeLine::paintMarks(QPainter& painter, const Lane& lane) const
 {
     const double y = lane.top + kMarksPx / 2.0;

@@ -33,7 +33,7 @@ constexpr int kBegunRows = 8;       ///< at least so many rows of a part stand o
 constexpr double kChartPt = 150.0;
 constexpr int kShownHash = 16;
 
-/// Who needs the teacher, by name.
+/// Paints the names of the students who need the teacher.
 void paintNeeds(Sheet& sheet, const people::ClassModel& model)
 {
     const auto list = [&](Need need, const QString& what) {
@@ -52,14 +52,14 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
     list(Need::NotBegun, Words::tr("Logged in, no graded attempt yet"));
 }
 
-/// On paper "yesterday" is soon wrong.
+/// Returns a date: on paper "yesterday" is soon wrong.
 QString day(const std::string& utc)
 {
     const QDateTime at = text::momentOf(utc);
     return at.isValid() ? QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat) : QStringLiteral("–");
 }
 
-/// Over the matrix, and again on every page that begins with it.
+/// Paints the title over the matrix, and again on every page that begins with it.
 void paintTitle(Sheet& sheet)
 {
     sheet.head(Words::tr("Best scores"), kHeadsPt);
@@ -67,7 +67,7 @@ void paintTitle(Sheet& sheet)
     sheet.skip(2.0);
 }
 
-/// As on the screen, with the signs that are drawn there.
+/// Returns the words of a cell as on the screen, with its signs.
 QString cellWords(const people::ClassModel& model, const QModelIndex& index)
 {
     QString words = model.data(index, Qt::DisplayRole).toString();
@@ -78,7 +78,7 @@ QString cellWords(const people::ClassModel& model, const QModelIndex& index)
     return words;
 }
 
-/// How wide the column of a lesson is, so that no title is cut in the middle of a word.
+/// Returns the width of a lesson's column, so that no title is cut within a word.
 double cellWidth(Sheet& sheet, const people::ClassModel& model, int lessons)
 {
     double widest = kCellPt;
@@ -93,7 +93,7 @@ double cellWidth(Sheet& sheet, const people::ClassModel& model, int lessons)
     return std::min(widest, sheet.width() - kNamePt - kLastPt);
 }
 
-/// Some of the lessons: as many as the paper is wide. The next part begins below, where there is room for some of it.
+/// Paints as many lessons as the paper is wide. The next part begins below, if there is room for some of it.
 void paintPart(Sheet& sheet, const people::ClassModel& model, double cellPt, int first, int count)
 {
     const auto heads = [&] {

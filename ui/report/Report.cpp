@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPointsPerInch = 72.0;
 
-/// Gone through once for nothing, to know how many pages there are to be.
+/// Runs through the content once without painting, to count the pages.
 template <typename Content>
 Content counted(Content content, const QSizeF& pagePt)
 {

@@ -39,7 +39,7 @@ constexpr double kColumnGapPt = 10.0;  ///< before the column of points
 constexpr std::size_t kMomentsTold = 3;
 constexpr std::size_t kHashShown = 16;
 
-/// The places that comments are about, in the order of the comments, which have the same numbers.
+/// Paints the places of the comments with the numbers of the comments, in their order.
 void paintNumbers(QPainter& painter, const scoring::HeatMap& map, const std::vector<database::AttemptComment>& comments)
 {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -64,7 +64,7 @@ void paintNumbers(QPainter& painter, const scoring::HeatMap& map, const std::vec
     }
 }
 
-/// A picture of the score page, on white, in colours and patterns for every eye.
+/// Returns a picture of the score page on white, in colours and patterns for all readers.
 template <typename Picture>
 QImage pictureOf(const scoring::ScoredWork& work, std::optional<std::size_t> node,
                  const std::function<void(QPainter&, const Picture&)>& paintOver = {})
@@ -86,7 +86,7 @@ QImage pictureOf(const scoring::ScoredWork& work, std::optional<std::size_t> nod
     return image;
 }
 
-/// Breaches and aids, as the score page tells them.
+/// Paints breaches and aids as on the score page.
 void paintConduct(Sheet& sheet, const scoring::ScoreCard& card)
 {
     if (!card.work || !card.work->measured.process)
@@ -191,7 +191,7 @@ void paintCriteria(Sheet& sheet, const scoring::ScoreCard& card)
     sheet.say(scoring::ScorePage::sumWords(card.sheet, card.attempt.givenTenths), kTextPt, QFont::DemiBold);
 }
 
-/// From above, and in a section through the place that is farthest off.
+/// Returns pictures from above, and of a section through the place with the greatest deviation.
 QList<QImage> picturesOf(const scoring::ScoreCard& card)
 {
     const auto node = scoring::farthestOff(*card.work);
@@ -245,7 +245,7 @@ void paintTalk(Sheet& sheet, const scoring::ScoreCard& card)
     }
 }
 
-/// As it is noted, where this program does not know the word.
+/// Returns the noted word if this program has no translation.
 QString noted(const std::string& words)
 {
     return words.empty() ? QStringLiteral("–") : QString::fromStdString(words);
@@ -270,7 +270,7 @@ QString deviceWords(const std::string& device)
     return noted(device);
 }
 
-/// How the point of contact is found.
+/// Returns how the point of contact is found.
 QString methodWords(const std::string& method)
 {
     if (method == "continuous")
@@ -304,7 +304,7 @@ QString viewWords(const std::string& view)
     return noted(view);
 }
 
-/// What has to be the same for the same score.
+/// Paints the circumstances that have to be the same for the same score.
 void paintCircumstances(Sheet& sheet, const scoring::ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
@@ -350,7 +350,7 @@ int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, cons
     return sheet.pages();
 }
 
-/// As high as they can be without asking for one more page.
+/// Returns the greatest height that needs no further page.
 double pictureHeight(const QSizeF& pagePt, const scoring::ScoreCard& card, const QList<QImage>& pictures)
 {
     const auto pages = [&](double picturePt) {

@@ -43,7 +43,7 @@ double Sheet::bottom() const
     return m_page.height() - kFootPt;
 }
 
-/// Page, program and the code with which the paper can be checked.
+/// Paints page number, program, and the code with which the paper can be checked.
 void Sheet::foot()
 {
     const QRectF box(0.0, m_page.height() - kFootPt + 6.0, m_page.width(), kFootPt - 6.0);

@@ -36,8 +36,8 @@ double placeOf(const ChartedAttempts& attempts, qsizetype k)
     return static_cast<double>(attempts.newestFirst.size() - k);
 }
 
-/// Calls with each attempt that is charted, oldest first, its place and its beginning of a sentence:
-/// "Attempt 3, 20/11/2026 10:15".
+/// Calls `take` for each charted attempt, oldest first, with its place and the beginning of its sentence: "Attempt 3,
+/// 20/11/2026 10:15".
 template <typename Take>
 void each(const ChartedAttempts& attempts, const Take& take)
 {
@@ -54,7 +54,7 @@ void each(const ChartedAttempts& attempts, const Take& take)
     }
 }
 
-/// In a table of several lessons' attempts.
+/// Returns the lesson of an attempt in a table of several lessons.
 QString lessonOf(const ChartedAttempts& attempts, const AttemptRecord& record)
 {
     return attempts.isOneLesson ? QString() : text::lessonTitle(attempts.titles, record.lessonId);
@@ -78,7 +78,7 @@ QString noteOf(const ChartedAttempts& attempts)
     return HistoryWords::tr("%n attempt(s)", nullptr, static_cast<int>(all));
 }
 
-/// "82.4 points, passed"; with what the machine had given, where an instructor decided otherwise.
+/// Returns "82.4 points, passed", and the computed score if an instructor has overridden it.
 QString scoreWords(const AttemptRecord& record)
 {
     const QString given = text::points(record.countingTenths());

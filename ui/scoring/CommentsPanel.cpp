@@ -30,7 +30,7 @@ using namespace ui::kit;
 
 constexpr int kWordsPx = 72;
 constexpr double kFullPoints = 100.0;
-/// What is no score is shown as it was typed, and refused: a field that took no more digits would make 95 of 950.
+/// A number that is no score is shown as typed, and refused. A field that limits the digits would turn 950 into 95.
 constexpr double kMostTyped = 999999.0;
 constexpr int kSoonFull = 500;  ///< so many characters before a comment is full, that is said
 
@@ -44,7 +44,7 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     return made;
 }
 
-/// The words of a comment that was taken back, below what is typed already.
+/// Returns the words of a withdrawn comment below the text that is typed already.
 QString below(const QString& draft, const database::AttemptComment& comment)
 {
     const QString words = QString::fromStdString(comment.words);
@@ -238,7 +238,7 @@ void CommentsPanel::setScore(int machineTenths, int passMarkTenths, bool passedB
     tellScore();
 }
 
-/// A number that somebody has typed, or has begun to give a reason for, stays.
+/// Offers points, unless a number or a reason has been typed.
 void CommentsPanel::offerPoints(int tenths)
 {
     m_offered = tenths / 10.0;
@@ -294,13 +294,13 @@ void CommentsPanel::setTalk(const database::AttemptTalk& talk)
         emit formUsed(form);  // what was said has moved it
 }
 
-/// The score that was sent, and not another that was typed while it was on its way; the machine's is none of these.
+/// Returns whether a score is the one that was sent, and neither the computed one nor one typed meanwhile.
 bool CommentsPanel::isOf(const Sent& sent, double points)
 {
     return !sent.tenths || *sent.tenths == std::lround(10.0 * points);
 }
 
-/// Clears what was sent, unless the user has typed something else meanwhile.
+/// Clears what was sent, unless the user has typed other text meanwhile.
 void CommentsPanel::clear(Draft& draft, const Sent& sent)
 {
     if (sent.isScore && draft.reason.trimmed() == sent.words && isOf(sent, draft.points)) {
@@ -314,7 +314,7 @@ void CommentsPanel::clear(Draft& draft, const Sent& sent)
     }
 }
 
-/// The same of what stands in the fields.
+/// Clears the fields in the same way.
 void CommentsPanel::clearSent(const Sent& sent)
 {
     if (sent.isScore && m_reason->text().trimmed() == sent.words && isOf(sent, m_points->value())) {
@@ -327,7 +327,7 @@ void CommentsPanel::clearSent(const Sent& sent)
     }
 }
 
-/// Where the keyboard is; null: in neither.
+/// Returns the form with the focus; null if none has it.
 QWidget* CommentsPanel::formInUse() const
 {
     const QWidget* at = window()->focusWidget();
@@ -415,7 +415,7 @@ void CommentsPanel::withdraw(qint64 comment, bool earlier)
     emit formUsed(m_composer);  // what went has moved it
 }
 
-/// Below what is being written. What it was pinned to comes back with it, where that is pinned to nothing of the kind.
+/// Adds a comment below the text that is being written. Its place and moment come back too, if the text has none.
 void CommentsPanel::writeAgain(const database::AttemptComment& comment)
 {
     m_words->setPlainText(below(m_words->toPlainText(), comment));
@@ -451,7 +451,7 @@ void CommentsPanel::refuse(const QString& sentence)
     emit formUsed(m_asked);
 }
 
-/// A button that rests hands the keyboard on to whatever comes next, and that might be the score.
+/// Sends. A disabled button passes the focus on to the next widget, which might be the score.
 void CommentsPanel::send(const Sent& sent)
 {
     if (formInUse() == (sent.isScore ? m_override : m_composer))
@@ -496,7 +496,7 @@ void CommentsPanel::answer(qint64 attempt, const QString& fault)
     refuse(fault);
 }
 
-/// A score can be given: it is one, has a reason, and nothing is on its way.
+/// Enables the score if it is valid, has a reason, and no score is being sent.
 void CommentsPanel::tellReady()
 {
     const bool isScore = m_points->value() >= 0.0 && m_points->value() <= kFullPoints;
@@ -512,7 +512,7 @@ std::optional<int> CommentsPanel::given() const
     return m_talk.overrides.empty() ? std::nullopt : m_talk.overrides.back().givenTenths;
 }
 
-/// What counts, and beneath it what the machine said, whenever that is another.
+/// Shows the score that counts, and below it the computed one if that differs.
 void CommentsPanel::tellScore()
 {
     const std::optional<int> given = this->given();
@@ -526,7 +526,7 @@ void CommentsPanel::tellScore()
     m_again->setVisible(given.has_value());
 }
 
-/// Whether the comment can be added: beside the field, where it is typed.
+/// Shows beside the field whether the comment can be added.
 void CommentsPanel::tellRoom()
 {
     const auto length = static_cast<int>(m_words->toPlainText().trimmed().size());

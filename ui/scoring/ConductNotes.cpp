@@ -47,7 +47,7 @@ ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
     column->addWidget(m_facts);
 }
 
-/// Before the buttons are told, which are others then.
+/// Translates the notes before the buttons, which change with them.
 void ConductNotes::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
@@ -97,7 +97,7 @@ void ConductNotes::retranslateUi()
     fillBreaches();
 }
 
-/// The gravest, in the order of time; all of them where that is asked for.
+/// Shows the gravest breaches in the order of time, or all of them.
 void ConductNotes::fillBreaches()
 {
     delete m_breaches;

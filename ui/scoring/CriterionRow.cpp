@@ -31,13 +31,13 @@ QString signedPoints(int lostTenths)
     return lostTenths == 0 ? QStringLiteral("0") : QChar(0x2212) + text::points(lostTenths);
 }
 
-/// Of a measure that falls as the work goes on: what is left of it was there all the time.
+/// Returns whether a measure falls as the work goes on: its remainder was there all the time.
 bool isOfWhatIsLeft(const std::string& measure)
 {
     return measure.starts_with("caries_") || measure.starts_with("undercut_") || measure == "target_removed_percent";
 }
 
-/// A label that lets its row be clicked.
+/// Returns a label whose clicks go to its row.
 QLabel* words(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(text, parent);
@@ -167,7 +167,7 @@ void CriterionRow::setMoments(const std::vector<Moment>& moments)
     fillMoments(false);
 }
 
-/// The costliest ones, in the order of time; all of them where that is asked for.
+/// Shows the costliest moments in the order of time, or all of them.
 void CriterionRow::fillMoments(bool all)
 {
     delete m_chips;

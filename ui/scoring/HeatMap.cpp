@@ -56,7 +56,7 @@ QRgb lit(QRgb colour, double light)
     return qRgb(of(qRed(colour)), of(qGreen(colour)), of(qBlue(colour)));
 }
 
-/// Stripes on what is too deep, dots on what is still to go.
+/// Returns whether a pixel has ink: stripes where the cut is too deep, dots where material has to go.
 bool hasInk(double aboveMm, int x, int y)
 {
     if (aboveMm < -kToldFromMm)
@@ -64,7 +64,7 @@ bool hasInk(double aboveMm, int x, int y)
     return aboveMm > kToldFromMm && x % kPatternPx < 2 && y % kPatternPx < 2;
 }
 
-/// How brightly each column lies in a light from the upper left, about 1.
+/// Returns the brightness of a column in a light from the upper left, about 1.
 double lightOn(const core::terrain::Tooth& tooth, int i, int j)
 {
     const core::terrain::Grid& grid = tooth.grid();
@@ -273,7 +273,7 @@ void HeatMap::mousePressEvent(QMouseEvent* event)
     choosePin(node ? std::optional(placeOf(*node)) : std::nullopt);
 }
 
-/// The arrows are keys of the replay as well, and of the page that scrolls.
+/// Takes the arrow keys, which are also keys of the replay and of the page that scrolls.
 bool HeatMap::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride && m_isPinnable) {
@@ -286,7 +286,7 @@ bool HeatMap::event(QEvent* event)
     return QWidget::event(event);
 }
 
-/// From where the pin is, or from the ring, or from the middle; with Shift column by column.
+/// Moves from the pin, the ring or the middle; with Shift column by column.
 void HeatMap::keyPressEvent(QKeyEvent* event)
 {
     const auto way = [event]() -> glm::dvec2 {
@@ -416,7 +416,7 @@ QPointF HeatMap::pointOf(const std::array<double, 3>& placeMm) const
     return frame().at(lattice.x, lattice.y);
 }
 
-/// A pin that stands on the place with its point: another shape than the ring.
+/// Paints a pin with its point on the place, in another shape than the ring.
 void HeatMap::paintPin(QPainter& painter) const
 {
     if (!m_pin)

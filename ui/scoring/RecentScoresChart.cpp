@@ -46,7 +46,7 @@ QString RecentScoresChart::passMarkWords() const
     return tr("pass mark %1").arg(text::points(m_passMarkTenths));
 }
 
-/// None that is below the pass mark is rounded up to it.
+/// Rounds a score to whole points, but never up to the pass mark.
 int RecentScoresChart::wholePoints(int tenths) const
 {
     return (tenths < m_passMarkTenths ? tenths : tenths + 5) / 10;

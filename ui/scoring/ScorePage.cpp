@@ -201,7 +201,7 @@ void ScorePage::resizeEvent(QResizeEvent* event)
     arrange();
 }
 
-/// The page turns, too, while one of the buttons beneath it has the keyboard.
+/// Lets the page scroll while one of the buttons below it has the focus.
 void ScorePage::keyPressEvent(QKeyEvent* event)
 {
     const bool turns = event->key() == Qt::Key_PageDown || event->key() == Qt::Key_PageUp;
@@ -211,7 +211,7 @@ void ScorePage::keyPressEvent(QKeyEvent* event)
         Page::keyPressEvent(event);
 }
 
-/// The buttons end where the cards above them do, which leave room to a scroll bar.
+/// Ends the buttons where the cards above them end, which leave room for a scroll bar.
 bool ScorePage::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_block && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
@@ -240,7 +240,7 @@ void ScorePage::setNext(const ::lessons::Lesson* lesson)
     m_back->setVisible(!isOffered);
 }
 
-/// What it came to, in one line: points, verdict, how near the pass mark, what was expected.
+/// Makes the result in one line: points, verdict, distance to the pass mark, forecast.
 QWidget* ScorePage::makeResult()
 {
     QFrame* frame = cardIn(this);
@@ -555,7 +555,7 @@ QString ScorePage::sumWords(const ::lessons::ScoreSheet& sheet, std::optional<in
     return givenTenths ? tr("Automatic score: %1").arg(sum) : sum;
 }
 
-/// All that is known of the score, in the language of today.
+/// Shows all that is known of the score in the present language.
 void ScorePage::retranslateUi()
 {
     if (!m_isShown) {
@@ -605,7 +605,7 @@ void ScorePage::retranslateUi()
     tellHistory();
 }
 
-/// Of an old attempt: one on the table can always be shown.
+/// Says that an old attempt has no recording. The one on the table can always be shown.
 void ScorePage::tellUnrecorded()
 {
     m_unrecorded->setVisible(m_talks && !m_scored);
@@ -723,8 +723,8 @@ void ScorePage::fillCriteria()
         chosen->setChecked(true);
 }
 
-/// The worst place of this criterion and what to do better there. For a criterion without a place, the largest
-/// deviation from the ideal.
+/// Shows the worst place of this criterion, with advice. For a criterion without a place, shows the largest deviation
+/// from the ideal.
 void ScorePage::showPlace(const CriterionRow& row)
 {
     m_chosen = row.criterion().id;
@@ -794,7 +794,7 @@ void ScorePage::setTalkVisible(bool visible)
     arrange();
 }
 
-/// Once it lies where it is to lie, and clear of the edge that fades.
+/// Scrolls to the form once it has its place, clear of the edge that fades.
 void ScorePage::showForm()
 {
     QTimer::singleShot(0, m_formInUse, [this] { m_scroll->ensureWidgetVisible(m_formInUse, 0, kFormMarginPx); });
@@ -815,7 +815,7 @@ void ScorePage::setMayTalk(bool may)
     m_heat->setPin(may ? m_talk->place() : std::nullopt);
 }
 
-/// The place that a comment is about; the next one may be about it, too.
+/// Shows the place of a comment. The next comment may be about it, too.
 void ScorePage::showPin(const std::optional<std::array<double, 3>>& placeMm)
 {
     m_heat->setPin(placeMm);

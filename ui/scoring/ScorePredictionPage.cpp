@@ -170,7 +170,7 @@ void ScorePredictionPage::showMissing()
     m_missing->setText(m_hasPoints ? QString() : tr("Set the points that you expect."));
 }
 
-/// Enter goes on from wherever one is: an answer that is only looked at it chooses first.
+/// Lets Enter continue from anywhere: it first chooses an answer that only has the focus.
 void ScorePredictionPage::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) {

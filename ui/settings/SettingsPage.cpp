@@ -117,7 +117,7 @@ void SettingsPage::fill()
     refresh();
 }
 
-/// What the program itself remembers, and no parameter.
+/// Adds the rows for settings of the program that are no parameters.
 void SettingsPage::addWindowRows()
 {
     auto* heading = kit::formWords(tr("Window"), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
@@ -250,7 +250,7 @@ void SettingsPage::refresh()
     m_blind->setVisible(console::isFeelVeiled(m_parameters));
 }
 
-/// What was refused before it was left is long over.
+/// Clears a message about an earlier refusal.
 void SettingsPage::showEvent(QShowEvent* event)
 {
     Page::showEvent(event);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLookMs = 1'000;
 
-/// The output with this id; null if it is missing.
+/// Returns the output with this id; null if it is missing.
 QAudioDevice deviceOf(const QByteArray& id)
 {
     const QList<QAudioDevice> devices = QMediaDevices::audioOutputs();
@@ -23,10 +23,11 @@ QAudioDevice deviceOf(const QByteArray& id)
     return found == devices.end() ? QAudioDevice() : *found;
 }
 
-// Qt 6.4 with PulseAudio does not signal that outputs come and go, but lists those that are there: the list is looked
-// at every second. The samples are pushed. When it pulls, Qt 6.4 with PulseAudio fetches 20 ms at a time, and nothing
-// at all if the buffer is shorter; so 40 ms and more would pass until a load is heard.
 /// Outputs of the system, as Qt Multimedia lists them.
+///
+/// Qt 6.4 with PulseAudio does not signal that outputs appear or vanish, so the list is read every second. The samples
+/// are pushed: if Qt pulls, it fetches 20 ms at a time, and none at all from a shorter buffer, so a load would be heard
+/// after 40 ms or more.
 class QtAudioPort final : public AudioPort
 {
 public:
@@ -70,7 +71,7 @@ void QtAudioPort::look()
     emit outputsChanged();
 }
 
-/// Fills the room in the buffer.
+/// Fills the free part of the buffer.
 void QtAudioPort::fill()
 {
     const qint64 bytes = std::min<qint64>(m_sink->bytesFree(), m_block.size());

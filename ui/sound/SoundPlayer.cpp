@@ -84,7 +84,7 @@ void SoundPlayer::playSample()
     m_sampleWatch.start();
 }
 
-/// Also tries an output again that has failed.
+/// Lists the outputs, and tries a failed one again.
 void SoundPlayer::listOutputs()
 {
     const QList<OutputInfo> outputs = m_port->outputs();
@@ -96,7 +96,7 @@ void SoundPlayer::listOutputs()
     update();
 }
 
-/// The output to play on; null if there is none.
+/// Returns the output to play on; null if there is none.
 const OutputInfo* SoundPlayer::chosenOutput() const
 {
     const auto first = [this](auto fits) { return std::find_if(m_outputs.begin(), m_outputs.end(), fits); };
@@ -108,7 +108,7 @@ const OutputInfo* SoundPlayer::chosenOutput() const
     return found == m_outputs.end() ? nullptr : &*found;
 }
 
-/// Opens, changes or closes the output as the settings and the work want it.
+/// Opens, changes or closes the output as the settings and the work require.
 void SoundPlayer::update()
 {
     if (!m_port)
@@ -161,7 +161,7 @@ void SoundPlayer::close()
     m_rateHz = 0;
 }
 
-/// The output has stopped by itself. It may be gone for good or be back in a moment.
+/// Handles an output that has stopped by itself. It may be gone for good, or back in a moment.
 void SoundPlayer::lose()
 {
     if (m_isOpening)

@@ -8,7 +8,8 @@
 namespace ui::text {
 namespace {
 
-/// The marks that make "ga" of "ka" and "pa" of "ha" in Japanese: those are other letters, not the same with an accent.
+/// Returns whether a character is a Japanese mark that turns "ka" into "ga" or "ha" into "pa". Those are other letters,
+/// not accents.
 bool isVoicing(QChar letter)
 {
     return letter == QChar(0x3099) || letter == QChar(0x309A);

@@ -62,7 +62,7 @@ QString kindName(int position)
     }
 }
 
-/// What to do with a file whose content is of no use.
+/// Returns what to do with a file of no use.
 QString remedy(FailedOperation failed)
 {
     switch (failed) {
@@ -93,7 +93,7 @@ QString remedy(FailedOperation failed)
     return {};
 }
 
-/// Whose file it ought to be.
+/// Returns the sentence about a file of the wrong kind.
 QString wrongKind(FailedOperation failed)
 {
     switch (failed) {
@@ -460,7 +460,7 @@ QStringList surfaceLetters(int fdi)
 
 namespace {
 
-/// "Practice block: cross"; empty where the name is of no block.
+/// Returns "Practice block: cross"; empty if the name is of no block.
 QString blockTitle(const std::string& name)
 {
     const auto block = core::teeth::findBlock(name);
@@ -588,7 +588,7 @@ QString planeAlongY(const core::terrain::ToothAnatomy& tooth)
 
 namespace {
 
-/// "%1" stands for the number of a carbide bur.
+/// Returns words in which "%1" is the number of a carbide bur.
 const char* carbideWords(core::bur::BurShape shape)
 {
     using Shape = core::bur::BurShape;
@@ -625,7 +625,7 @@ const char* carbideWords(core::bur::BurShape shape)
     return QT_TRANSLATE_NOOP("Bur", "Chamfer, No. %1");
 }
 
-/// "%1" stands for the number of a diamond.
+/// Returns words in which "%1" is the number of a diamond.
 const char* diamondWords(core::bur::BurShape shape)
 {
     using Shape = core::bur::BurShape;
@@ -738,7 +738,7 @@ QString criterionMeasured(const lessons::Criterion& criterion)
 
 namespace {
 
-/// "3.20 − 1.00 free", "|1.95 − 1.50| − 0.25 free": what is left of the value as an error.
+/// Returns "3.20 − 1.00 free" or "|1.95 − 1.50| − 0.25 free": the remaining error of a value.
 QString errorWorked(const lessons::Criterion& criterion)
 {
     const QString value = number(*criterion.measured, 2);
@@ -757,7 +757,7 @@ QString errorWorked(const lessons::Criterion& criterion)
     return off;
 }
 
-/// What costs nothing: "up to 8.00 mm³", "1.50 ± 0.25 mm", "at least 1.60 mm".
+/// Returns the range without loss: "up to 8.00 mm³", "1.50 ± 0.25 mm", "at least 1.60 mm".
 QString freeRange(const lessons::Criterion& criterion)
 {
     const QString unit = unitName(criterion.unit);

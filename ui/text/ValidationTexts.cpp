@@ -12,7 +12,7 @@
 namespace ui::text {
 namespace {
 
-// What core says of a lesson's words and numbers, which knows no Qt, for translators.
+// Words of core, which does not use Qt, about a lesson's words and numbers, for translators.
 [[maybe_unused]] constexpr const char* kSaidByCore[] = {
     //: %1: what has no words of its own but English ones
     QT_TRANSLATE_NOOP("Fault", "%1"),
@@ -152,7 +152,7 @@ namespace {
     QT_TRANSLATE_NOOP("Fault", "points"), QT_TRANSLATE_NOOP("Fault", "percent"), QT_TRANSLATE_NOOP("Fault", "degrees"),
     QT_TRANSLATE_NOOP("Fault", "minutes")};
 
-/// A number of an ideal has its name in the form already.
+/// Returns the translation of a number's name, which the form of an ideal has already.
 std::string translated(const std::string& english)
 {
     QString words = QCoreApplication::translate("Fault", english.c_str());
@@ -161,7 +161,7 @@ std::string translated(const std::string& english)
     return words.toStdString();
 }
 
-/// A noted number with a fraction, perhaps with its unit, as the language writes it; all else as it was noted.
+/// Returns a noted number with a fraction, perhaps with its unit, in the form of the language; other text as noted.
 std::string localised(const std::string& noted)
 {
     static const QRegularExpression fraction(QStringLiteral("^(-?\\d+\\.(\\d+))( MB)?$"));

@@ -52,7 +52,7 @@ void Camera::reset()
     fit();
 }
 
-/// The whole subject, in the middle.
+/// Fits the whole subject, in the middle.
 void Camera::fit()
 {
     m_fitted = true;
@@ -167,7 +167,7 @@ double Camera::fittingMm() const
     return m_radiusMm / std::sin(std::atan(narrower));
 }
 
-/// Turned by the lean, as if the head moved around a tooth that does not move.
+/// Returns the axes turned by the lean, as if the head moved around a still tooth.
 Camera::Axes Camera::axes() const
 {
     const double azimuth = glm::radians(m_azimuthDeg);

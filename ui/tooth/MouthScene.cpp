@@ -11,13 +11,13 @@
 namespace ui::tooth {
 namespace {
 
-/// Seen from further above or below only the jaw that faces the eye is drawn.
+/// From a higher or lower eye, only the jaw that faces it is drawn.
 constexpr double kOneJawDeg = 24.0;
-/// Share of the teeth's extent that is the radius of what must fit the picture: of both jaws, and of one alone, which
+/// Radius that must fit the picture, as a share of the extent of the teeth: for both jaws, and for one alone, which
 /// fills more of its ball.
 constexpr double kBothJaws = 0.52;
 constexpr double kOneJaw = 0.62;
-/// Over the eye's left shoulder, in the eye's frame.
+/// Over the viewer's left shoulder, in the eye's frame.
 const glm::dvec3 kLamp = glm::normalize(glm::dvec3(-0.35, 0.55, 0.75));
 const glm::dvec3 kSky = glm::normalize(glm::dvec3(0.0, 0.5, 0.86));
 

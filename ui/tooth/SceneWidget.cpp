@@ -27,7 +27,7 @@ constexpr int kWhyNotWidthPx = 520;
 
 }  // namespace
 
-/// What a graphics card shows; mouse and keys are its parent's.
+/// Shows the picture of a graphics card. Mouse and keys go to its parent.
 class ScenePane final : public QOpenGLWidget
 {
 public:
@@ -131,7 +131,7 @@ void SceneWidget::redrawNow()
     QCoreApplication::sendPostedEvents(window(), QEvent::UpdateRequest);
 }
 
-/// A picture drawn aside; none where that is refused.
+/// Returns a picture drawn off screen; null if that is not possible.
 /// @param coarse  pixels of the screen to one of the picture, along a side
 const QImage* SceneWidget::draw(int samples, int coarse)
 {
@@ -209,7 +209,7 @@ void SceneWidget::resizeEvent(QResizeEvent* event)
         m_whyNot->setGeometry(rect());
 }
 
-/// Says so in place of the picture, which is dark in either theme.
+/// Shows an error in place of the picture, which is dark in either theme.
 void SceneWidget::fail(const QString& detail)
 {
     qWarning("No picture of a tooth can be drawn: %s.", qPrintable(detail));

@@ -121,7 +121,7 @@ void ToothView::setIdeal(const core::grading::IdealTop& ideal)
     redraw();
 }
 
-/// The teeth beside a tooth of ours that stands upright; what stands beside a scan nobody knows.
+/// Shows the teeth beside a generated upright tooth; the neighbours of a scan are unknown.
 void ToothView::showNeighbours()
 {
     m_neighbours.clear();
@@ -226,7 +226,7 @@ void ToothView::setSettings(const ViewSettings& settings)
     redraw();
 }
 
-/// To where a mirror is held first. What a person has placed stays there as long as its glass can be seen.
+/// Places the mirror where it is first held. A mirror placed by a person stays as long as its glass is visible.
 void ToothView::placeMirror()
 {
     if (!m_settings.showsMirror || !m_surface) {
@@ -412,7 +412,7 @@ render::Scene ToothView::scene(QSizeF sizePx) const
     return scene;
 }
 
-/// What is painted over the picture, once for each eye that has a half of it.
+/// Paints the marks over the picture, once for each eye that has a half of it.
 void ToothView::paintMarks(QPainter& painter)
 {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -491,7 +491,7 @@ void ToothView::drawPins(QPainter& painter)
     }
 }
 
-/// Where pads and bur are, and nothing of what the bur does to them.
+/// Draws the places of pads and bur, but not what the bur does to them.
 void ToothView::drawPads(QPainter& painter)
 {
     const auto seen = [&](glm::dvec2 place) {
@@ -511,7 +511,7 @@ void ToothView::drawPads(QPainter& painter)
         paintHeight(painter, QSizeF(width(), height()), m_pose.anchorMm.z);
 }
 
-/// A place of the picture as it was before halves and flips.
+/// Returns a place of the picture before halves and flips.
 QPointF ToothView::presented(QPointF position) const
 {
     const render::Presentation& how = m_settings.presentation;
@@ -535,7 +535,7 @@ std::optional<QPointF> ToothView::burAt() const
     return QPointF(how.flipLeftRight ? width() - at.x : at.x, how.flipUpDown ? height() - at.y : at.y);
 }
 
-/// Which sides of the tooth look where, in a corner.
+/// Draws in a corner the directions of the sides of the tooth.
 void ToothView::drawGizmo(QPainter& painter)
 {
     const glm::dmat3 turn = glm::dmat3(m_camera.view()) * m_surface->anatomy().lying.cutFromOwn();
@@ -561,7 +561,7 @@ std::optional<std::size_t> ToothView::gizmoEndAt(QPointF position) const
                               gizmoLetters(m_surface->anatomy().fdi));
 }
 
-/// The same of a way: it may go from one half to the other.
+/// Does the same for a way, which may cross from one half to the other.
 QPointF ToothView::presentedWay(QPointF by) const
 {
     const render::Presentation& how = m_settings.presentation;

@@ -8,7 +8,7 @@
 namespace ui::tooth {
 namespace {
 
-/// Fingers nearer to each other are counted as this far apart.
+/// Nearer fingers count as this far apart.
 constexpr double kNearestPx = 20.0;
 
 double distancePx(const QList<QPointF>& fingersPx)

@@ -38,7 +38,7 @@ struct Named
     bool isOfMouth;  ///< known only where the tooth is
 };
 
-/// Of a lower tooth: its +y is lingual, that of an upper one buccal. In the order of render::GizmoLetters: -x, +x, -y,
+/// For a lower tooth: its +y is lingual, that of an upper one buccal. In the order of render::GizmoLetters: -x, +x, -y,
 /// +y, -z, +z.
 constexpr std::array<Named, 6> kNamed{{{"mesial", -90.0, kSideElevationDeg, true},
                                        {"distal", 90.0, kSideElevationDeg, true},
@@ -47,7 +47,7 @@ constexpr std::array<Named, 6> kNamed{{{"mesial", -90.0, kSideElevationDeg, true
                                        {"below", 0.0, Camera::kLowestDeg, false},
                                        {"occlusal", 0.0, Camera::kHighestDeg, false}}};
 
-/// Looks with all of the tooth in the picture from a place whose direction is named in the tooth's own frame.
+/// Looks at the whole tooth from a direction that is named in the tooth's own frame.
 void lookFromSide(Camera& camera, double azimuthDeg, double elevationDeg, const core::terrain::Lying& lying)
 {
     camera.reset();
@@ -72,7 +72,7 @@ bool isUpper(int fdi)
     return fdi < 30;
 }
 
-/// How many columns of an open lesion the camera sees.
+/// Returns how many columns of an open lesion the camera sees.
 int lesionColumnsSeen(const render::ToothSurface& surface, const Camera& camera)
 {
     constexpr double kSameMm = 0.2;

@@ -19,11 +19,11 @@ namespace {
 /// Extent of the picture in mm: both arches with their labels.
 constexpr double kWidthMm = 88.0;
 constexpr double kHeightMm = 150.0;
-/// Distance of the front of either arch from the middle of the picture.
+/// Distance of the front of each arch from the middle of the picture.
 constexpr double kFrontMm = 61.0;
-/// Labels stand this far outside the crown's centre.
+/// Labels are this far outside the crown's centre.
 constexpr double kLabelMm = 10.4;
-/// The ridge of gum on which they stand is drawn this wide.
+/// Width of the ridge of gum under them.
 constexpr double kRidgeMm = 15.0;
 /// Natural colours, the same in either theme.
 constexpr QRgb kIvory = 0xFFF4EEDF;
@@ -31,7 +31,7 @@ constexpr QRgb kIvoryHovered = 0xFFFFFFFF;
 constexpr QRgb kFissure = 0xFF5E5646;
 constexpr QRgb kGumOnLight = 0xFFF3E2DF;
 constexpr QRgb kGumOnDark = 0xFF4A3836;
-/// Crowns touch; a hair between them lets the eye part them.
+/// Crowns touch; a narrow gap keeps them apart for the eye.
 constexpr double kCrownScale = 0.96;
 
 bool isUpper(int fdi)

@@ -83,7 +83,7 @@ void Mouth::take(const render::ArchPointer& arch)
     emit ready();
 }
 
-/// Leaves out the jaw that would be in the way, and looks at what is left.
+/// Leaves out the jaw that hides the other, and looks at the rest.
 void Mouth::showJaws()
 {
     const double elevation = m_camera.elevationDeg();
@@ -113,7 +113,7 @@ void Mouth::select(int fdi)
     emit selectionChanged(m_selected);
 }
 
-/// With the keys; a tooth of the jaw that is not drawn is brought into view.
+/// Moves by keys. A tooth of the jaw that is not drawn is brought into view.
 void Mouth::walkTo(int fdi)
 {
     if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Upper && !tooth::jawsSeen(m_camera.elevationDeg()).upper)

@@ -22,7 +22,7 @@ constexpr std::array<Size, 8> kUpper{
 constexpr std::array<Size, 8> kLower{
     {{5.0, 6.0}, {5.5, 6.5}, {7.0, 7.5}, {7, 7.5}, {7, 8}, {11, 10.5}, {10.5, 10}, {10, 9.5}}};
 
-/// Half axes of the curve on which the crowns' centres stand, |x/a|^p + |y/b|^p = 1: flatter in front than an ellipse.
+/// Half axes of the curve through the centres of the crowns, |x/a|^p + |y/b|^p = 1: flatter in front than an ellipse.
 constexpr double kUpperHalfWidthMm = 29.0;
 constexpr double kUpperDepthMm = 47.0;
 constexpr double kLowerHalfWidthMm = 27.0;
@@ -102,7 +102,7 @@ Size sizeOf(bool upper, int position)
     return (upper ? kUpper : kLower).at(static_cast<std::size_t>(position - 1));
 }
 
-/// Points in half diameters to millimetres.
+/// Converts points in half diameters to millimetres.
 Points scaled(Points points, Size size)
 {
     for (QPointF& point : points)
