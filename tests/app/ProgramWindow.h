@@ -31,10 +31,10 @@ namespace support {
 
 constexpr int kPatienceMs = 60000;
 
-/// After so long without an answer, a person presses again.
+/// Time without an answer after which a person presses again.
 constexpr int kSecondTryMs = 3000;
 
-/// Does something until it has worked, as a person who presses again. Returns whether it has, within kPatienceMs.
+/// Repeats an action until it has worked. Returns whether it has, within kPatienceMs.
 /// @param tryMs  how long each try may take to work
 template <class Condition, class Try>
 [[nodiscard]] bool pressUntil(const Condition& hasWorked, const Try& press, int tryMs = kSecondTryMs)
@@ -68,8 +68,7 @@ protected:
     {
         WAIT_FOR(child<Page>()->isVisible());
     }
-    /// Asks for the grade until the page is there. What the hand did last may not be counted yet: a person presses
-    /// again.
+    /// Asks for the grade until the page is there: the last motion of the hand may not be counted at the first request.
     template <class Page>
     void gradeUntil() const
     {
@@ -94,7 +93,7 @@ protected:
         };
         WAIT_FOR(isThere());
     }
-    /// The visible label, anywhere in the window, that contains these words; null if there is none.
+    /// Returns the visible label, anywhere in the window, that contains these words; null if there is none.
     [[nodiscard]] const QLabel* labelWith(const QString& words) const;
 
     /// Presses the mouse button over a point of the tooth. Returns the position of the pointer in the view.
@@ -103,22 +102,22 @@ protected:
     /// Presses until something is removed, releases, and waits until the stroke has ended.
     void drill(glm::dvec3 pointMm) const;
     void drill(double xMm) const { drill({xMm, 1.0, -1.0}); }
-    /// The servo as the window has shown it last.
+    /// Returns the servo state that the window showed last.
     [[nodiscard]] const core::servo::ServoState& servo() const { return m_servo; }
     [[nodiscard]] bool hasCut() const { return m_removed != core::terrain::PerMaterial{}; }
     void waitForTicks(std::uint64_t ticks) const;
-    /// Waits until what is done with the pointer has ended as a stroke.
+    /// Waits until the work of the pointer has ended as a stroke.
     void waitForStrokeEnd() const;
-    /// Does what puts another tooth on the table, and waits until the servo has it.
+    /// Makes a change that puts another tooth on the table, and waits until the servo has it.
     void waitForNewTooth(const std::function<void()>& change) const;
     void openLesson(const lessons::Lesson& lesson) const;
     /// Writes a lesson, reads it and opens it.
     void openMadeLesson(std::string_view json) const;
     /// Opens a shipped lesson, or one in the teacher's folder.
     lessons::Lesson openLesson(const std::string& id) const;
-    /// Answers the question before the score, which has to be shown.
+    /// Answers the question before the score, which must be shown.
     void expectScore() const;
-    /// The unfinished attempts in the station's folder, or in a folder below its "unfinished".
+    /// Returns the unfinished attempts in the station's folder, or in a folder below its "unfinished".
     [[nodiscard]] QStringList journals(const QString& below = {}) const;
     /// Ends the program, and leaves its one unfinished attempt as a killed program leaves it. Returns the path.
     QString killWithJournal(const QString& below = {});
@@ -128,8 +127,8 @@ protected:
 
 private:
     core::servo::ServoState m_servo;
-    std::uint64_t m_cutAtTick = 0;           ///< when material came away last
-    core::terrain::PerMaterial m_removed{};  ///< by then
+    std::uint64_t m_cutAtTick = 0;           ///< when material was removed last
+    core::terrain::PerMaterial m_removed{};  ///< up to then
 };
 
 }  // namespace support

@@ -21,7 +21,7 @@ namespace support {
 
 inline const std::string kPassword = "correct horse";
 
-/// An exam in the teacher's folder, as long as the object lives.
+/// An exam in the teacher's folder; it is removed with the object.
 class Exam
 {
 public:
@@ -42,7 +42,7 @@ private:
     QString m_file = QDir(lessons::teachersFolder()).filePath("exam-36.lesson.json");
 };
 
-/// The school as another station uses it.
+/// The school as used by another station.
 struct OtherStation
 {
     /// @param place  a file with its key beside it, or the address of a server
@@ -77,11 +77,11 @@ protected:
     void waitForDoorToSay(const QString& words) const;
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     [[nodiscard]] QString place() const { return m_server.isEmpty() ? file() : m_server; }
-    /// Moves the file of the school away, with what lies beside it.
+    /// Moves the file of the school and the files beside it away.
     void moveAway() const;
     /// Overwrites the database file of the school with noise.
     void damageSchool() const;
-    /// Starts the program as it starts at a school: with the login.
+    /// Starts the program with a school, so that it shows the login.
     void start(app::WindowOptions options = {});
     void startAs(const QString& name)
     {
@@ -93,7 +93,7 @@ protected:
     /// Unlocks, and waits for the answer.
     void tryPassword(const QString& password = QString::fromStdString(kPassword)) const;
     void logIn(const QString& name) const;
-    /// Logs out, from whatever page.
+    /// Logs out from any page.
     void logOut() const;
     void switchTo(const QString& name) const;
     void beGuest() const;
@@ -106,17 +106,17 @@ protected:
     void grade(const QString& saved) const;
     /// Grades a lesson, and waits until the school has this number of attempts.
     void gradeLesson(int attempts) const;
-    /// What the score page says about where the grade is saved.
+    /// Returns the words of the score page about where the grade is saved.
     [[nodiscard]] QString saved() const;
     void waitForSaved(const QString& words) const;
     /// Opens the list of the user's own attempts, after all earlier requests to the database were answered.
     void openAttempts() const;
-    /// The number of rows in the database, as another program reads it; -1 if it cannot be read.
+    /// Returns the number of rows in the database, read by another connection; -1 if it cannot be read.
     [[nodiscard]] int count(const QString& rows) const;
     [[nodiscard]] int attempts() const { return count("attempts"); }
-    /// The page that lists the attempts of the first student of the class.
+    /// Opens the page that lists the attempts of the first student of the class.
     void openStudent() const;
-    /// Opens the newest of the attempts that are listed.
+    /// Opens the newest of the listed attempts.
     void openNewest() const;
     [[nodiscard]] int studentsShown() const { return child<QTableView>("matrix")->model()->rowCount(); }
     /// Saves the score card as a PDF, and waits until that is confirmed.

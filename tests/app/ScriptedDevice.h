@@ -12,8 +12,8 @@
 
 namespace support {
 
-/// What a test makes a force device report and where its hand is. Shared by the test and the devices that the program
-/// makes.
+/// What a force device reports and the position of its hand, as set by a test. The test and the devices of the program
+/// share it.
 class DeviceScript
 {
 public:
@@ -90,7 +90,7 @@ private:
     std::string m_firmware;
 };
 
-/// A force device that does what its script says.
+/// A force device that follows its script.
 class ScriptedDevice final : public haptics::ForceDevice
 {
 public:

@@ -35,14 +35,14 @@ inline void addEngines()
     QTest::newRow("postgresql") << true;
 }
 
-/// One server for all tests of a program, begun when the first wants it.
+/// Returns one server for all tests of a program, started at the first use.
 inline PostgresServer& sharedServer()
 {
     static PostgresServer server;
     return server;
 }
 
-/// As an attempt of the session's person comes out of a station's outbox.
+/// Delivers an attempt of the session's person, as from a station's outbox.
 inline core::Result<database::AttemptId> addAttempt(const database::sql::DatabaseContext& school,
                                                     const database::Login& session,
                                                     const database::AttemptRecord& attempt, const QByteArray& recording)
@@ -52,7 +52,7 @@ inline core::Result<database::AttemptId> addAttempt(const database::sql::Databas
     return database::sql::deliverAttempt(school, own, recording);
 }
 
-/// What a check found, a line each.
+/// Returns the findings of a check, one per line.
 inline QString wordsOf(const std::vector<database::IntegrityIssue>& findings)
 {
     QStringList lines;
@@ -61,14 +61,15 @@ inline QString wordsOf(const std::vector<database::IntegrityIssue>& findings)
     return lines.join(u'\n');
 }
 
-/// Returns the findings of the check of a database. Empty: it is sound.
+/// Returns the findings of the check of a database; empty if it is sound.
 inline QString faultsOf(const QSqlDatabase& db)
 {
     const auto report = database::sql::checkDatabase(db, {});
     return report ? wordsOf(report->findings) : QString::fromStdString(report.error().detail);
 }
 
-/// Returns an empty string if the result is an error with this code whose sentence contains these words; else why not.
+/// Returns an empty string if the result is an error with this code whose sentence contains these words; otherwise the
+/// reason.
 template <class T>
 QString whyNotRefused(const core::Result<T>& result, core::ErrorCode code, std::string_view words = {})
 {
@@ -79,7 +80,7 @@ QString whyNotRefused(const core::Result<T>& result, core::ErrorCode code, std::
     return isRefused ? QString() : QStringLiteral("refused with: ") + QString::fromStdString(detail);
 }
 
-/// A school with people of every role. Passwords cost next to nothing; the clock is set by the test.
+/// A school with people of every role. Password hashes have the lowest cost, and the test sets the clock.
 class SchoolRig
 {
 public:
@@ -91,13 +92,14 @@ public:
     {
         reopen();
     }
-    /// A copy of all that another one holds, with its station and its sessions: cheaper than to populate() again.
+    /// Makes a copy of another rig, with its station and its sessions. This is cheaper than populate().
     explicit SchoolRig(SchoolRig& like)
         : nowUtc(like.nowUtc), admin(like.admin), instructor(like.instructor), student(like.student),
           classmate(like.classmate), stranger(like.stranger), otherInstructor(like.otherInstructor), guest(like.guest),
           first(like.first), second(like.second), m_key(like.m_key)
     {
-        like.close();  // for good: a server copies only what nobody is connected to, and a file is whole when closed
+        like.close();  // for good: a server copies only a database without connections, and a file is complete only
+                       // when closed
         const bool onServer = like.m_address.startsWith(QStringLiteral("postgresql:"));
         m_address = onServer ? sharedServer().newDatabase(like.m_address) : m_folder.filePath("school.sqlite");
         if (!onServer && !QFile::copy(like.m_address, m_address))
@@ -105,7 +107,7 @@ public:
         reopen();
     }
 
-    /// As the next run of the program would find it.
+    /// Opens the database like the next run of the program.
     void reopen()
     {
         close();
@@ -184,7 +186,7 @@ public:
     {
         return addAttempt(school(), who, attempt(lesson, tenths, finished), recording);
     }
-    /// A graded attempt with all there is of one.
+    /// Returns a graded attempt with all fields set.
     static database::AttemptRecord attempt(const std::string& lesson, int tenths,
                                            const std::string& finished = "2026-11-20T10:15:00Z")
     {
@@ -258,7 +260,7 @@ inline int attemptsIn(const QString& file)
     return database ? database::sql::ask((*database)->handle(), "SELECT count(*) FROM attempts", "count")->toInt() : -1;
 }
 
-/// To root no file is closed: does the rest of the scope as somebody else.
+/// Runs the rest of the scope as another user, because root can open every file.
 inline auto asNobody()
 {
     constexpr uid_t kNobody = 65534;
@@ -306,7 +308,7 @@ private:
     if (!support::sharedServer().fault().isEmpty())                                                                    \
     QSKIP(qPrintable(support::sharedServer().fault()))
 
-/// Goes on with a rig of the row's engine, or skips where there is no server.
+/// Defines a rig of the row's engine, or skips if there is no server.
 #define SCHOOL_RIG(name)                                                                                               \
     QFETCH(bool, onServer);                                                                                            \
     if (onServer)                                                                                                      \
@@ -322,7 +324,7 @@ private:
     support::SchoolRig name(school(onServer));                                                                         \
     QVERIFY(name.isOpen())
 
-/// That a result is there; else its sentence.
+/// Checks that a result is no error; otherwise prints its sentence.
 #define VERIFY_DONE(expression)                                                                                        \
     do {                                                                                                               \
         const auto& verifiedResult = (expression);                                                                     \

@@ -6,8 +6,8 @@
 #include <string_view>
 
 /// What a fuzz target does with its input, for the target and for the unit test that runs its corpus. Each reads the
-/// bytes as they are, and again with what a fuzzer cannot guess put right: checksums, sizes, packing. It aborts where a
-/// promise is broken.
+/// bytes as they are, and again with the parts corrected that a fuzzer cannot guess: checksums, sizes, packing. It
+/// aborts if a promise is broken.
 namespace fuzz {
 
 inline void promise(bool kept)
@@ -16,32 +16,33 @@ inline void promise(bool kept)
         std::abort();
 }
 
-/// A captured ideal; shows it and marks by it.
+/// Reads a captured ideal, shows it and grades with it.
 void exerciseIdeal(std::string_view bytes);
-/// Its packed part unpacked, as a seed.
+/// Returns the bytes with the packed part unpacked, as a seed.
 [[nodiscard]] std::string unpackedIdeal(std::string_view bytes);
 
-/// The journal of an attempt. What comes out is saved, read and replayed as a recording, and its moments are found
+/// Reads the journal of an attempt. The result is saved, read and replayed as a recording, and its moments are found
 /// again if it is short.
 void exerciseJournal(std::string_view bytes);
 
-/// A lesson that stands on its own.
+/// Reads a lesson that is based on no other file.
 void exerciseLesson(std::string_view bytes);
-/// A pack of lessons, and what is in it as lessons.
+/// Reads a pack of lessons, and its content as lessons.
 void exercisePack(std::string_view bytes);
 
-/// Each mesh format in turn. Takes what comes out through analysis, placement, patching and rasterising: no index is
-/// out of range, every number is finite.
+/// Reads the bytes in each mesh format. The result goes through analysis, placement, patching and rasterising: no index
+/// is out of range, and every number is finite.
 void exerciseMesh(std::string_view bytes);
 
-/// A device path, which is walked: times rise, positions are finite and near, an error is a sentence.
+/// Reads and walks a device path: times rise, positions are finite and near, and an error is a sentence.
 void exercisePath(std::string_view bytes);
 
-/// A recording, which is replayed if it is short: no force is above the clamp, no material grows, bytes read back.
+/// Reads a recording, and replays it if it is short: no force is above the limit, no material grows, and the bytes read
+/// back.
 void exerciseRecording(std::string_view bytes);
-/// The bytes as they are alone.
+/// Does this with the bytes as they are only.
 void playRecording(std::string_view bytes);
-/// Its sections unpacked, as a seed.
+/// Returns the bytes with the sections unpacked, as a seed.
 [[nodiscard]] std::string unpacked(std::string_view bytes);
 
 }  // namespace fuzz

@@ -8,7 +8,7 @@
 
 #include "core/base/Result.h"
 
-/// Checks that print what they found where it is not what they look for.
+/// Checks that print the actual value when they fail.
 namespace support {
 
 inline constexpr double kPi = 3.14159265358979323846;  // moc of Qt 6.4 stumbles over <numbers>
@@ -30,7 +30,7 @@ inline constexpr double kDegree = kPi / 180.0;
     return isBetween;
 }
 
-/// Whether something came of it; else what went wrong.
+/// Returns whether a result is no error; otherwise prints the error.
 template <class T>
 [[nodiscard]] bool succeeds(const core::Result<T>& result)
 {
@@ -39,7 +39,7 @@ template <class T>
     return result.has_value();
 }
 
-/// Refused, with that code.
+/// Returns whether a result is an error with this code.
 template <class T>
 [[nodiscard]] bool isRefused(const core::Result<T>& result, core::ErrorCode code)
 {
@@ -49,7 +49,7 @@ template <class T>
     return is;
 }
 
-/// Refused, in a sentence that holds these words.
+/// Returns whether a result is an error whose sentence contains these words.
 template <class T>
 [[nodiscard]] bool isRefused(const core::Result<T>& result, std::string_view words)
 {

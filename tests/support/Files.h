@@ -9,16 +9,16 @@
 
 class QString;
 
-/// Whole files. What cannot be written ends the test program; what cannot be read is empty.
+/// Whole files. If a file cannot be written, the test program ends; if it cannot be read, the result is empty.
 namespace support {
 
 [[nodiscard]] std::string bytesOf(const std::filesystem::path& path);
-/// Makes the folder as well.
+/// Writes a file, and makes its folder.
 void write(const std::filesystem::path& path, std::string_view bytes);
 void write(const QString& path, std::string_view bytes);
 
-/// Whether a file of the repository lists what a table says. Prints what is missing and how to add it. With
-/// CUSP_REWRITE_LISTS=1 in the environment it writes the list anew.
+/// Returns whether a list in a file of the repository matches a table. Prints the missing entries and how to add them.
+/// With CUSP_REWRITE_LISTS=1 in the environment it writes the list anew.
 /// @param file    from the root of the repository: "docs/burs.md"
 /// @param before  the text that ends where the list begins
 /// @param after   the text that begins where the list ends
@@ -29,9 +29,9 @@ void write(const QString& path, std::string_view bytes);
 /// @param definition  "bur"
 [[nodiscard]] bool isSchemaUpToDate(const std::string& definition, const std::vector<std::string>& ids);
 
-/// The seeds of a fuzzer, from tests/fuzz/corpus/NAME: gives each to `use`. False if there are none.
+/// Passes each seed of a fuzzer, from tests/fuzz/corpus/NAME, to `use`. Returns false if there are none.
 [[nodiscard]] bool forEachSeed(const char* name, const std::function<void(const std::string&)>& use);
-/// CUSP_REWRITE_CORPUS=1 makes the seeds anew.
+/// Returns whether the seeds are to be written anew (CUSP_REWRITE_CORPUS=1).
 [[nodiscard]] bool rewritesSeeds();
 void writeSeed(const char* name, const std::string& file, std::string_view bytes);
 

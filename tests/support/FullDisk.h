@@ -7,7 +7,7 @@
 
 namespace support {
 
-/// While it lives, no file of this process can grow beyond some bytes: to writing code, a full disk.
+/// While this object lives, no file of this process can grow beyond some bytes, as on a full disk.
 class FullDisk
 {
 public:

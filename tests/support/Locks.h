@@ -3,9 +3,9 @@
 
 namespace support {
 
-/// Mutexes and condition variables that the calling thread has locked or waited for so far: including this header's
-/// function in a test puts counters before pthread_mutex_lock and its kin. Always 0 under sanitizers, which need their
-/// own.
+/// Returns how many mutexes the calling thread has locked, and condition variables it has waited for, so far. Using
+/// this function in a test puts counters before pthread_mutex_lock and similar functions. It is always 0 under
+/// sanitizers, which need their own.
 [[nodiscard]] long locksOnThisThread();
 
 }  // namespace support

@@ -9,8 +9,8 @@
 
 namespace support {
 
-/// main() of a test with a tooth view: an application whose windows draw with OpenGL 3.3 core, as the program's do.
-/// What they remember from run to run is theirs and not the user's.
+/// main() of a test with a tooth view: an application whose windows draw with OpenGL 3.3 core, like the program's. Its
+/// settings are separate from the user's.
 template <class Test>
 int openGlMain(int argc, char** argv)
 {

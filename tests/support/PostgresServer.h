@@ -9,8 +9,8 @@
 
 namespace support {
 
-/// A PostgreSQL server of its own in a scratch folder, reached by a socket there; it ends with the object, and with the
-/// test if that is killed. Root runs it as "nobody", since PostgreSQL refuses root.
+/// A PostgreSQL server in a temporary folder, with a socket there. It ends with the object, and with the test if that
+/// is killed. As root it runs as "nobody", because PostgreSQL refuses root.
 class PostgresServer
 {
 public:
@@ -19,16 +19,16 @@ public:
     PostgresServer(const PostgresServer&) = delete;
     PostgresServer& operator=(const PostgresServer&) = delete;
 
-    /// Empty: it runs. Else what went wrong, or that PostgreSQL is not installed.
+    /// Returns an empty text if the server runs; otherwise the error, or that PostgreSQL is not installed.
     [[nodiscard]] const QString& fault() const { return m_fault; }
 
     /// Creates a database and returns its address for cusp.
-    /// @param like  address of one to copy, to which nobody is connected; empty: an empty one
+    /// @param like  address of a database to copy, which has no connections; empty: an empty one
     [[nodiscard]] QString newDatabase(const QString& like = {});
 
-    /// As a cable that is pulled, and plugged in again: the server stops at once, and starts anew.
+    /// Stops the server at once, like a cable that is pulled. start() starts it again.
     void kill();
-    /// As its administrator stops it: it takes leave of who is connected.
+    /// Stops the server like an administrator: it closes its connections properly.
     void stop();
     [[nodiscard]] bool start();
 

@@ -5,10 +5,10 @@
 #include <QJsonObject>
 #include <QStringList>
 
-/// The built program, run as a user runs it: its own process, stdout and stderr apart.
+/// The built program, run as a user runs it: in its own process, with stdout and stderr separate.
 namespace support {
 
-/// How it ended.
+/// The result of a run.
 struct Ending
 {
     int exitCode = -1;  ///< -1: killed by a signal
@@ -16,15 +16,15 @@ struct Ending
     QByteArray error;
     long peakMiB = 0;
 
-    /// stdout as a JSON object; empty if it is none.
+    /// Returns stdout as a JSON object; empty if it is none.
     [[nodiscard]] QJsonObject json() const;
-    /// One line of stderr, "cusp: " and a sentence with its full stop, and nothing on stdout.
+    /// Returns whether stderr is one line, "cusp: " and a sentence with its full stop, and stdout is empty.
     [[nodiscard]] bool isOneSentence() const;
 };
 
 /// Runs cusp to its end without a display.
 /// @param environment  "NAME=value" each, on top of this process's own
-/// @param input  what it reads from standard input
+/// @param input  its standard input
 [[nodiscard]] Ending runCusp(const QStringList& arguments, const QStringList& environment = {},
                              const QByteArray& input = {});
 

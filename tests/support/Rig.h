@@ -11,7 +11,7 @@
 
 namespace support {
 
-/// A device that is wherever the test has put it.
+/// A device at the place that the test sets.
 class HeldDevice final : public haptics::HapticDevice
 {
 public:
@@ -40,7 +40,7 @@ struct Bench
     [[nodiscard]] const core::servo::ServoState& state() const { return servo->state(); }
 };
 
-/// Servo and session loop joined as the program joins them, but beaten by hand in one thread.
+/// Servo and session loop joined as in the program, but run step by step in one thread.
 struct Rig
 {
     explicit Rig(const core::servo::ServoSettings& settings = {},
@@ -50,23 +50,23 @@ struct Rig
     /// Hands a new tooth to the session and lets both loops begin with it. Leaves one tick on the recording.
     void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1,
               const std::string& lesson = {});
-    /// The same, and the drill is on.
+    /// The same, with the drill on.
     void drill(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1,
                const std::string& lesson = {});
-    /// Goes on with an attempt made elsewhere; as open() otherwise.
+    /// Resumes an attempt made elsewhere; otherwise like open().
     void resume(const core::recording::Recording& recording, std::uint64_t generation = 1);
     void send(core::session::SessionCommand command);
-    /// Sends it and beats until both loops have done it.
+    /// Sends a command and runs until both loops have executed it.
     void give(core::session::SessionCommand command);
-    /// Beats the servo, and the session after every tenth beat, as in the program.
+    /// Runs the servo, and the session after every tenth tick, as in the program.
     void run(int ticks, std::chrono::microseconds dt = std::chrono::milliseconds(1));
-    /// Leans straight down at (x, y) with about so many newtons against the spring for some ticks.
+    /// Presses straight down at (x, y) with about so many newtons against the spring for some ticks.
     void lean(double x, double y, double newtons, int ticks);
-    /// Goes where a hand goes, for some ticks.
+    /// Follows a hand for some ticks.
     void follow(class RestlessHand& hand, int ticks);
-    /// Lifts off and waits until the stroke has ended and everything has been told.
+    /// Lifts off and waits until the stroke has ended and all reports have arrived.
     void lift();
-    /// Beats the session until no event and no patch is left.
+    /// Runs the session until no event and no patch is left.
     void settle();
 
     [[nodiscard]] const core::terrain::Tooth& live() const { return servo->tooth()->tooth(); }
@@ -79,16 +79,17 @@ struct Rig
     std::unique_ptr<core::session::UiChannels> uiLinks;
     HeldDevice device;
     std::unique_ptr<core::session::SessionLoop> session;
-    std::unique_ptr<haptics::ServoLoop> servo;  ///< gone before the session, as in the program
+    std::unique_ptr<haptics::ServoLoop> servo;  ///< destroyed before the session, as in the program
     std::uint64_t beats = 0;
 };
 
-/// A restless hand: wanders over and in the tooth from a seed, smoothly enough to cut, roughly enough to surprise.
+/// A restless hand: it moves at random, by a seed, over and in the tooth, smoothly enough to cut and roughly enough to
+/// find errors.
 class RestlessHand
 {
 public:
     explicit RestlessHand(std::uint64_t seed, double reachMm = 3.0) : m_rng(seed), m_reachMm(reachMm) {}
-    /// The next position, one tick on.
+    /// Returns the position at the next tick.
     [[nodiscard]] glm::vec3 next();
 
 private:

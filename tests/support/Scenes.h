@@ -15,8 +15,8 @@ namespace support {
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> soundTooth(int fdi, int side = 150,
                                                                             std::uint64_t seed = 0);
 
-/// The slab of SyntheticTooth.h, enamel down to -2, with pulp from -7 to -5 in the nodes 20 .. 43 and decay from -3 to
-/// -1 in the nodes `first` .. `last`, in both directions.
+/// Returns the slab of SyntheticTooth.h with enamel down to -2, pulp from -7 to -5 in the nodes 20 .. 43 and decay from
+/// -3 to -1 in the nodes `first` .. `last`, in both directions.
 [[nodiscard]] std::shared_ptr<core::terrain::ToothAnatomy> decayedSlab(int first, int last);
 
 /// A rectangle of nodes. Both ends are included.

@@ -5,16 +5,16 @@
 
 #include "core/mesh/TriangleMesh.h"
 
-/// Closed meshes of known volume, counter-clockwise from outside, and the files that hold them.
+/// Closed meshes of known volume, counter-clockwise from outside, and files of them.
 namespace support {
 
-/// From the origin to the corner given.
+/// Returns a box from the origin to the given corner.
 [[nodiscard]] core::mesh::TriangleMesh box(float x, float y, float z);
-/// Base circle in z = 0, apex at z = height.
+/// Returns a cone with its base circle in z = 0 and its apex at z = height.
 [[nodiscard]] core::mesh::TriangleMesh cone(float radius, float height, int segments = 720);
-/// The part of a sphere above z = 0 when its top is at z = height.
+/// Returns the part of a sphere above z = 0 when its top is at z = height.
 [[nodiscard]] core::mesh::TriangleMesh sphereCap(float sphereRadius, float height, int segments = 720, int rings = 200);
-/// A box whose roof falls from z at x = 0 to 0 at the other end: half its volume.
+/// Returns a box whose roof falls from z at x = 0 to 0 at the other end: half its volume.
 [[nodiscard]] core::mesh::TriangleMesh wedge(float x, float y, float z);
 
 [[nodiscard]] core::mesh::TriangleMesh turned(core::mesh::TriangleMesh mesh, double radiansAboutZ);

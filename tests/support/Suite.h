@@ -30,7 +30,7 @@ private:
 
 }  // namespace support
 
-/// Stands where QTEST_MAIN stands in a program with one test class.
+/// Replaces QTEST_MAIN in a program with several test classes.
 #define CUSP_TEST(Class)                                                                                               \
     static const support::SuiteEntry entryOf##Class(                                                                   \
         __FILE__, []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });

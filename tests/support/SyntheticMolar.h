@@ -7,9 +7,9 @@
 
 namespace support {
 
-/// A molar-like crown from closed formulas: five cusps, a cross of fissures, enamel over dentin over a pulp chamber,
-/// and one open lesion of decay around kLesionMm. No generator, no file: what pictures are tested with. Made once for
-/// each side and kept. Main thread.
+/// Returns a molar-like crown from closed formulas: five cusps, a cross of fissures, enamel over dentin over a pulp
+/// chamber, and one open lesion around kLesionMm. It needs neither the generator nor a file, and is used to test
+/// pictures. It is made once for each side. Main thread.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> syntheticMolar(int side = 150);
 
 /// Middle of the lesion and its radius, tooth frame.

@@ -8,7 +8,7 @@
 
 namespace support {
 
-/// A made-up block of one material, or of layers, under any surface: the scenes of the contact and cutting tests.
+/// A block of one material, or of layers, under any surface: the scenes of the contact and cutting tests.
 struct Block
 {
     int side = 150;
@@ -21,13 +21,13 @@ struct Block
     double cariesFloorMm = 100.0;  ///< caries above this height; the default is none
 };
 
-/// Block centred on the origin of the tooth frame.
+/// Returns a block centred on the origin of the tooth frame.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block);
 
 /// Returns the block as an uncut tooth.
 [[nodiscard]] core::terrain::Tooth blockTooth(const Block& block);
 
-/// One of enamel, 64 cells a side: quick to work on.
+/// Returns a block of enamel, 64 cells a side: quick to work on.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> smallBlock(double cellMm = 0.12);
 
 /// Calls `use` with the number and the place of each node of a grid.
@@ -42,23 +42,24 @@ void eachNode(const core::terrain::Grid& grid, Use&& use)
 /// Returns the node that is nearest to a point.
 [[nodiscard]] std::size_t nodeAt(const core::terrain::Grid& grid, glm::dvec2 placeMm);
 
-/// The height of a cut surface, mm. Where it is above the tooth, nothing is cut.
+/// Height of a cut surface, mm. Where it is above the tooth, the tooth is uncut.
 using Surface = std::function<double(glm::dvec2)>;
 
-/// Returns the tooth with everything above a surface removed; loweredTop() returns only its top map.
+/// Returns the tooth with all material above a surface removed; loweredTop() returns only its top map.
 [[nodiscard]] core::terrain::Tooth lowered(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
                                            const Surface& surface);
 [[nodiscard]] std::vector<float> loweredTop(const core::terrain::ToothAnatomy& anatomy, const Surface& surface);
 
-/// A disc of 4 mm radius under a top that waves along x by 0.3 mm, enamel above -1: no lattice cuts its rim evenly.
+/// Returns a disc of 4 mm radius under a top that waves along x by 0.3 mm, enamel above -1: no lattice cuts its rim
+/// evenly.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm);
 
-/// The same with a hollow in it, half an ellipsoid 1.5 mm in radius and so deep, beside every node and every axis.
+/// Returns the disc with a hollow, half an ellipsoid 1.5 mm in radius and of this depth, off every node and axis.
 [[nodiscard]] core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
                                             double deepMm);
 
-/// 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, enamel above a height and dentin below: for a test to
-/// put pulp and decay into.
+/// Returns 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, enamel above a height and dentin below. Tests
+/// add pulp and decay.
 [[nodiscard]] std::shared_ptr<core::terrain::ToothAnatomy> slab(float dejMm);
 
 }  // namespace support

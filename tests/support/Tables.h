@@ -8,14 +8,14 @@
 /// Data of test functions.
 namespace support {
 
-/// The columns of a table, in their order.
+/// Adds the columns of a table, in their order.
 template <class... Type, class... Name>
 void columns(Name... names)
 {
     (QTest::addColumn<Type>(names), ...);
 }
 
-/// A table of one column, each row named by its value.
+/// Adds a table of one column, with each row named by its value.
 template <class T>
 void rows(const char* column, const std::vector<T>& values)
 {
@@ -24,7 +24,7 @@ void rows(const char* column, const std::vector<T>& values)
         QTest::newRow(qPrintable(QStringLiteral("%1").arg(value))) << value;
 }
 
-/// A table of two columns: each value of the one with each of the other.
+/// Adds a table of two columns: each value of one with each of the other.
 template <class A, class B>
 void rows(const char* one, const std::vector<A>& ones, const char* other, const std::vector<B>& others)
 {

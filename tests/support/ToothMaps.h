@@ -10,7 +10,7 @@
 
 namespace support {
 
-/// Top and bottom of a tooth, in the tooth frame, as the importer makes them.
+/// Top and bottom of a tooth, in the tooth frame, like those of the importer.
 struct ToothMaps
 {
     core::terrain::Grid grid;
@@ -23,15 +23,16 @@ struct ToothMaps
 /// Where a file of the shared data folder lies ($CUSP_SHARED_DATA, else beside the source); empty if it is absent.
 [[nodiscard]] std::string sharedData(const std::string& file);
 
-/// A generated tooth, rasterised the same way.
+/// Returns a generated tooth, rasterised the same way.
 [[nodiscard]] ToothMaps generatedMaps(int fdi, std::uint64_t seed, int side);
 
 /// Rasterises shared/data/teeth/dundee_<fdi>.obj (21, 24 or 36), 10.5 mm a unit, crown up, +x distal; nothing if the
 /// scan is absent.
 [[nodiscard]] std::optional<ToothMaps> scanMaps(int fdi, int side);
 
-/// A molar of formulas: a round crown of radius 5 whose cusps stand 2.5 above a flat fossa, a fissure 0.8 deep and
-/// 0.3 wide along y = 0, contour 5 below the cusps, neck of radius 4.2 at the CEJ (z = -7.5), one root down to -20.
+/// Returns a molar of formulas: a round crown of radius 5 with cusps 2.5 above a flat fossa, a fissure 0.8 deep and 0.3
+/// wide along y = 0, the contour 5 below the cusps, a neck of radius 4.2 at the CEJ (z = -7.5), and one root down to
+/// -20.
 [[nodiscard]] ToothMaps analyticMolar(int side);
 
 struct NamedMaps
@@ -41,8 +42,8 @@ struct NamedMaps
     ToothMaps maps;
 };
 
-/// The analytic molar, a generated tooth of each kind and those scans that are there. The quick run has the molar of
-/// formulas, a generated molar and a generated incisor.
+/// Returns the analytic molar, a generated tooth of each kind and the scans that are present. The quick run has the
+/// analytic molar, a generated molar and a generated incisor.
 [[nodiscard]] std::vector<NamedMaps> everyTooth(int side);
 
 /// Returns extreme maps of 64 cells a side: empty, one needle, full to the edge and so on.

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string_view>
 
-/// How many of many like cases a test tries. The ordinary run tries a share of them, with the same assertions;
-/// CUSP_NIGHTLY=1 tries all. With sanitizers a test takes many times as long and looks for misuse of memory and
-/// undefined behaviour, for which the share does: there CUSP_NIGHTLY counts for nothing.
+/// How many of many similar cases a test tries. The usual run tries a share of them, with the same assertions;
+/// CUSP_NIGHTLY=1 tries all. With sanitizers a test takes many times as long, and the share is enough to find misuse of
+/// memory and undefined behaviour: there CUSP_NIGHTLY has no effect.
 namespace support {
 
 #ifdef CUSP_SANITIZED
@@ -26,8 +26,8 @@ inline constexpr bool kSanitized = false;
     return isNightly() ? nightly : quick;
 }
 
-/// Whether the n-th of many like cases is tried: each at night, else one in seven. Few sweeps have a side of seven, so
-/// that what is tried lies all over them.
+/// Returns whether the n-th of many similar cases is tried: each at night, otherwise one in seven. Few sweeps have a
+/// side of seven, so the tried cases are spread over all of them.
 [[nodiscard]] inline bool isTried(int n)
 {
     return isNightly() || n % 7 == 0;

@@ -5,7 +5,7 @@
 
 namespace support {
 
-/// A joystick or gamepad that SDL makes up, for a program that reads real ones. SDL's joysticks must be initialised.
+/// A virtual joystick or gamepad of SDL, for a program that reads real ones. SDL's joysticks must be initialised.
 class VirtualController
 {
 public:
@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] bool isMade() const { return m_joystick != nullptr; }
     [[nodiscard]] int instance() const { return m_instance; }
-    /// @param reading  -1 to 1, as the raw axis of a joystick has it
+    /// @param reading  -1 to 1, like the raw axis of a joystick
     void setAxis(int axis, double reading)
     {
         SDL_JoystickSetVirtualAxis(m_joystick, axis, static_cast<Sint16>(reading * 32767.0));

@@ -10,7 +10,7 @@
 #include "lab/TagScene.h"
 #include "tests/support/Checks.h"
 
-/// Scenes that are spread over what a camera meets, by a seed.
+/// Scenes spread at random, by a seed, over the range that a camera meets.
 namespace support {
 
 inline core::tracking::CameraModel usualCamera()
@@ -28,7 +28,7 @@ inline lab::PrintedTag tagBefore(double distanceMm, const glm::dvec2& offset, do
     return tag;
 }
 
-/// A tag anywhere in the picture, tilted to any side.
+/// Returns a tag anywhere in the picture, tilted in any direction.
 inline lab::PrintedTag tagSomewhere(core::Rng& rng, double distanceMm, double tiltDeg)
 {
     const glm::dvec2 offset(rng.uniform(-0.35, 0.35), rng.uniform(-0.18, 0.18));

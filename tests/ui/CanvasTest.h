@@ -40,7 +40,7 @@ protected:
         return image;
     }
 
-    /// Shows a tooth, uncut.
+    /// Shows an uncut tooth.
     void show(const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth)
     {
         m_surface = std::make_unique<ui::render::ToothSurface>(tooth, ui::tooth::operatingLight(false));
@@ -60,7 +60,7 @@ protected:
 
     void update(bool hurried = false) { m_renderer->update(*m_surface, m_surface->refresh(hurried)); }
 
-    /// Lowers a tile of the tooth that is shown.
+    /// Lowers a tile of the shown tooth.
     void cut(glm::dvec2 placeMm, float floorMm, bool hurried = false)
     {
         m_surface->write(pictures::cutTile(m_surface->anatomy(), placeMm, floorMm));

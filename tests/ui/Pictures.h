@@ -12,10 +12,10 @@
 
 #include "core/servo/ServoState.h"
 
-/// Pictures as tests look at them: statistics instead of golden bytes, for no two drivers draw the same bytes.
+/// Statistics of pictures instead of golden bytes, because no two drivers draw the same bytes.
 namespace pictures {
 
-/// Leaves the picture in the folder CUSP_PICTURES, for somebody to look at; does nothing where that is not set.
+/// Writes the picture to the folder CUSP_PICTURES, for inspection. Does nothing if that is not set.
 inline void keep(const QImage& image, const QString& name)
 {
     if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
@@ -30,7 +30,7 @@ struct Colour
     [[nodiscard]] double brightness() const { return (red + green + blue) / 3.0; }
 };
 
-/// Mean colour of the part of `area` inside the image, 0 .. 255 a channel.
+/// Returns the mean colour of the part of `area` inside the image, 0 .. 255 a channel.
 inline Colour mean(const QImage& image, const QRect& area)
 {
     Colour sum;
@@ -47,7 +47,7 @@ inline Colour mean(const QImage& image, const QRect& area)
     return {sum.red / count, sum.green / count, sum.blue / count};
 }
 
-/// The square of pixels around a place in it.
+/// Returns the square of pixels around a place.
 inline QRect around(double x, double y, int reach)
 {
     return {qRound(x) - reach, qRound(y) - reach, 2 * reach + 1, 2 * reach + 1};
@@ -59,7 +59,7 @@ inline bool differs(QRgb p, QRgb q, int threshold)
            threshold;
 }
 
-/// Pixels in which two pictures differ by more than `threshold` in a channel, and the box around them.
+/// Number of pixels in which two pictures differ by more than `threshold` in a channel, and the box around them.
 struct Difference
 {
     int pixels = 0;
@@ -90,7 +90,7 @@ int count(const QImage& image, const Fits& fits)
     return found;
 }
 
-/// The tile of the grid that holds a point, every height in it above `floorMm` lowered to that.
+/// Returns the tile of the grid that contains a point, with every height above `floorMm` lowered to it.
 inline core::servo::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth, glm::dvec2 pointMm, float floorMm,
                                       std::uint64_t generation = 1, bool last = true)
 {
@@ -110,7 +110,7 @@ inline core::servo::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth, 
     return patch;
 }
 
-/// Middle of the tile that holds a point.
+/// Returns the middle of the tile that contains a point.
 inline glm::dvec2 tileMiddle(const core::terrain::Grid& grid, glm::dvec2 pointMm)
 {
     constexpr int kSide = core::servo::kTileSide;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A language that nobody speaks, to find words that nobody has translated, and words that have no room.
+// A made-up language, to find words without a translation and words without enough room.
 #pragma once
 
 #include <QAbstractButton>
@@ -27,8 +27,8 @@
 
 namespace pseudo {
 
-/// "Undo" becomes "[Ũñďø··]": no letter of English is left, and it is 40 per cent longer, as other languages are.
-/// Placeholders, ampersands of shortcuts and markup stay what they are.
+/// Turns "Undo" into "[Ũñďø··]": no English letter remains, and the text is 40 per cent longer, as in other languages.
+/// Placeholders, ampersands of shortcuts and markup are unchanged.
 inline QString said(const QString& english)
 {
     static const QString kPlain = QStringLiteral("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
@@ -49,7 +49,7 @@ inline QString said(const QString& english)
         from = match.capturedEnd();
     }
     retranslateUi(english.size());
-    // In words of their own, so that lines can be broken as in a language.
+    // In separate words, so that lines can break as in a language.
     QString longer;
     for (qsizetype k = 0; k < (2 * english.size() + 4) / 5; ++k)
         longer += k % 9 == 8 ? u' ' : u'·';
@@ -75,7 +75,7 @@ inline lessons::LocalText said(const lessons::LocalText& text)
     return strange;
 }
 
-/// Words that come from files stand in no .ts file.
+/// Words that come from files are in no .ts file.
 inline lessons::Rubric said(lessons::Rubric rubric)
 {
     rubric.title = said(rubric.title);
@@ -98,7 +98,7 @@ inline lessons::Lesson said(lessons::Lesson lesson)
     return lesson;
 }
 
-/// What of these words no translator has seen: letters of English that are nobody's name and no unit.
+/// Returns the untranslated part of a text: English letters that are neither a name nor a unit.
 inline QString untranslated(QString words)
 {
     static const QRegularExpression kMarkup(QStringLiteral("<[^>]*>|&\\w+;"));
@@ -117,7 +117,7 @@ inline QString untranslated(QString words)
     return kEnglish.match(words).captured();
 }
 
-/// All that a person reads in a chart.
+/// Returns all words that a person reads in a chart.
 inline QStringList wordsOf(const ui::charts::Chart& chart)
 {
     using namespace ui::charts;
@@ -145,7 +145,7 @@ inline QStringList wordsOf(const ui::charts::Chart& chart)
     return words;
 }
 
-/// All that a person reads or hears of a widget.
+/// Returns all words that a person reads or hears of a widget.
 inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
 {
     QList<std::pair<QString, QString>> words{{"tooltip", widget.toolTip()},
@@ -190,8 +190,8 @@ inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
     return words;
 }
 
-/// Everything under `root` that is shown and speaks another language: not translated, or not said again.
-/// @param fromOutside  names from files and people, which are left as they are wherever they stand
+/// Returns the visible words under `root` that are in another language: not translated, or not updated.
+/// @param fromOutside  names from files and people, which stay as they are everywhere
 inline QStringList notTranslated(QWidget& root, const QStringList& fromOutside = {})
 {
     QStringList found;
@@ -213,7 +213,7 @@ inline QStringList notTranslated(QWidget& root, const QStringList& fromOutside =
     return found;
 }
 
-/// Words in boxes of their own within a widget: what is asked for in a field, headings and cells of a table.
+/// Words in boxes of their own within a widget: the placeholder of a field, headings and cells of a table.
 struct Boxed
 {
     QString words;
@@ -232,7 +232,7 @@ inline QList<Boxed> boxedIn(const QWidget& widget)
         for (const auto* button : line->findChildren<QAbstractButton*>())
             taken += button->isVisible() ? button->width() : 0;
         const bool isNumber = qobject_cast<const QAbstractSpinBox*>(line->parentWidget()) != nullptr;
-        // What somebody types may be as long as it likes.
+        // Typed text may have any length.
         if (isNumber || line->text().isEmpty())
             boxes << Boxed{isNumber ? line->text() : line->placeholderText(), line->toolTip(),
                            line->contentsRect().width() - taken, line->font()};
@@ -258,7 +258,7 @@ inline QList<Boxed> boxedIn(const QWidget& widget)
     return boxes;
 }
 
-/// Of a widget that draws several words.
+/// Returns the clipped words of a widget that draws several.
 inline QStringList clippedWithin(const QWidget& widget)
 {
     QStringList found;
@@ -276,8 +276,8 @@ inline QStringList clippedWithin(const QWidget& widget)
     return found;
 }
 
-/// Everything under `root` that has less room than its words want, or lies outside. Words may be cut short only where
-/// a tooltip tells all of them.
+/// Returns the words under `root` that have too little room or are outside. Words may be shortened only if a tooltip
+/// shows all of them.
 inline QStringList clipped(QWidget& root)
 {
     QStringList found;
@@ -304,7 +304,7 @@ inline QStringList clipped(QWidget& root)
         if (!scrolls && !root.rect().contains(QRect(widget->mapTo(&root, QPoint()), widget->size())))
             found << who + QStringLiteral(" lies outside");
         if (qobject_cast<QComboBox*>(widget) != nullptr)
-            continue;  // cut short, and told when it is opened
+            continue;  // shortened, and complete when it is opened
         const QSize wanted =
             widget->hasHeightForWidth() ? QSize(0, widget->heightForWidth(widget->width())) : widget->sizeHint();
         if ((widget->width() < wanted.width() || widget->height() < wanted.height()) &&

@@ -56,7 +56,7 @@ inline const lessons::ReadLesson& shipped(const std::string& id)
     return shippedWhere([&](const lessons::Lesson& lesson) { return lesson.id == id; });
 }
 
-/// Made once of each lesson.
+/// Returns the assignment of a lesson, made once.
 inline const lessons::Assignment& assigned(const std::string& id)
 {
     static std::map<std::string, lessons::Assignment> all;
@@ -100,7 +100,7 @@ inline lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double p
                           {{"caries_left", cariesPercent}, {"sound_tissue", soundMm3}, {"pulp_exposure", pulpMm2}});
 }
 
-/// Two strokes with different burs, an undo, and a breach.
+/// Returns an attempt with two strokes with different burs, an undo, and a breach.
 inline ui::replay::AttemptTimeline course()
 {
     ui::replay::AttemptTimeline course;
@@ -118,11 +118,10 @@ inline ui::replay::AttemptTimeline course()
     return course;
 }
 
-/// Tests of the main window. The test plays the threads: it publishes what they would say, and reads the commands.
+/// Tests of the main window. The test takes the part of the threads: it publishes their state, and reads the commands.
 ///
-/// The cases of a program share one window. begin() of each case brings it back to a whole tooth in the practice room.
-/// A case that closes the window, or changes what cannot be changed back, calls spoil(): the next case has a new
-/// window.
+/// The cases of a program share one window. begin() of each case returns it to a whole tooth in the practice room. If a
+/// case closes the window, or changes it for good, it calls spoil(): the next case has a new window.
 class WindowTest : public QObject
 {
 protected:
@@ -159,7 +158,7 @@ protected:
     }
     void spoil() { m_isSpoilt = true; }
 
-    /// Another window, which remembers what the one before has left in the settings.
+    /// Opens another window, which reads the settings that the one before has left.
     void openWindow()
     {
         m_isSpoilt = false;
@@ -194,7 +193,7 @@ protected:
         QVERIFY2(button != nullptr && button->isVisible(), name);
         button->click();
     }
-    /// Presses keys as a person does: the window's shortcuts hear them.
+    /// Presses keys like a person, so that the window's shortcuts receive them.
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
     {
         QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window.get(), key,
@@ -211,7 +210,7 @@ protected:
         QMetaObject::invokeMethod(dialog, "accept");
     }
 
-    /// Drops a file, or whatever it is, on the window. False: the window does not take it.
+    /// Drops data on the window. Returns false if the window does not accept it.
     [[nodiscard]] bool drop(const QMimeData& data) const
     {
         QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -246,7 +245,7 @@ protected:
         aids.*aid = false;
         m_window->setAids(aids);
     }
-    /// The threads say this, and the window has taken it when the call returns.
+    /// Publishes a state of the threads. The window has taken it when the call returns.
     void take(const core::servo::ServoState& servo, const core::session::SessionState& session) const
     {
         m_links->servo.publish(servo);
@@ -258,7 +257,7 @@ protected:
         QSignalSpy drawn(&m_window->view(), &ui::tooth::ToothView::frameAdvanced);
         QVERIFY(drawn.wait(20'000));
     }
-    /// The session says that so much enamel of the tooth shown is gone.
+    /// Publishes a state in which so much enamel of the shown tooth is gone.
     void cutSomething(double enamelMm3) const
     {
         core::session::SessionState session;
@@ -269,7 +268,7 @@ protected:
         QTRY_COMPARE(figure("enamelRemoved"), QString::number(enamelMm3, 'f', 2));
     }
 
-    /// All commands since the last call.
+    /// Returns all commands since the last call.
     [[nodiscard]] std::vector<core::session::SessionCommand> allSent() const
     {
         std::vector<core::session::SessionCommand> all;
@@ -277,7 +276,7 @@ protected:
             all.push_back(std::move(c));
         return all;
     }
-    /// Those that the user asked for: the window notes aids and rests by itself.
+    /// Returns the commands of the user: the window itself adds notes of aids and rests.
     [[nodiscard]] std::vector<core::session::SessionCommand> sent() const
     {
         std::vector<core::session::SessionCommand> all = allSent();
@@ -291,7 +290,7 @@ protected:
         const auto* note = std::get_if<core::session::AddNote>(&command);
         return note != nullptr && (note->code == core::servo::kRestNote || note->code == core::servo::kWorkNote);
     }
-    /// What was asked of the drill since the last call.
+    /// Returns the requests for the drill since the last call.
     [[nodiscard]] QList<bool> drillSent() const
     {
         QList<bool> all;
@@ -301,7 +300,7 @@ protected:
         return all;
     }
 
-    /// A school with people of every role. It is made once: nothing is changed in it.
+    /// Returns a school with people of every role. It is made once and not changed.
     static const support::SchoolRig& school()
     {
         static const auto rig = [] {
@@ -322,7 +321,7 @@ private:
         const auto all = core::settings::handpieces();
         m_window->setHandpieces({all.begin(), all.end()});
     }
-    /// As the next case finds it.
+    /// Resets the window for the next case.
     void reset()
     {
         for (QFileDialog* dialog : m_window->findChildren<QFileDialog*>())

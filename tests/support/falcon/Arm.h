@@ -16,7 +16,7 @@ namespace support::falcon {
 /// The Falcon's mechanism, its motors and the hand at its grip.
 ///
 /// Without a hand the grip is where it was set. With a hand the grip is a mass between the hand and the motors
-/// (haptics::SimulatedFalcon), and the position that is set is where the hand wants to be.
+/// (haptics::SimulatedFalcon), and the set position is the one that the hand aims at.
 class Arm
 {
 public:
@@ -24,18 +24,18 @@ public:
 
     Arm();
 
-    /// Moves the grip, or the hand, evenly to a place. A place that the legs do not reach leaves them as they are.
+    /// Moves the grip, or the hand, evenly to a place. If the legs do not reach a place, they stay.
     void moveTo(const glm::dvec3& deviceMm, Clock::duration duration, Time now);
     void setHand(const std::optional<haptics::HandFigures>& hand, Time now);
     void setCommandsPerNm(double commands) { m_commandsPerNm = commands; }
-    /// @param powered  without power the motors do nothing
+    /// @param powered  without power the motors give no force
     void setMotors(const std::array<std::int16_t, 3>& commands, bool powered);
     void advance(Time now);
 
     [[nodiscard]] const glm::dvec3& gripMm() const { return m_gripMm; }
     /// Encoder counts from the index marks, unrounded.
     [[nodiscard]] glm::dvec3 counts() const { return haptics::falcon::countsAt(m_arms.angleRad); }
-    /// Force of the motors on whoever holds the grip, device frame.
+    /// Returns the force of the motors on the hand at the grip, device frame.
     [[nodiscard]] glm::dvec3 forceN() const;
 
 private:

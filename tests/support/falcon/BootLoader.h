@@ -7,7 +7,7 @@
 
 namespace support::falcon {
 
-/// What the boot loader does besides what is expected of it. All of it has been reported of real devices.
+/// Deviations of the boot loader. All of them have been reported of real devices.
 struct BootOptions
 {
     bool leadingZero = false;  ///< a 00 before the answer to the query
@@ -27,9 +27,9 @@ struct Reply
 };
 
 /// The Falcon's controller without firmware: the query at 9600 baud, then the SCI boot loader of TI's C28x processors
-/// (SPRUI07): 'A' measures the baud rate, every byte is echoed, and the stream itself says where it ends.
+/// (SPRUI07). 'A' measures the baud rate, every byte is echoed, and the stream itself marks its end.
 ///
-/// What is out of order or at another baud rate gets no answer.
+/// A byte out of order or at another baud rate gets no answer.
 class BootLoader
 {
 public:
@@ -41,7 +41,7 @@ public:
     void setDtr(bool high);
     [[nodiscard]] Reply receive(std::uint8_t byte, double baud);
 
-    /// The whole image is here: the processor starts it.
+    /// Returns whether the image is complete: the processor starts it.
     [[nodiscard]] bool isFinished() const { return m_stage == Stage::Finished; }
     [[nodiscard]] const std::vector<std::uint8_t>& image() const { return m_image; }
     [[nodiscard]] int queries() const { return m_queries; }
@@ -67,7 +67,7 @@ private:
     BootOptions m_options;
     Stage m_stage = Stage::Query;
     bool m_dtr = false;
-    double m_baud = 0.0;  ///< that the 'A' had
+    double m_baud = 0.0;  ///< of the 'A'
     unsigned m_last = 0;  ///< the last three bytes at 9600 baud
     int m_queries = 0;
     std::vector<std::uint8_t> m_image;

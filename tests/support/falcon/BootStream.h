@@ -6,7 +6,7 @@
 
 namespace support::falcon {
 
-/// A boot stream that a Falcon's boot loader takes, and that holds no program of anybody.
+/// Returns a boot stream that a Falcon's boot loader accepts, without a real program.
 /// @param words  of the first block; the second has three
 [[nodiscard]] inline std::vector<std::uint8_t> bootStream(unsigned words = 600)
 {

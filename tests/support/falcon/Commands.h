@@ -34,9 +34,9 @@ class Commands
 public:
     explicit Commands(EmulatedBus& bus) : m_bus(bus) {}
 
-    /// Returns false if the line is no command or there is no device that it could be for.
+    /// Executes a line. Returns false if it is no command, or if there is no device for it.
     bool obey(const std::string& line);
-    /// The device that was plugged in last; null before.
+    /// Returns the device that was plugged in last; null before.
     [[nodiscard]] EmulatedFalcon* device() const { return m_device; }
 
 private:

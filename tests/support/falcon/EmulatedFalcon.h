@@ -22,7 +22,7 @@ namespace support {
 
 class EmulatedBus;
 
-/// All that can be seen of a device at one moment.
+/// The visible state of a device at one moment.
 struct FalconState
 {
     bool plugged = false;
@@ -49,7 +49,7 @@ struct FalconState
     [[nodiscard]] bool motorsAreZero() const { return motors == std::array<std::int16_t, 3>{}; }
 };
 
-/// One device: how a test controls it and what it can ask.
+/// One device: the controls of a test, and its questions.
 class EmulatedFalcon
 {
 public:
@@ -74,7 +74,7 @@ public:
 
     // Controller.
     void setBoot(const falcon::BootOptions& options);
-    /// The firmware runs from now on, as if another program had loaded it.
+    /// Starts the firmware, as if another program had loaded it.
     void startFirmware();
     void setButton(haptics::falcon::Button button, bool down);
     void setFault(Fault fault, double share);       ///< of the exchanges
@@ -93,7 +93,7 @@ public:
     // Questions.
     [[nodiscard]] FalconState state();
     [[nodiscard]] std::vector<std::uint8_t> image();
-    /// Up to Hardware::kRemembered answers, newest last.
+    /// Returns up to Hardware::kRemembered answers, newest last.
     [[nodiscard]] std::vector<SentAnswer> history();
 
 private:
@@ -118,7 +118,7 @@ private:
     bool m_kernelDriver = false;
 };
 
-/// What a program has not given back to libusb.
+/// Objects that a program has not given back to libusb.
 struct UsbObjects
 {
     int contexts = 0;
@@ -134,14 +134,15 @@ class EmulatedBus
 public:
     /// Makes a device and plugs it in. It lives until clear().
     EmulatedFalcon& plug(std::string serial, falcon::Pace pace = falcon::Pace::Real);
-    /// Null if there is none. The device may be unplugged.
+    /// Returns a device, or null if there is none. The device may be unplugged.
     [[nodiscard]] EmulatedFalcon* find(std::string_view serial);
-    /// Unplugs and destroys all devices. What the program still has of them answers LIBUSB_ERROR_NO_DEVICE.
+    /// Unplugs and destroys all devices. Their remaining libusb objects answer LIBUSB_ERROR_NO_DEVICE.
     void clear();
-    /// False: libusb_init fails, as on a machine without USB.
+    /// Sets whether there is USB. Without it libusb_init fails.
     void setUsbPresent(bool present);
     [[nodiscard]] UsbObjects objects();
-    /// Called whenever time has passed for a device, with the bus locked: the observer must not use the bus.
+    /// Sets a function that is called whenever time has passed for a device, with the bus locked: it must not use the
+    /// bus.
     void setObserver(std::function<void(const EmulatedFalcon&, const FalconState&)> observer);
 
 private:
@@ -160,7 +161,7 @@ private:
     int m_lastAddress = 0;
 };
 
-/// The bus of this process.
+/// Returns the bus of this process.
 [[nodiscard]] EmulatedBus& emulatedBus();
 
 }  // namespace support

@@ -9,7 +9,7 @@
 
 namespace support {
 
-/// What can go wrong in one exchange.
+/// Faults of one exchange.
 enum class Fault : std::uint8_t {
     LostRequest,    ///< the firmware does not see it, and does not answer
     LostAnswer,     ///< the request acts, but its answer does not arrive
@@ -38,7 +38,7 @@ public:
     void addNext(Fault fault, int exchanges) { of(fault).next += exchanges; }
     [[nodiscard]] std::uint64_t count(Fault fault) const { return m_kinds[static_cast<std::size_t>(fault)].count; }
 
-    /// Whether the exchange at hand has this fault.
+    /// Returns whether the present exchange has this fault.
     [[nodiscard]] bool happens(Fault fault)
     {
         Kind& kind = of(fault);

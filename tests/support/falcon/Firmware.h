@@ -13,7 +13,8 @@ namespace support::falcon {
 
 /// The Falcon's controller while its firmware runs: one answer for each request, and homing.
 ///
-/// Written from libnifalcon's description of the frames, without the driver's codec, so that a mistake there is found.
+/// Written from libnifalcon's description of the frames, without the driver's codec, so that a mistake in the codec is
+/// found.
 class Firmware
 {
 public:
@@ -23,7 +24,7 @@ public:
 
     /// @param counts  of the legs, measured from their index marks. The encoders begin at another zero.
     void start(core::Rng& rng, const glm::dvec3& counts);
-    /// The legs have moved. With the homing bit set and mains power, an index mark that is passed becomes the zero.
+    /// Moves the legs. With the homing bit set and mains power, an index mark that is passed becomes the zero.
     void moveLegs(const glm::dvec3& counts, bool mains);
     void setButtons(std::uint8_t buttons) { m_buttons = buttons; }
 
@@ -36,7 +37,7 @@ public:
     [[nodiscard]] bool homing() const { return m_homing; }
     [[nodiscard]] const std::array<bool, 3>& homed() const { return m_homed; }
     [[nodiscard]] bool allHomed() const { return m_homed[0] && m_homed[1] && m_homed[2]; }
-    /// What the encoders show.
+    /// Returns the readings of the encoders.
     [[nodiscard]] std::array<std::int16_t, 3> counts() const;
 
 private:

@@ -23,7 +23,7 @@ enum class Pace {
 /// A byte on the serial line between the chip and the controller.
 struct LineByte
 {
-    Time at;  ///< when its last bit is there
+    Time at;  ///< time of its last bit
     std::uint8_t byte = 0;
     double baud = 0.0;        ///< 0: not sent as 8 data bits, no parity, 1 stop bit
     std::uint8_t errors = 0;  ///< bits of the second status byte
@@ -50,22 +50,22 @@ public:
 
     void setPace(Pace pace) { m_pace = pace; }
 
-    /// Control request. Returns the number of bytes written to `data`; empty if the chip stalls.
+    /// Handles a control request. Returns the number of bytes written to `data`; empty if the chip stalls.
     std::optional<std::size_t> control(std::uint8_t type, std::uint8_t request, std::uint16_t value,
                                        std::uint16_t index, std::span<std::uint8_t> data);
-    /// Bytes of an OUT transfer. Returns when the chip has room for the last one, which ends the transfer.
+    /// Takes the bytes of an OUT transfer. Returns when the chip has room for the last one, which ends the transfer.
     Time write(std::span<const std::uint8_t> bytes, Time now);
-    /// When the next packet is ready, if nothing else happens.
+    /// Returns when the next packet is ready, if no other event comes first.
     [[nodiscard]] Time nextPacket() const;
     /// Puts the packet that is ready into `packet` (kPacketBytes or more) and returns its size.
     std::size_t takePacket(std::span<std::uint8_t> packet, Time now);
 
-    /// When the next byte reaches the controller; kNever if none is under way.
+    /// Returns when the next byte reaches the controller; kNever if none is on its way.
     [[nodiscard]] Time nextSent() const { return m_sent.empty() ? kNever : m_sent[0].at; }
     LineByte takeSent() { return m_sent.pop(); }
-    /// A byte from the controller, which begins to send it at `from` or when it has sent the byte before.
+    /// Takes a byte from the controller, which begins to send it at `from` or when it has sent the byte before.
     void receive(std::uint8_t byte, double baud, Time from, std::uint8_t errors = 0);
-    /// Power loss of the controller: what it was sending is gone.
+    /// Drops the bytes that the controller was sending when it lost power.
     void dropLine();
 
     [[nodiscard]] bool dtr() const { return m_dtr; }
@@ -91,7 +91,7 @@ private:
     bool m_overrun = false;
 };
 
-/// Whether a receiver set to one baud rate understands the other.
+/// Returns whether a receiver set to one baud rate understands the other.
 [[nodiscard]] bool isSameBaud(double one, double other);
 
 }  // namespace support::falcon

@@ -51,11 +51,11 @@ public:
 
     explicit Hardware(std::uint64_t seed);
 
-    /// Lets everything happen that is due. Stops early at an accident.
+    /// Handles all events that are due. Stops early at an accident.
     void advance(Time now);
-    /// When something happens next, if nobody does anything. May be in the past.
+    /// Returns the time of the next event, if there is no other input. It may be in the past.
     [[nodiscard]] Time nextEvent() const;
-    /// USB control request. Empty: stall.
+    /// Handles a USB control request. Returns empty if the chip stalls.
     std::optional<std::size_t> control(std::uint8_t type, std::uint8_t request, std::uint16_t value,
                                        std::uint16_t index, std::span<std::uint8_t> data, Time now);
     FtdiChip chip;
@@ -67,15 +67,15 @@ public:
     void setMains(bool on);
     void setButton(haptics::falcon::Button button, bool down);
     void startFirmware();
-    /// The controller loses its power: back to the boot loader.
+    /// Cuts the power of the controller, which returns to the boot loader.
     void losePower();
-    /// The chip as after plugging in.
+    /// Resets the chip as by plugging it in.
     void resetChip(Pace pace);
 
     void plan(Accident what, Moment when, int count);
-    /// To be called at each occurrence.
+    /// Must be called at each occurrence.
     void reach(Moment moment);
-    /// The accident that has just happened, once.
+    /// Returns the accident that has just happened, once.
     [[nodiscard]] std::optional<Accident> takeAccident();
 
     [[nodiscard]] bool firmwareRuns() const { return m_running; }
@@ -85,7 +85,7 @@ public:
     [[nodiscard]] int loads() const { return m_loads; }
     [[nodiscard]] std::optional<Time> lastRequest() const { return m_lastRequest; }
     [[nodiscard]] std::optional<Time> lastNonZero() const { return m_lastNonZero; }
-    /// Newest last.
+    /// Returns the last answers, newest last.
     [[nodiscard]] const Ring<SentAnswer>& history() const { return m_history; }
 
 private:

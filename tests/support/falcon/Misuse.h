@@ -6,7 +6,7 @@
 
 namespace support {
 
-/// Ends the program, because it uses libusb or the emulator in a way that is always a mistake.
+/// Ends the program because it uses libusb or the emulator in a way that is always an error.
 [[noreturn]] inline void abortFor(const char* sentence)
 {
     std::fprintf(stderr, "Emulated Falcon: %s.\n", sentence);

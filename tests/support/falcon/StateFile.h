@@ -43,7 +43,7 @@ public:
     StateFile(const StateFile&) = delete;
     StateFile& operator=(const StateFile&) = delete;
 
-    /// Does not allocate.
+    /// Writes the state without allocating.
     void write(const EmulatedFalcon& device, const FalconState& state);
 
 private:

@@ -17,7 +17,7 @@
 #include "tests/support/falcon/EmulatedFalcon.h"
 #include "tests/support/falcon/Misuse.h"
 
-/// The objects behind libusb's pointers. All of them are guarded by the bus's mutex.
+/// The objects behind libusb's pointers. The bus's mutex guards all of them.
 struct libusb_device
 {
     libusb_context* context = nullptr;          ///< each context has its own
@@ -68,7 +68,7 @@ struct UsbTransfer
     State state = State::Idle;
     bool cancelled = false;
     falcon::Time deadline = falcon::kNever;
-    falcon::Time sent = falcon::kNever;  ///< OUT: when the chip has taken all
+    falcon::Time sent = falcon::kNever;  ///< OUT: when the chip has taken all bytes
     libusb_transfer* usb = nullptr;
 };
 
@@ -88,10 +88,10 @@ struct libusb_context
 
 namespace support {
 
-/// What the libusb functions share.
+/// State that the libusb functions share.
 struct UsbAccess
 {
-    // Nothing is removed from handles and transfers, so that the use of closed and freed ones is found.
+    // Handles and transfers are never removed, so that the use of closed and freed ones is detected.
     std::vector<std::unique_ptr<libusb_context>> contexts;
     std::vector<std::unique_ptr<libusb_device_handle>> handles;
     std::unordered_map<const libusb_transfer*, UsbTransfer> transfers;
@@ -111,11 +111,11 @@ struct UsbAccess
     static bool isBusy(const EmulatedFalcon& device) { return device.m_busy; }
     static bool& kernelDriver(EmulatedFalcon& device) { return device.m_kernelDriver; }
 
-    /// Makes what the context has of a device that is plugged in.
+    /// Makes the context's objects of a device that is plugged in.
     libusb_device& addDevice(libusb_context& context, EmulatedFalcon& falcon);
     void addDevices(libusb_context& context);
 
-    /// Aborts if the pointer is none that libusb gave and has not taken back. Null is the default context.
+    /// Aborts if the pointer is not one that libusb gave out and that is still valid. Null is the default context.
     libusb_context& context(libusb_context* pointer);
     libusb_device& device(libusb_device* pointer);
     libusb_device_handle& handle(libusb_device_handle* pointer);
