@@ -183,7 +183,7 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
     const auto doing = work(*anatomy, {}, 1, hand, camera, kGivesUpS, decide);
     if (!doing)
         return tl::unexpected(doing.error());
-    // The floor lies under the pointer: on the rays through the line, and not straight below it.
+    // The floor is under the pointer: on the rays through the line, and not straight below it.
     glm::dvec3 middle = place;
     static_cast<void>(
         ui::render::ToothSurface::meetPlane(camera.rayThrough(camera.pixelOf(place)), surfaceMm - kDepthMm, middle));

@@ -89,7 +89,7 @@ const char* parseFault(QJsonParseError::ParseError error)
     case QJsonParseError::GarbageAtEnd:
         return QT_TRANSLATE_NOOP("Fault", "garbage at the end of the document");
     case QJsonParseError::NoError:
-    case QJsonParseError::IllegalUTF8String:  // is told of with what to do
+    case QJsonParseError::IllegalUTF8String:  // reported with what to do
     case QJsonParseError::IllegalValue:
         break;
     }
