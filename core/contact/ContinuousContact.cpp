@@ -15,11 +15,12 @@ namespace {
 
 constexpr int kMaxSlides = 3;          ///< places tried in a tick; the next tick continues from there
 constexpr double kAskMm = 0.15;        ///< motion of the hand before the search is tried, and before it is tried again
-constexpr double kStuckClimb = 0.5;    ///< cells a cell: no way leads out of a pocket
+constexpr double kStuckClimb = 0.5;    ///< most climb in the search of a stuck bur, cells a cell: it must not leave a
+                                       ///< pocket
 constexpr double kBehindMm = 0.1;      ///< a bur this near to the hand is not stuck
-constexpr int kPatienceTicks = 2;      ///< ticks without progress before the pattern search, which needs no planes, is
-                                       ///< tried
-constexpr int kMaxSideSlides = 5;      ///< the same along upright sides, whose planes are dropped after each move
+constexpr int kPatienceTicks = 2;      ///< ticks without progress before the pattern search, which needs no planes
+constexpr int kMaxSideSlides = 5;      ///< like kMaxSlides along upright sides, whose planes are dropped after each
+                                       ///< move
 constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: so the end of the move is inside any obstacle
 /// Farthest that the bur slides in a tick. A bur that slips off a cusp under a hand that presses far into the tooth
 /// takes ten ticks for a millimetre, and so does its force. In mm, and per mm that the hand moved.
@@ -34,12 +35,12 @@ constexpr double kSmoothShare = 0.001;  ///< of a move: a tangent plane may cut 
 constexpr double kLiftShare = 0.1;      ///< of a move: its end is raised onto the ground by at most so much
 constexpr double kNearerMm2 = 1.0e-9;
 constexpr int kHalvings = 10;           ///< steps of the bisection for the place where the bur met the tooth
-constexpr double kGrazedMm = 0.005;     ///< depth in an upright side that is corrected without further moves
-constexpr double kStrayedCells = 1.0;   ///< the same where no cut is made: the columns may reach so far beyond a side
+constexpr double kGrazedMm = 0.005;     ///< depth in an upright side out of which a cutting bur is moved
+constexpr double kStrayedCells = 1.0;   ///< the same without a cut: the columns may reach so far beyond a side
 constexpr double kShorterShare = 0.25;  ///< share of a blocked way that is tried next
 constexpr int kCornerLooks = 4;         ///< nearer and nearer places tried for what stops the bur at a corner
 constexpr double kCornerShare = 0.25;   ///< of the way, to the next of them
-constexpr double kCornerMm = 0.002;     ///< a side is reached if the bur is behind it by no more
+constexpr double kCornerMm = 0.002;     ///< a bur behind a side by no more counts as before it
 constexpr double kTouchedMm = 0.02;     ///< ground that rose by no more was touched, not entered
 constexpr double kMostSettledMm = 0.3;  ///< a bur in a notch is raised or lowered by at most so much to fit
 constexpr int kMaxFreeSamples = 128;    ///< points checked along a move through the air
@@ -237,8 +238,8 @@ void ContinuousContact::restart(const glm::dvec3& device) noexcept
 }
 
 /// Moves an anchor out of an upright side that it grazes, for example where two chords meet, or that it entered through
-/// the columns. An anchor that is deeper inside, cuts, or came from below meets only the columns of the side in this
-/// tick.
+/// the columns. An anchor that is deeper inside or came from below meets only the columns of the side in this tick.
+/// While the bur cuts, the limit is smaller.
 /// @param ground  at the anchor, sides included; updated
 Edges ContinuousContact::standClear(LiveTooth& tooth, Touch& ground) noexcept
 {

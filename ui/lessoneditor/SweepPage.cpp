@@ -253,7 +253,7 @@ void SweepPage::measureLater()
     });
 }
 
-/// Returns whether the ideal is as it was opened: the history was measured against that one.
+/// Returns whether ideal, tooth and lesion are as they were opened: the saved attempts were measured against them.
 bool SweepPage::isAsOpened() const
 {
     const ::lessons::Lesson& lesson = *m_good->assignment->lesson;

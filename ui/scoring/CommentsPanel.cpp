@@ -294,7 +294,7 @@ void CommentsPanel::setTalk(const database::AttemptTalk& talk)
         emit formUsed(form);  // what was said has moved it
 }
 
-/// Returns whether a score is the one that was sent, and neither the computed one nor one typed meanwhile.
+/// Returns whether these points were sent. A request to restore the computed score has no points, and matches any.
 bool CommentsPanel::isOf(const Sent& sent, double points)
 {
     return !sent.tenths || *sent.tenths == std::lround(10.0 * points);
@@ -451,7 +451,8 @@ void CommentsPanel::refuse(const QString& sentence)
     emit formUsed(m_asked);
 }
 
-/// Sends. A disabled button passes the focus on to the next widget, which might be the score.
+/// Notes what is being sent. The disabled button would pass the focus on to the next widget, which might be the score,
+/// so the text field gets it.
 void CommentsPanel::send(const Sent& sent)
 {
     if (formInUse() == (sent.isScore ? m_override : m_composer))
