@@ -41,7 +41,7 @@ constexpr double kLeastDentinMm = 0.55;  ///< least thickness of the dentin belo
 /// width of each, as a share of that of a single canal.
 constexpr double kAsideShare = 0.5;
 constexpr double kOfTwoShare = 0.55;
-constexpr double kJoinMm = 6.0;  ///< a canal that ends nearer to the chamber is joined to it
+constexpr double kJoinMm = 6.0;  ///< a canal that ends no farther below the chamber than this is joined to it
 
 /// The section of a root at one height.
 struct RootSection

@@ -201,7 +201,7 @@ void Console::execute(const QString& line)
     }
 }
 
-/// Asks for a preset. Returns an empty answer if say() follows.
+/// Requests a preset by name. Returns why it is refused; empty if the answer comes through say().
 QString Console::askForPreset(const Preset& what, const QString& name)
 {
     if (isFeelVeiled(m_parameters))
@@ -258,7 +258,7 @@ void Console::set(const QString& name, const QString& value)
         say(refused);
 }
 
-/// Resets a parameter. "All" means those of the feel: the view stays.
+/// Resets a parameter. Without a name, it resets all parameters of the feel; those of the view stay.
 void Console::reset(const QString& name)
 {
     if (!name.isEmpty()) {

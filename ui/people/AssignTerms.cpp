@@ -150,8 +150,9 @@ void AssignTerms::sayCalendar()
             button->setAccessibleName(tr("The next month"));
 }
 
-/// Makes the calendar when it is first opened. A whole day can be typed over, whether the field was entered with the
-/// mouse or all of it is selected; otherwise the digits would go into the month or the year under the pointer.
+/// Names months and days of the calendar, which Qt makes when it is first opened. A whole day can be typed over,
+/// whether the field was entered with the mouse or all of it is selected; otherwise the digits would go into the month
+/// or the year under the pointer.
 bool AssignTerms::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress)

@@ -303,7 +303,7 @@ void ClassPage::listClasses(const QList<database::SchoolClass>& classes)
     retell();
 }
 
-/// Takes the class. No results of another class may be shown under its name.
+/// Requests the chosen class. No results of another class may be shown under its name.
 void ClassPage::takeClass()
 {
     if (!isRead())

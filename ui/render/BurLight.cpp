@@ -50,7 +50,7 @@ std::array<Rod, kRods> rodsOf(const core::bur::Bur& bur)
              {{20.0, 0.0, chuck + 9.0}, {60.0, 0.0, chuck + 24.0}, 4.6, kFilled}}};
 }
 
-/// Returns the distance between a way towards the light and a rod's middle line, minus the penumbra; mm.
+/// Returns the distance between a way towards the light and a rod, minus the penumbra; mm.
 double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& towardsLight)
 {
     const glm::dvec3 way = rod.toMm - rod.fromMm;
