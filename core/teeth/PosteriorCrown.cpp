@@ -39,8 +39,8 @@ double smoothMin(double a, double b, double k)
     return 0.5 * (a + b - std::sqrt((a - b) * (a - b) + k * k));
 }
 
-/// Maps the square [-1, 1]^2 onto the unit disc with even areas (Shirley and Chiu 1997). Returns angle and radius in 0
-/// .. 1.
+/// Maps the square [-1, 1]^2 onto the unit disc with even areas (Shirley and Chiu 1997). Returns angle and radius, each
+/// from 0 to 1.
 std::pair<double, double> discFromSquare(double a, double b)
 {
     if (a == 0.0 && b == 0.0)

@@ -44,7 +44,7 @@ core::Status gone()
                       LocalizableText{"The Falcon was unplugged while its firmware was loaded."});
 }
 
-/// Sends bytes, and waits until the last one is out.
+/// Waits until the bytes sent before are out, and starts to send these. Returns false as FtdiPort::send() does.
 bool sendWhenFree(FtdiPort& port, std::span<const std::uint8_t> bytes)
 {
     // Bytes that come in meanwhile are dropped.
