@@ -163,12 +163,12 @@ const QList<Arrows> kArrows{
     {"app/devices", "core/base core/tracking core/settings core/session haptics/pedal haptics "
                     "haptics/falcon ui/sound ui/text ui/kit ui/devices ui/tooth ui/practice ui/window "
                     "app/threads"},
-    {"app/pages", "core/settings core/recording lessons database database/sql ui/text ui/kit ui/admin "
+    {"app/pages", "core/base core/settings core/recording lessons database ui/text ui/kit ui/admin "
                   "ui/scoring ui/people ui/report ui/window app/threads app/school"},
     {"app/attempt", "core/rt core/bur core/teeth core/settings core/servo core/grading core/guidance "
                     "core/history core/recording core/preparation core/session lessons haptics/falcon "
-                    "haptics/pointer haptics/simulated database database/sql ui/render ui/text ui/tooth "
-                    "ui/scoring ui/window app/threads app/school app/devices app/pages"},
+                    "haptics/pointer haptics/simulated database ui/render ui/text ui/tooth ui/scoring "
+                    "ui/window app/threads app/school app/devices app/pages"},
     {"app/replay", "core/rt core/servo core/audio core/history core/recording core/session lessons "
                    "haptics ui/tooth ui/replay ui/window app/threads app/devices app/pages app/attempt"},
     {"app", "core/base core/teeth core/servo core/session haptics haptics/pointer "
