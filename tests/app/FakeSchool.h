@@ -349,6 +349,65 @@ struct FakeMaintenance final : database::MaintenanceRepository, Fake
     }
 };
 
+struct FakeLessons final : database::LessonRepository, Fake
+{
+    database::LessonsOfUser lessons;
+    std::map<std::string, int> left;  ///< by lesson; missing: no limit
+    database::GradeContext context;
+    std::vector<database::KeptSheet> kept;
+
+    core::Result<database::LessonsOfUser> ofUser(const database::Login&) const override { return orRefusal(lessons); }
+    core::Result<std::optional<int>> attemptsLeft(const database::Login&, const std::string& lessonId) const override
+    {
+        const auto found = left.find(lessonId);
+        return orRefusal(found != left.end() ? std::optional(found->second) : std::nullopt);
+    }
+    core::Result<database::GradeContext> contextOf(const database::Login&, const database::AttemptRecord&,
+                                                   int) const override
+    {
+        return orRefusal(context);
+    }
+    core::Result<database::KnownAttempts> known(const database::Login&, int) const override
+    {
+        database::KnownAttempts all{{}, std::set<std::string>()};
+        for (const auto& [lesson, count] : left)
+            if (count <= 0)
+                all.usedUp.insert(lesson);
+        return orRefusal(all);
+    }
+    core::Result<std::vector<database::KeptSheet>> sheets(const database::Login&, const std::string&,
+                                                          const std::string&, int) const override
+    {
+        return orRefusal(kept);
+    }
+};
+
+/// Only the database makes logins: nobody can log in here.
+struct FakeLogins final : database::LoginRepository, Fake
+{
+    static core::Result<database::Login> nobody()
+    {
+        return core::unexpected(core::ErrorCode::WrongLogin, "there is nobody here");
+    }
+    core::Result<database::Login> login(const std::string&, const std::string&) override { return nobody(); }
+    core::Result<database::Login> redeem(const std::string&, const std::string&, const std::string&) override
+    {
+        return nobody();
+    }
+    core::Result<database::Login> createFirstAdmin(const database::NewPerson&, const std::string&) override
+    {
+        return nobody();
+    }
+    core::Status logout(const database::Login&) override { return done(); }
+    core::Status changePassword(const database::Login&, const std::string&, const std::string&) override
+    {
+        return done();
+    }
+    core::Result<std::string> ownHash(const database::Login&) const override { return orRefusal(std::string()); }
+    core::Result<database::Role> role(const database::Login& who) const override { return orRefusal(who.role()); }
+    core::Status raiseCost(const database::Login&, const database::PasswordCost&) override { return done(); }
+};
+
 /// Requests wait until answer() is called, so that a test decides what happens in between.
 class FakeSchool final : public app::SchoolAccess
 {
@@ -361,12 +420,14 @@ public:
     FakeSettings settings;
     FakeAudit audit;
     FakeMaintenance maintenance;
+    FakeLessons lessons;
+    FakeLogins logins;
     std::optional<core::Error> outage;  ///< set: there is no connection
     int waiting = 0;                    ///< attempts in the outbox
 
     [[nodiscard]] database::Repositories all()
     {
-        return {attempts, comments, classes, people, presets, settings, audit, maintenance, m_key};
+        return {attempts, comments, classes, people, presets, settings, audit, maintenance, lessons, logins, m_key};
     }
     [[nodiscard]] bool isAsked() const { return !m_jobs.empty(); }
     /// Answers all requests, and those that follow from the answers.
