@@ -2,6 +2,7 @@
 #include "database/Usernames.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <QList>
 #include <QString>
@@ -38,6 +39,7 @@ std::string nameHash(const std::string& typed)
 std::string nameInAudit(const std::string& hash)
 {
     constexpr std::size_t kDigits = 16;
+    assert(hash.size() >= kDigits);
     return hash.substr(0, kDigits);
 }
 

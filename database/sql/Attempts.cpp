@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -348,6 +349,7 @@ core::Result<AttemptId> deliverAttempt(const DatabaseContext& school, const Atte
 core::Result<std::vector<AttemptRecord>> history(const DatabaseContext& school, const Login& session, PersonId person,
                                                  const HistoryQuery& query)
 {
+    assert(query.limit >= 0 && (query.lessonId.empty() || query.tooth.empty()));
     if (auto who = authorizeFor(school, session, Operation::ReadHistory, person); !who)
         return tl::unexpected(who.error());
     QString where = QStringLiteral(" WHERE a.person_id = ?");
@@ -427,6 +429,7 @@ core::Result<std::vector<KeptSheet>> sheetsOfLesson(const DatabaseContext& schoo
                                                     const std::string& lessonId, const std::string& lessonHash,
                                                     int limit)
 {
+    assert(limit >= 0);
     const auto who = authorize(school, session, Operation::OpenAttempt);
     if (!who)
         return tl::unexpected(who.error());
@@ -441,7 +444,7 @@ core::Result<std::vector<KeptSheet>> sheetsOfLesson(const DatabaseContext& schoo
         values += me;
         values += me;
     }
-    values += std::max(0, limit);
+    values += limit;
     std::vector<KeptSheet> sheets;
     if (auto read = forEach(school.db,
                             "SELECT a.finished_utc, s.json FROM attempts a JOIN score_sheets s ON s.attempt_id = a.id "

@@ -2,6 +2,7 @@
 #include "database/sql/Audit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <set>
 
@@ -261,6 +262,7 @@ core::Result<AuditHead> auditHead(const QSqlDatabase& db)
 core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, const Login& session, int limit,
                                               std::int64_t beforeSeq, AuditRows which)
 {
+    assert(limit >= 0 && beforeSeq >= 0);
     if (auto who = authorize(school, session, Operation::ReadAudit); !who)
         return tl::unexpected(who.error());
     std::vector<AuditRow> rows;
@@ -269,7 +271,7 @@ core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, con
     if (auto read = forEach(
             school.db,
             QStringLiteral("SELECT %1 FROM audit WHERE seq < ? %2 ORDER BY seq DESC LIMIT ?").arg(kColumns, others),
-            kRead, {before, std::max(0, limit)}, [&](const QSqlQuery& row) { rows.push_back(rowOf(row)); });
+            kRead, {before, limit}, [&](const QSqlQuery& row) { rows.push_back(rowOf(row)); });
         !read)
         return tl::unexpected(read.error());
     return rows;

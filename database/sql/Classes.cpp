@@ -2,6 +2,7 @@
 #include "database/sql/Classes.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
@@ -134,6 +135,7 @@ core::Result<ClassId> classNamed(const DatabaseContext& school, AuditBatch& audi
 core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std::string& actor, ClassId id,
                      PersonId person)
 {
+    assert(id.value > 0 && person.value > 0);
     const auto is = ask(school.db, "SELECT 1 FROM enrolments WHERE class_id = ? AND person_id = ?", kChange,
                         {number(id.value), number(person.value)});
     if (!is)
@@ -153,6 +155,7 @@ core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std
 core::Status takeOutOf(const DatabaseContext& school, AuditBatch& audit, const std::string& actor, ClassId id,
                        PersonId person)
 {
+    assert(id.value > 0 && person.value > 0);
     const auto uid = ask(school.db,
                          "DELETE FROM enrolments WHERE class_id = ? AND person_id = ? RETURNING "
                          "(SELECT uid FROM people WHERE people.id = person_id)",

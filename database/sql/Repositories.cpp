@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Repositories.h"
 
+#include <cassert>
+
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Backups.h"
@@ -233,6 +235,7 @@ public:
 
 void withRepositories(const DatabaseContext& school, const std::function<void(const Repositories&)>& use)
 {
+    assert(use);
     SqlAttempts attempts(school);
     SqlComments comments(school);
     SqlClasses classes(school);

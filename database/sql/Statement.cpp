@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Statement.h"
 
+#include <cassert>
 #include <optional>
 
 #include <QDeadlineTimer>
+#include <QSqlDriver>
 #include <QSqlError>
 #include <QSqlRecord>
 #include <QThread>
@@ -44,6 +46,7 @@ core::Result<QSqlQuery> run(const QSqlDatabase& db, const QString& sql, const st
     // Qt would warn of it, and say no more.
     if (!db.isOpen())
         return tl::unexpected(dialect::error(db, QSqlError(), doing));
+    assert(db.driver()->thread() == QThread::currentThread());
     QSqlQuery query(db);
     query.setForwardOnly(true);
     bool done = false;
