@@ -94,8 +94,7 @@ core::Result<Shelf> schoolsShelf(const QCommandLineParser& parser)
     const QStringList retired = QString::fromStdString((*settings)[database::kRetiredPresets]).split(u'\n');
     for (lessons::ReadPreset& one : shelf.presets)
         one.isRetired = one.preset && retired.contains(QString::fromStdString(one.preset->name));
-    const auto inUse =
-        lessons::findPreset(shelf.presets, QString::fromStdString((*settings)[database::kPresetInUse]));
+    const auto inUse = lessons::findPreset(shelf.presets, QString::fromStdString((*settings)[database::kPresetInUse]));
     shelf.inUse = inUse ? *inUse : lessons::usualPreset(shelf.presets);
     return shelf;
 }
