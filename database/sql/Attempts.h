@@ -18,9 +18,9 @@ namespace database::sql {
 using database::HistoryQuery;
 using database::NewComment;
 
-/// Keeps an attempt with its recording (empty: none), on the disk when this returns. Exactly once: one with a uid that
-/// is kept already is that one, and its id is returned. It comes from this station's outbox, which vouches for whose it
-/// is (record.personUid): he may have logged out, or been disabled, meanwhile.
+/// Stores an attempt with its recording (empty: none); both are on the disk when this returns. If an attempt with this
+/// uid is stored already, returns its id and changes nothing. The outbox of this station vouches for the person
+/// (attempt.personUid), who may have logged out or been disabled meanwhile.
 [[nodiscard]] core::Result<AttemptId> deliverAttempt(const DatabaseContext& school, const AttemptRecord& attempt,
                                                      const QByteArray& recording);
 

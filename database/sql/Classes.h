@@ -13,20 +13,20 @@ namespace database::sql {
 
 class AuditBatch;
 
-/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, cannot be seen,
-/// or has a "|", which parts classes in a class list.
+/// Returns the name of a class as it is stored, without spaces around it. OutOfRange: it is empty, longer than 100
+/// characters, has invisible characters, or has a "|", which separates classes in a class list.
 [[nodiscard]] core::Result<std::string> checkClassName(const std::string& name);
-/// Those within the session's reach, by name.
+/// The classes within the login's reach, by name.
 [[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const DatabaseContext& school, const Login& session);
 [[nodiscard]] core::Result<ClassId> addClass(const DatabaseContext& school, const Login& session,
                                              const std::string& name);
 [[nodiscard]] core::Status renameClass(const DatabaseContext& school, const Login& session, ClassId id,
                                        const std::string& name);
-/// Puts a person into a class, or takes him out; what is so already stays so.
+/// Puts a person into a class, or removes them from it. Does nothing if that is so already.
 [[nodiscard]] core::Status enrol(const DatabaseContext& school, const Login& session, ClassId id, PersonId person,
                                  bool belongs);
 
-/// What the classes within the session's reach are to do, by due date.
+/// The assignments of the classes within the login's reach, by due date.
 [[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext& school,
                                                                          const Login& session);
 /// Gives a class a lesson to do, or changes when it is due and how often it may be tried. The id is ignored.

@@ -24,7 +24,7 @@ public:
     /// Validity of a one-time code.
     static constexpr std::chrono::hours kCodeLife = std::chrono::hours(72);
 
-    /// Whether nobody has been entered yet: the first may make himself the admin.
+    /// Whether the school has no people yet: the first user creates the account of the admin.
     [[nodiscard]] static core::Result<bool> isNew(const DatabaseContext& school);
 
     /// Checks a new password: checkPassword(), and that it does not look like a one-time code.

@@ -19,8 +19,8 @@ using database::SettingsMap;
 [[nodiscard]] core::Status changeSetting(const DatabaseContext& school, const Login& session, const std::string& name,
                                          const std::string& value);
 
-/// The same, and tells in the place of what.
-/// @param of  only where that is still what is there; nothing: whatever is
+/// The same, and returns the value before.
+/// @param of  changes the setting only if this is its value; empty: whatever its value is
 [[nodiscard]] core::Result<ReplacedSetting> replaceSetting(const DatabaseContext& school, const Login& session,
                                                            const std::string& name, const std::string& value,
                                                            const std::optional<std::string>& of = {});
