@@ -36,8 +36,8 @@ public:
     /// @param sound  must outlive the loop
     void publishSound(core::rt::TripleBuffer<core::audio::SoundState>& sound) noexcept { m_soundOut = &sound; }
 
-    /// Lets the loop rest, or go on: while it rests, it carries out commands, but neither reads the device nor moves the
-    /// bur, and publishes nothing. Any thread.
+    /// Lets the loop rest, or go on: while it rests, it carries out commands, but neither reads the device nor moves
+    /// the bur, and publishes nothing. Any thread.
     void setResting(bool rests) noexcept { m_restWanted.store(rests, std::memory_order_release); }
     /// Whether the loop rests: the device and the channels it writes have no other user. Follows setResting() with the
     /// next tick. Any thread.

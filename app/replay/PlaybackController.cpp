@@ -36,8 +36,8 @@ core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::te
 
 PlaybackController::PlaybackController(const Parts& parts, bool isForPicture)
     : m_window(parts.window), m_channels(parts.channels), m_session(parts.session), m_servo(parts.servo),
-      m_sound(parts.sound), m_bur(parts.bur), m_attempt(parts.attempt), m_attempts(parts.attempts), m_loads(parts.loads),
-      m_opened(parts.opened), m_grading(parts.grading), m_isForPicture(isForPicture)
+      m_sound(parts.sound), m_bur(parts.bur), m_attempt(parts.attempt), m_attempts(parts.attempts),
+      m_loads(parts.loads), m_opened(parts.opened), m_grading(parts.grading), m_isForPicture(isForPicture)
 {
     connect(&m_window, &MainWindow::recordingOpenRequested, this, &PlaybackController::openRecording);
     connect(&m_window, &MainWindow::besideRequested, this, &PlaybackController::openBeside);

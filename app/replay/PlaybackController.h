@@ -11,8 +11,8 @@
 
 #include "app/attempt/GradingController.h"
 #include "app/attempt/OpenedScoreController.h"
-#include "app/pages/AttemptHistoryController.h"
 #include "app/devices/SoundController.h"
+#include "app/pages/AttemptHistoryController.h"
 #include "app/replay/ReplayController.h"
 #include "haptics/DeviceSwitch.h"
 #include "haptics/ServoLoop.h"

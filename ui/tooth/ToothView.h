@@ -224,7 +224,7 @@ private:
     [[nodiscard]] bool showsInstrument() const;
 
     core::session::UiChannels& m_links;
-    core::session::UiChannels* m_shown;  ///< whose tooth and bur are seen: m_links, or those of a replay
+    core::session::UiChannels* m_shown;           ///< whose tooth and bur are seen: m_links, or those of a replay
     std::optional<core::terrain::Tooth> m_tooth;  ///< what m_surface draws, for those who look inside
     std::uint64_t m_toothRevision = 0;
     std::unique_ptr<render::ToothSurface> m_surface;
