@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <string>
 
@@ -13,17 +12,20 @@ namespace database {
 struct PersonId
 {
     std::int64_t value = 0;
-    auto operator<=>(const PersonId&) const = default;
+    bool operator==(const PersonId&) const = default;
+    bool operator<(const PersonId& other) const { return value < other.value; }
 };
 struct ClassId
 {
     std::int64_t value = 0;
-    auto operator<=>(const ClassId&) const = default;
+    bool operator==(const ClassId&) const = default;
+    bool operator<(const ClassId& other) const { return value < other.value; }
 };
 struct AttemptId
 {
     std::int64_t value = 0;
-    auto operator<=>(const AttemptId&) const = default;
+    bool operator==(const AttemptId&) const = default;
+    bool operator<(const AttemptId& other) const { return value < other.value; }
 };
 
 namespace sql {

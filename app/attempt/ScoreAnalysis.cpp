@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "ui/scoring/ScorePage.h"
+
 namespace app {
 namespace {
 

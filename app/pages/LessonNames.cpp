@@ -10,6 +10,7 @@
 #include "lessons/Rubric.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/text/LessonTexts.h"
+#include "ui/text/Texts.h"
 
 namespace app {
 

@@ -39,7 +39,7 @@ void BackupSchedule::backUpToday()
     if (m_isRunning || m_isEmpty || !isBackupDue(m_address, now))
         return;
     m_isRunning = true;
-    m_service.askBeside(
+    m_service.askDatabaseBeside(
         this,
         [address = m_address, folder = m_stationFolder, now,
          isStopped = m_isStopped](const database::sql::DatabaseContext& school) {

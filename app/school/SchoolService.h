@@ -35,10 +35,6 @@ struct LetterDelivery
 };
 [[nodiscard]] core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file);
 
-/// Work that is done on the functions of database::sql.
-template <class Work>
-concept DatabaseWork = std::is_invocable_v<Work&, const database::sql::DatabaseContext&>;
-
 /// The connection to a school's database, on a thread of its own: the window does not wait for a slow server, a
 /// sleeping disk or the hashing of a password. Requests are done in their order, and results come back on the ui
 /// thread.
@@ -77,17 +73,15 @@ public:
     void expectAlone(QObject* owner, const database::Login& session,
                      const std::function<void(const core::Status&)>& done) override;
 
-    using SchoolAccess::ask;
-    using SchoolAccess::askBeside;
-
-    /// The same for work on the functions of database::sql.
-    template <DatabaseWork Work, class Done>
-    void ask(QObject* owner, Work work, Done done)
+    /// As ask() and askBeside(), for work on the database itself, such as a backup.
+    /// @param work  takes `const database::sql::DatabaseContext&` and returns a core::Result or core::Status
+    template <class Work, class Done>
+    void askDatabase(QObject* owner, Work work, Done done)
     {
         runOnDatabase(jobOf<database::sql::DatabaseContext>(owner, std::move(work), std::move(done)));
     }
-    template <DatabaseWork Work, class Done>
-    void askBeside(QObject* owner, Work work, Done done)
+    template <class Work, class Done>
+    void askDatabaseBeside(QObject* owner, Work work, Done done)
     {
         runOnDatabaseBeside(jobOf<database::sql::DatabaseContext>(owner, std::move(work), std::move(done)));
     }

@@ -75,7 +75,7 @@ public:
         m_desk.open(this, [this, name = words[2].toStdString()](const app::SchoolService::Opening& opening) {
             if (!opening.status)
                 fail(opening.status.error());
-            m_desk.ask(
+            m_desk.askDatabase(
                 this,
                 [name](const DatabaseContext& school) { return Logins::login(school, name, SchoolRig::kPassword); },
                 [this](const core::Result<Login>& session) {
@@ -289,7 +289,7 @@ private slots:
         std::optional<core::Result<Login>> answered;
         const auto logIn = [&] {
             answered.reset();
-            desk.ask(
+            desk.askDatabase(
                 this,
                 [](const DatabaseContext& school) { return Logins::login(school, "s1001", SchoolRig::kPassword); },
                 [&answered](const core::Result<Login>& session) { answered = session; });
@@ -514,7 +514,7 @@ private slots:
         connect(&desk, &app::SchoolService::unanswered, this, [&] { told << "unanswered"; });
         connect(&desk, &app::SchoolService::answered, this, [&] { told << "answered"; });
         const auto ask = [&](std::atomic<bool>& mayAnswer) {
-            desk.ask(
+            desk.askDatabase(
                 this,
                 [&mayAnswer](const DatabaseContext&) -> core::Result<bool> {
                     mayAnswer.wait(false);

@@ -109,7 +109,7 @@ private slots:
         m_who = next;
         m_window->setWho(next);
         bool isAnswered = false;
-        m_desk->ask(
+        m_desk->askDatabase(
             this, [](const sql::DatabaseContext&) { return core::Result<bool>(true); },
             [&isAnswered](const core::Result<bool>&) { isAnswered = true; });
         QTRY_VERIFY_WITH_TIMEOUT(isAnswered, kPatienceMs);

@@ -64,9 +64,12 @@ ScoreHistory::ScoreHistory(QWidget* parent) : QFrame(parent)
     chartRow->addWidget(m_chart, 1);
     chartRow->addWidget(m_saveChart, 0, Qt::AlignTop);
     row->addLayout(chartRow, 3);
-    m_listSlot = new QVBoxLayout;
-    row->addLayout(m_listSlot, 2);
-    row->setAlignment(m_listSlot, Qt::AlignTop);
+    // tellHistory() replaces the list while Qt passes a change of language on to the children of the card, so the list
+    // must not be one of them.
+    m_listHolder = new QWidget(this);
+    auto* holder = new QVBoxLayout(m_listHolder);
+    holder->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_listHolder, 2, Qt::AlignTop);
     column->addLayout(row, 1);
     m_class = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
     m_class->setObjectName(QStringLiteral("class"));
@@ -126,7 +129,7 @@ void ScoreHistory::tellHistory()
     m_saveChart->nameIt();
 
     delete m_list;
-    m_list = new QWidget(this);
+    m_list = new QWidget(m_listHolder);
     auto* grid = new QGridLayout(m_list);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(kSpace1);
@@ -152,7 +155,7 @@ void ScoreHistory::tellHistory()
         grid->addWidget(score, row, 2);
     }
     tellKeeping();
-    m_listSlot->addWidget(m_list);
+    m_listHolder->layout()->addWidget(m_list);
 }
 
 void ScoreHistory::tellClass()

@@ -13,7 +13,6 @@
 
 class QLabel;
 class QPushButton;
-class QVBoxLayout;
 
 namespace ui::charts {
 class SaveButton;
@@ -72,7 +71,7 @@ private:
     RecentScoresChart* m_chart = nullptr;
     charts::SaveButton* m_saveChart = nullptr;
     QWidget* m_list = nullptr;
-    QVBoxLayout* m_listSlot = nullptr;
+    QWidget* m_listHolder = nullptr;
     QLabel* m_class = nullptr;
 };
 
