@@ -127,7 +127,7 @@ const QList<Arrows> kArrows{
                           "haptics haptics/falcon haptics/pointer"},
     {"lab", "core/base core/bur core/contact core/cutting core/servo core/terrain core/tracking haptics haptics/falcon "
             "haptics/simulated"},
-    {"database", "core/base"},
+    {"database", "core/base lessons"},
     {"database/sql", "core/base lessons database"},
     {"ui/render", "core/base core/bur core/grading core/servo core/teeth core/terrain"},
     {"ui/sound", "core/audio core/rt"},
