@@ -10,6 +10,7 @@
 #include "lessons/Assignment.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/catalog/LessonsPage.h"
 #include "ui/kit/MessageBar.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/scoring/ScorePage.h"
@@ -133,8 +134,9 @@ AttemptHistoryController::AttemptHistoryController(MainWindow& window, SchoolAcc
 void AttemptHistoryController::connectHistory()
 {
     HistoryPage& page = m_window.historyPage();
-    connect(&m_window, &MainWindow::attemptsRequested, this, [this] { open(m_queries.who().person(), {}, {}); });
-    connect(&m_window, &MainWindow::feedbackRequested, this, [this, &page](qint64 attempt) {
+    connect(&m_window.navigation(), &ui::window::Navigation::attemptsRequested, this,
+            [this] { open(m_queries.who().person(), {}, {}); });
+    connect(&m_window.lessonsPage(), &ui::catalog::LessonsPage::feedbackRequested, this, [this, &page](qint64 attempt) {
         if (attempt == 0) {
             open(m_queries.who().person(), {}, {});
         } else {
@@ -154,7 +156,8 @@ void AttemptHistoryController::connectHistory()
             id, [this](const auto& attempt, const auto& recording) { emit scoreRequested(attempt, recording); },
             [this](const auto& attempt) { openSheet(attempt); });
     });
-    connect(&m_window, &MainWindow::besidesRequested, this, &AttemptHistoryController::offerBeside);
+    connect(&m_window.replayView(), &ui::window::ReplayView::besidesRequested, this,
+            &AttemptHistoryController::offerBeside);
 }
 
 void AttemptHistoryController::connectParts()

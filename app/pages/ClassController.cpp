@@ -84,7 +84,7 @@ void ClassController::connectPages()
         if (!m_queries.who().isGuest())
             readClasses();
     });
-    connect(&m_window, &MainWindow::classesRequested, this, &ClassController::open);
+    connect(&m_window.navigation(), &ui::window::Navigation::classesRequested, this, &ClassController::open);
     connect(&page, &ClassPage::classChosen, this, [this](qint64 id) { readOverview({id}); });
     connect(&page, &ClassPage::lessonChosen, this, &ClassController::readResults);
     connect(&page, &ClassPage::assignRequested, this, &ClassController::openAssignments);

@@ -71,7 +71,7 @@ void CommentsController::connectPanel()
                 });
             });
     connect(&panel, &CommentsPanel::momentRequested, &m_window, &MainWindow::momentRequested);
-    connect(&m_window, &MainWindow::replayShown, this, [this, &panel](double seconds) {
+    connect(&m_window.replayView(), &ui::window::ReplayView::shown, this, [this, &panel](double seconds) {
         if (replaysOpenAttempt())
             panel.setMoment(std::llround(1000.0 * seconds));
     });

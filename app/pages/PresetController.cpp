@@ -65,13 +65,14 @@ PresetController::PresetController(MainWindow& window, std::function<Login()> wh
 
 void PresetController::connectPage()
 {
-    connect(&m_window, &MainWindow::presetsRequested, this, &PresetController::refresh);
-    connect(&m_window, &MainWindow::presetUseRequested, this,
+    connect(&m_window.hardness(), &ui::window::HardnessController::presetsRequested, this, &PresetController::refresh);
+    connect(&m_window.hardness(), &ui::window::HardnessController::useRequested, this,
             [this](const FeelPreset& preset) { use(QString::fromStdString(nameOf(preset)), {}); });
-    connect(&m_window, &MainWindow::presetSaveRequested, this, [this](const FeelPreset& preset) { save(preset, {}); });
-    connect(&m_window, &MainWindow::presetRetireRequested, this, &PresetController::retire);
-    connect(&m_window, &MainWindow::presetImportRequested, this, &PresetController::import);
-    connect(&m_window, &MainWindow::presetExportRequested, this, &PresetController::exportTo);
+    connect(&m_window.hardness(), &ui::window::HardnessController::saveRequested, this,
+            [this](const FeelPreset& preset) { save(preset, {}); });
+    connect(&m_window.hardness(), &ui::window::HardnessController::retireRequested, this, &PresetController::retire);
+    connect(&m_window.hardness(), &ui::window::HardnessController::importRequested, this, &PresetController::import);
+    connect(&m_window.hardness(), &ui::window::HardnessController::exportRequested, this, &PresetController::exportTo);
 }
 
 void PresetController::setSchool(SchoolAccess* school)

@@ -14,7 +14,7 @@ const std::string kSeen = "tour.seen";
 
 TourController::TourController(ui::window::MainWindow& window) : m_window(window)
 {
-    connect(&m_window, &ui::window::MainWindow::tourEnded, this, &TourController::keep);
+    connect(&m_window.navigation(), &ui::window::Navigation::tourEnded, this, &TourController::keep);
 }
 
 void TourController::welcome(SchoolAccess* school, const database::Login& who)

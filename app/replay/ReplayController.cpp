@@ -35,11 +35,13 @@ ReplayController::ReplayController(std::unique_ptr<ReplayTrack> attempt, MainWin
                                    haptics::HapticDevice* device)
     : m_window(window), m_loop(std::move(attempt)), m_device(device)
 {
-    connect(&m_window, &MainWindow::replayPauseRequested, this, [this](bool paused) { m_loop.setPaused(paused); });
-    connect(&m_window, &MainWindow::replaySpeedChosen, this, [this](double times) { m_loop.setSpeed(times); });
-    connect(&m_window, &MainWindow::seekRequested, this, [this](double seconds) { m_loop.seek(seconds); });
-    connect(&m_window, &MainWindow::leadRequested, this, &ReplayController::lead);
-    connect(&m_window, &MainWindow::besideCloseRequested, this, &ReplayController::closeBeside);
+    using ui::window::ReplayView;
+    ReplayView* const view = &m_window.replayView();
+    connect(view, &ReplayView::pauseRequested, this, [this](bool paused) { m_loop.setPaused(paused); });
+    connect(view, &ReplayView::speedChosen, this, [this](double times) { m_loop.setSpeed(times); });
+    connect(view, &ReplayView::seekRequested, this, [this](double seconds) { m_loop.seek(seconds); });
+    connect(view, &ReplayView::leadRequested, this, &ReplayController::lead);
+    connect(view, &ReplayView::besideCloseRequested, this, &ReplayController::closeBeside);
     m_watch.setInterval(kWatchMs);
     connect(&m_watch, &QTimer::timeout, this, &ReplayController::watch);
 }

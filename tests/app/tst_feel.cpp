@@ -107,7 +107,7 @@ private slots:
         m_application.reset();
         start();
         QVERIFY(recording().settings().hardness.name.starts_with("natural v3 #"));
-        emit window().presetUseRequested(lessons::shippedPresets().front());
+        emit window().hardness().useRequested(lessons::shippedPresets().front());
     }
 
     void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
@@ -170,7 +170,7 @@ private slots:
         core::settings::FeelPreset hard;
         hard.name = "hard";
         hard.enamelRate = 0.2;
-        emit window().presetSaveRequested(hard);
+        emit window().hardness().saveRequested(hard);
         actions().presets->trigger();
         child<QComboBox>("presetOther")->setCurrentIndex(child<QComboBox>("presetOther")->findText("natural v1"));
         child<QSpinBox>("presetTrials")->setValue(2);
@@ -213,7 +213,7 @@ private slots:
         const auto import = [this](const char* json) {
             const QString path = m_folder->filePath("slip.json");
             support::write(path, json);
-            emit window().presetImportRequested(path);
+            emit window().hardness().importRequested(path);
         };
         auto* fault = child<QLabel>("presetFault");
         import(R"({"name": "slip", "enamell": {"rate_mm3_per_ns": 3}})");
@@ -232,7 +232,7 @@ private slots:
         stiff.name = "stiff";
         stiff.version = 0;
         stiff.stiffnessNPerMm = 15.0;
-        emit window().presetSaveRequested(stiff);
+        emit window().hardness().saveRequested(stiff);
         QVERIFY2(fault->text().contains("Not kept: Would tremble"), qPrintable(fault->text()));
     }
 

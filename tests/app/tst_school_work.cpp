@@ -610,7 +610,7 @@ private slots:
         hard.enamelRate *= 0.5;
         startAs("admin");
         actions().presets->trigger();
-        emit window().presetSaveRequested(hard);
+        emit window().hardness().saveRequested(hard);
         WAIT_FOR_VALUE(count("presets WHERE name = 'hard'"), 1);
         // A preset that is not in use can be retired and offered again.
         click("presetRetire");
@@ -623,7 +623,7 @@ private slots:
         actions().presets->trigger();
         QVERIFY(!child<QPushButton>("presetUse")->isEnabled() && !child<QPushButton>("presetImport")->isEnabled());
         hard.dentinRate *= 0.5;
-        emit window().presetSaveRequested(hard);
+        emit window().hardness().saveRequested(hard);
         WAIT_FOR(child<QLabel>("presetFault")->text().contains("only an admin"));
         QCOMPARE(count("presets WHERE name = 'hard'"), 1);
         goToTooth();

@@ -63,7 +63,7 @@ private slots:
             mine.name = "mine";
             while (messages->dismiss()) {
             }
-            emit m_window->presetUseRequested(mine);
+            emit m_window->hardness().useRequested(mine);
             QTRY_VERIFY_WITH_TIMEOUT(messages->sentence().contains("everybody"), kPatienceMs);
             QCOMPARE(inUse(), QString("mine v1"));
         };

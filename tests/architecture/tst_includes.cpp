@@ -164,7 +164,7 @@ const QList<Arrows> kArrows{
                     "haptics/falcon ui/sound ui/text ui/kit ui/devices ui/tooth ui/practice ui/window "
                     "app/threads"},
     {"app/pages", "core/base core/settings core/recording lessons database ui/text ui/kit ui/admin "
-                  "ui/scoring ui/people ui/report ui/window app/threads app/school"},
+                  "ui/scoring ui/catalog ui/people ui/report ui/window app/threads app/school"},
     {"app/attempt", "core/rt core/bur core/teeth core/settings core/servo core/grading core/guidance "
                     "core/history core/recording core/preparation core/session lessons haptics/falcon "
                     "haptics/pointer haptics/simulated database ui/render ui/text ui/tooth ui/scoring "

@@ -80,7 +80,7 @@ private slots:
         }
         QVERIFY(!actions().section->isChecked() && m_window->view().isVisible());
         QVERIFY(!child<QPushButton>("tourBack")->isEnabled());
-        QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
+        QSignalSpy ended(&m_window->navigation(), &ui::window::Navigation::tourEnded);
         for (int k = 0; k < tour().steps(); ++k)
             press(Qt::Key_Right);
         QVERIFY(!tour().isVisible());
@@ -105,7 +105,7 @@ private slots:
         QVERIFY(!m_window->view().isVisible());
         m_window->beginTour();
         QVERIFY(m_window->view().isVisible());  // a guest's first step is the tooth
-        QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
+        QSignalSpy ended(&m_window->navigation(), &ui::window::Navigation::tourEnded);
         press(Qt::Key_Escape);
         QVERIFY(!tour().isVisible());
         QVERIFY(!m_window->view().isVisible());
@@ -128,7 +128,7 @@ private slots:
     void theDoorBreaksItOff()
     {
         m_window->beginTour();
-        QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
+        QSignalSpy ended(&m_window->navigation(), &ui::window::Navigation::tourEnded);
         m_window->askWho(ui::people::LoginMode::Login);
         QVERIFY(!tour().isVisible());
         QCOMPARE(ended.count(), 0);

@@ -672,7 +672,7 @@ private slots:
 
     void aReplayTellsItsTimeAndPauses()
     {
-        QSignalSpy pause(m_window.get(), &MainWindow::replayPauseRequested);
+        QSignalSpy pause(&m_window->replayView(), &ReplayView::pauseRequested);
         m_window->setReplaying(true, 95.0);
         QCOMPARE(figure("replayTime"), QString("0:00 of 1:35"));
         record(67.9);
@@ -691,7 +691,7 @@ private slots:
 
     void aReplayHasEightSpeeds()
     {
-        QSignalSpy speed(m_window.get(), &MainWindow::replaySpeedChosen);
+        QSignalSpy speed(&m_window->replayView(), &ReplayView::speedChosen);
         m_window->setReplaying(true, 95.0);
         for (const auto& [key, speeds] :
              {std::pair(Qt::Key_BracketRight, QStringList{"2×", "4×", "8×", "16×", "16×"}),
@@ -709,7 +709,7 @@ private slots:
 
     void keysGoThroughAReplayByStrokes()
     {
-        QSignalSpy seek(m_window.get(), &MainWindow::seekRequested);
+        QSignalSpy seek(&m_window->replayView(), &ReplayView::seekRequested);
         for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Home, Qt::Key_End, Qt::Key_Period})
             press(key);
         QVERIFY2(seek.isEmpty(), "while one drills these keys are the tooth's");
@@ -734,7 +734,7 @@ private slots:
 
     void theTimeLineIsScrubbedAndTellsWhatWas()
     {
-        QSignalSpy seek(m_window.get(), &MainWindow::seekRequested);
+        QSignalSpy seek(&m_window->replayView(), &ReplayView::seekRequested);
         m_window->setReplaying(true, 60.0);
         ui::replay::AttemptTimeline rested = course();
         rested.rests = {{28.0, 34.0}};

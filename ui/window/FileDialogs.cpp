@@ -6,8 +6,11 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QList>
+#include <QMimeData>
 #include <QSaveFile>
 #include <QSettings>
+#include <QUrl>
 
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetFile.h"
@@ -68,6 +71,12 @@ FileDialogs::FileDialogs(QWidget& window, kit::MessageBar& messages)
 QString FileDialogs::suffixOf(Kind kind)
 {
     return QLatin1String(typeOf(kind).suffix);
+}
+
+QString FileDialogs::droppedFile(const QMimeData& data)
+{
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
 
 QString FileDialogs::newFileName(const std::string& tooth, Kind kind)

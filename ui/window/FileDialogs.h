@@ -8,6 +8,8 @@
 #include <QObject>
 #include <QStringList>
 
+class QMimeData;
+
 namespace ui::kit {
 class MessageBar;
 }
@@ -27,6 +29,8 @@ public:
     /// File name endings of scans, without the dot.
     [[nodiscard]] static QStringList scanSuffixes() { return {"obj", "stl", "ply"}; }
     [[nodiscard]] static QString suffixOf(Kind kind);
+    /// Returns the path of the file that is dragged; empty if anything else is, or several files.
+    [[nodiscard]] static QString droppedFile(const QMimeData& data);
     /// Returns a name for a new file: tooth, day and time.
     /// @param tooth  name of its anatomy: a file, or "block:line"
     [[nodiscard]] static QString newFileName(const std::string& tooth, Kind kind);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/LessonEditing.h"
 
+#include <utility>
+
 #include <QAction>
 #include <QFileInfo>
 #include <QSet>
@@ -40,6 +42,11 @@ void LessonEditing::setAllowed(bool allowed, const database::Login& user)
 void LessonEditing::showUnsaved()
 {
     m_page.setUnsaved(m_isAllowed ? m_editor.unsavedFiles() : QSet<QString>());
+}
+
+void LessonEditing::setKnownAttempts(std::vector<lessoneditor::MeasuredAttempt> attempts)
+{
+    m_editor.setKnown(std::move(attempts));
 }
 
 void LessonEditing::editSelected()

@@ -41,6 +41,8 @@ public:
     void setRecoveryFolder(const QString& folder) { m_recoveryFolder = folder; }
     /// Opens a valid lesson.
     void edit(const lessons::ReadLesson& lesson);
+    /// Sets the measures of known attempts at the lesson that is edited.
+    void setKnownAttempts(std::vector<lessoneditor::MeasuredAttempt> attempts);
     /// Opens the lesson that is selected on the page of lessons.
     void editSelected();
     /// Marks the lessons with unsaved changes on the page of lessons.

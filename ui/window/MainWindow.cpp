@@ -11,12 +11,10 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QListView>
-#include <QMimeData>
 #include <QResizeEvent>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QTimer>
-#include <QUrl>
 
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/PeoplePart.h"
@@ -65,13 +63,6 @@ constexpr QSize kFirstSize{1280, 800};
 constexpr QSize kSmallest{800, 460};
 /// Title bar and borders. Their sizes are unknown before the window is shown.
 constexpr QSize kAroundWindow{8, 40};
-
-/// Returns the file that is dragged; empty if anything else is.
-QString droppedFile(const QMimeData* data)
-{
-    const QList<QUrl> urls = data->urls();
-    return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
-}
 
 }  // namespace
 
@@ -192,8 +183,6 @@ void MainWindow::connectParts()
     connect(m_editing.get(), &LessonEditing::unpackRequested, this, &MainWindow::unpackRequested);
     connect(m_navigation.get(), &Navigation::pageShown, this, &MainWindow::showPage);
     connect(m_navigation.get(), &Navigation::lessonsRequested, this, &MainWindow::lessonsRequested);
-    connect(m_navigation.get(), &Navigation::classesRequested, this, &MainWindow::classesRequested);
-    connect(m_navigation.get(), &Navigation::tourEnded, this, &MainWindow::tourEnded);
 
     connect(m_unsaved.get(), &UnsavedWork::foreignChangesLeft, m_editor, &lessoneditor::LessonEditor::closeDrafts);
     connect(m_unsaved.get(), &UnsavedWork::recordingSaveRequested, this, &MainWindow::recordingSaveRequested);
@@ -209,15 +198,8 @@ void MainWindow::connectParts()
 
     connect(m_replay.get(), &ReplayView::changed, this, &MainWindow::refresh);
     connect(m_replay.get(), &ReplayView::stopRequested, this, &MainWindow::replayStopRequested);
-    connect(m_replay.get(), &ReplayView::pauseRequested, this, &MainWindow::replayPauseRequested);
-    connect(m_replay.get(), &ReplayView::speedChosen, this, &MainWindow::replaySpeedChosen);
-    connect(m_replay.get(), &ReplayView::seekRequested, this, &MainWindow::seekRequested);
-    connect(m_replay.get(), &ReplayView::leadRequested, this, &MainWindow::leadRequested);
-    connect(m_replay.get(), &ReplayView::besidesRequested, this, &MainWindow::besidesRequested);
     connect(m_replay.get(), &ReplayView::besideRequested, this, &MainWindow::besideRequested);
-    connect(m_replay.get(), &ReplayView::besideCloseRequested, this, &MainWindow::besideCloseRequested);
     connect(m_replay.get(), &ReplayView::expertRequested, this, &MainWindow::expertRequested);
-    connect(m_replay.get(), &ReplayView::shown, this, &MainWindow::replayShown);
     connect(m_exercise.get(), &ExerciseView::changed, this, &MainWindow::refresh);
     connect(m_infraction.get(), &InfractionView::takeBackRequested, this, &MainWindow::takeBackRequested);
     connect(m_infraction.get(), &InfractionView::changed, this, [this] {
@@ -338,7 +320,7 @@ void MainWindow::connectPageActions()
         m_chooser->showMouth(flatIsShown);
     });
     on(m_actions->presets, [this] {
-        emit presetsRequested();
+        emit m_hardness->presetsRequested();
         m_navigation->goTo(*m_presets);
     });
     on(m_actions->devices, [this] { m_navigation->goTo(*m_devicesPage); });
@@ -350,8 +332,8 @@ void MainWindow::connectPageActions()
         m_navigation->goTo(*m_admin);
         m_admin->show(m_admin->part());
     });
-    on(m_actions->attempts, [this] { emit attemptsRequested(); });
-    on(m_actions->classes, [this] { emit classesRequested(); });
+    on(m_actions->attempts, [this] { emit m_navigation->attemptsRequested(); });
+    on(m_actions->classes, [this] { emit m_navigation->classesRequested(); });
     on(m_actions->readAgain, [this] { readAgain(); });
     on(m_actions->search, [this] { search(); });
     on(m_actions->tour, [this] { beginTour(); });
@@ -377,7 +359,6 @@ void MainWindow::connectPages()
     });
     connect(m_lessonsPage, &LessonsPage::examAsked, this,
             [this](const kit::ConfirmOverlay::Question& card) { m_unsaved->ask("examQuestion", card); });
-    connect(m_lessonsPage, &LessonsPage::feedbackRequested, this, &MainWindow::feedbackRequested);
     connect(m_lessonsPage, &LessonsPage::folderRequested, this, &MainWindow::lessonFolderRequested);
     connect(m_editor, &lessoneditor::LessonEditor::lessonSaved, this, &MainWindow::lessonsRequested);
     connect(m_prediction, &scoring::ScorePredictionPage::answered, this, &MainWindow::forecastGiven);
@@ -398,12 +379,6 @@ void MainWindow::connectPages()
     connect(m_login, &LoginPage::againRequested, this, &MainWindow::openAgainRequested);
     connect(m_login, &LoginPage::restoreRequested, this, &MainWindow::restoreRequested);
     HardnessController* const hardness = m_hardness.get();
-    connect(hardness, &HardnessController::presetsRequested, this, &MainWindow::presetsRequested);
-    connect(hardness, &HardnessController::saveRequested, this, &MainWindow::presetSaveRequested);
-    connect(hardness, &HardnessController::useRequested, this, &MainWindow::presetUseRequested);
-    connect(hardness, &HardnessController::importRequested, this, &MainWindow::presetImportRequested);
-    connect(hardness, &HardnessController::retireRequested, this, &MainWindow::presetRetireRequested);
-    connect(hardness, &HardnessController::exportRequested, this, &MainWindow::presetExportRequested);
     connect(hardness, &HardnessController::trialRequested, this, &MainWindow::presetTrialRequested);
     connect(hardness, &HardnessController::trialBlockChosen, this, &MainWindow::trialBlockChosen);
     connect(hardness, &HardnessController::trialFelt, this, &MainWindow::presetFelt);
@@ -814,7 +789,7 @@ void MainWindow::readAgain()
     else if (m_navigation->isAt(*m_history))
         m_history->readAgain();
     else if (m_navigation->isAt(*m_presets))
-        emit presetsRequested();
+        emit m_hardness->presetsRequested();
     else if (m_navigation->isAt(*m_classes))
         m_classes->readAgain();
     else if (m_navigation->isAt(*m_lessonsPage))
@@ -827,23 +802,6 @@ void MainWindow::readAttemptsAgain()
         readAgain();
 }
 
-void MainWindow::setLessons(std::vector<lessons::CatalogEntry> entries,
-                            std::map<std::string, catalog::Standing> standings,
-                            std::map<std::string, catalog::Given> given)
-{
-    m_lessonsPage->setLessons(std::move(entries), std::move(standings), std::move(given));
-}
-
-void MainWindow::setMayEdit(bool may)
-{
-    m_editing->setAllowed(may, m_account->user());
-}
-
-void MainWindow::setKnownAttempts(std::vector<lessoneditor::MeasuredAttempt> attempts)
-{
-    m_editor->setKnown(std::move(attempts));
-}
-
 void MainWindow::openHome()
 {
     const database::Role role = m_account->user().role();
@@ -854,26 +812,6 @@ void MainWindow::openHome()
         m_actions->school->trigger();
     else
         openLessons();
-}
-
-void MainWindow::openClasses()
-{
-    m_navigation->goTo(*m_classes);
-}
-
-void MainWindow::openAssign()
-{
-    m_navigation->goTo(*m_assign);
-}
-
-void MainWindow::backToScore()
-{
-    m_navigation->goTo(*m_scorePage);
-}
-
-void MainWindow::backToHistory()
-{
-    m_navigation->goTo(*m_history);
 }
 
 void MainWindow::setWho(const database::Login& who)
@@ -950,14 +888,14 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!droppedFile(event->mimeData()).isEmpty() && !m_busy->isWorking() && !m_navigation->isAtLogin())
+    if (!FileDialogs::droppedFile(*event->mimeData()).isEmpty() && !m_busy->isWorking() && !m_navigation->isAtLogin())
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
-    openFile(droppedFile(event->mimeData()));
+    openFile(FileDialogs::droppedFile(*event->mimeData()));
 }
 
 }  // namespace ui::window

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QList>
@@ -274,17 +275,23 @@ public slots:
 
     void openLessons() { m_navigation->openLessons(); }
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, catalog::Standing> standings,
-                    std::map<std::string, catalog::Given> given = {});
+                    std::map<std::string, catalog::Given> given = {})
+    {
+        m_lessonsPage->setLessons(std::move(entries), std::move(standings), std::move(given));
+    }
     /// Sets what teachers have said of the user's attempts, newest first.
     void setFeedback(const std::vector<database::Feedback>& feedback) { m_lessonsPage->setFeedback(feedback); }
     /// Tells whether the user may change lessons.
-    void setMayEdit(bool may);
+    void setMayEdit(bool may) { m_editing->setAllowed(may, m_account->user()); }
     /// Sets the folder for the unsaved lessons of each user.
     void setRecoveryFolder(const QString& folder) { m_editing->setRecoveryFolder(folder); }
     /// Opens the editor on a valid lesson.
     void editLesson(const lessons::ReadLesson& lesson) { m_editing->edit(lesson); }
     /// Sets the measures of known attempts at the lesson in the editor.
-    void setKnownAttempts(std::vector<lessoneditor::MeasuredAttempt> attempts);
+    void setKnownAttempts(std::vector<lessoneditor::MeasuredAttempt> attempts)
+    {
+        m_editing->setKnownAttempts(std::move(attempts));
+    }
     /// See HardnessController.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse)
     {
@@ -302,10 +309,10 @@ public slots:
     /// Opens the user's first page: a student's lessons, a teacher's classes, an admin's school.
     void openHome();
     void openHistory() { m_navigation->openHistory(); }
-    void openClasses();
-    void openAssign();
-    void backToScore();
-    void backToHistory();
+    void openClasses() { m_navigation->openClasses(); }
+    void openAssign() { m_navigation->openAssign(); }
+    void backToScore() { m_navigation->openScore(); }
+    void backToHistory() { m_navigation->goBackToHistory(); }
     void setWho(const database::Login& who);
     /// Another user comes: forgets pages and messages of the one before.
     void leaveAll();
@@ -324,91 +331,65 @@ public slots:
     void beginTour();
 
 signals:
-    /// The tour was seen, or skipped.
-    void tourEnded();
+    // The user and the database.
     void loginRequested(const QString& username, const QString& password);
     void codeRequested(const QString& username, const QString& code, const QString& newPassword);
+    /// Emitted when the first user of a school shall be created.
     void schoolRequested(const database::NewPerson& admin, const QString& password);
-    /// One's own attempts are to be seen.
-    void attemptsRequested();
-    void classesRequested();
-    /// Who is logged in wants another password; setWho() or refuseLogin() answers.
+    /// setWho() or refuseLogin() answers.
     void passwordChangeRequested(const QString& old, const QString& newPassword);
-    /// Practice without an account.
     void guestRequested();
-    /// The database that cannot be used is to be tried again, or its backup to be put in its place.
-    void openAgainRequested();
-    void restoreRequested();
-    /// The grade that is shown shall be kept as that of whoever logs in now.
-    void keepRequested();
-    /// What was said of this attempt is to be read; 0: there are several.
-    void feedbackRequested(qint64 attempt);
-    /// The user leaves for somebody else; they have been asked about what would be lost.
+    /// Emitted when the user lets somebody else log in, and has answered for what would be lost.
     void logoutRequested();
+    /// Emitted when the database that cannot be used shall be opened again.
+    void openAgainRequested();
+    /// Emitted when the backup shall replace that database.
+    void restoreRequested();
+    /// Emitted when the score that is shown shall be saved for whoever logs in next.
+    void keepRequested();
+
+    // The next tooth.
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
-    /// The lesson on the table is to begin anew, as another attempt.
-    void attemptAgainRequested();
-    /// The tooth is to be put back to before this tick of the attempt.
-    void takeBackRequested(std::uint64_t tick);
-    /// The page of lessons opens: what it shows is to be brought up to date.
-    void lessonsRequested();
-    void lessonFolderRequested();
-    /// The page of hardness presets opens: setPresets() is wanted.
-    void presetsRequested();
-    /// To be kept as another version of its name.
-    void presetSaveRequested(const core::settings::FeelPreset& preset);
-    void presetUseRequested(const core::settings::FeelPreset& preset);
-    void presetImportRequested(const QString& path);
-    void presetRetireRequested(const QString& name, bool isRetired);
-    void presetExportRequested(const core::settings::FeelPreset& preset, const QString& path);
-    /// A block to try this preset on is to be laid on the table; beginTrial() answers.
-    void presetTrialRequested(const core::settings::FeelPreset& preset);
-    /// What the block on which a preset is tried is made of from now on; presetFelt() follows.
-    void trialBlockChosen(const core::settings::ToothKind& kind);
-    /// What is on the table is to feel like this from now on, in the middle of whatever is done.
-    void presetFelt(const core::settings::FeelPreset& preset);
-    /// The same by hand, in the console or the settings: this tooth and those after it, but exams.
-    void feelRequested(const core::settings::FeelPreset& preset);
-    /// A lesson of a pack is to be edited: the pack is to be unpacked into the teacher's folder, and the lesson of that
-    /// name there given to editLesson().
-    void unpackRequested(const QString& pack, const QString& name);
-    /// A lesson is edited: what is known of attempts at it is wanted, for setKnownAttempts().
-    void knownAttemptsRequested(const lessons::Lesson& lesson);
-    /// The attempt that was graded last is to be seen from this moment on, s since its beginning.
-    void momentRequested(double seconds);
-    /// @param worst  the criterion expected to cost most, by id; empty: none
-    void forecastGiven(const ui::scoring::ScorePrediction& expected);
     void scanChosen(const QString& path);
-    /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
+    /// Emitted when the scan shall be read again in this unit: "mm", "cm" or "m".
     void scanUnitChosen(const QString& unit);
-    void recordingSaveRequested(const QString& path);
-    /// The tooth as it is cut is to be kept as a captured ideal; showMessage() or showError() answers.
-    void referenceSaveRequested(const QString& path);
     void recordingOpenRequested(const QString& path);
-    void gradeRequested();
-    /// What offerUnfinished() has offered; work that would be lost has been asked about.
+    /// Emitted when the recording of the lesson's author shall be played, or shown beside.
+    void expertRequested();
+    /// Emitted when another attempt shall be shown beside the replay.
+    void besideRequested(const QString& path);
+    void replayStopRequested();
+    /// Emitted when the attempt with the score that is shown shall be replayed from a moment, s since its beginning.
+    void momentRequested(double seconds);
+    /// Emitted when the attempt shall begin again as another one.
+    void attemptAgainRequested();
     void resumeRequested();
     void discardRequested();
-    void replayStopRequested();
-    /// This moment of what is played is seen in the practice room, s since its beginning.
-    void replayShown(double seconds);
-    /// Whether a force shall hold the hand within what is to be cut. Off with every new tooth.
+
+    // The attempt.
+    /// Emitted when the tooth shall be restored to the time before a tick of the attempt.
+    void takeBackRequested(std::uint64_t tick);
+    /// Emitted when a force shall hold the hand within the ideal, or no longer. Off with each new tooth.
     void fixtureRequested(bool wanted);
-    void replayPauseRequested(bool paused);
-    /// So many times as fast as the recording was made, 0.1 to 16. Every replay begins with 1.
-    void replaySpeedChosen(double times);
-    /// The replay is to show this moment of the recording.
-    void seekRequested(double seconds);
-    /// Another attempt is to be put beside what is played: which there are.
-    /// @param lesson  that it was made for; empty: practised freely
-    void besidesRequested(const std::string& lesson, const std::string& tooth);
-    void besideRequested(const QString& path);
-    void besideCloseRequested();
-    /// The recording that the lesson names: to be played, or to be put beside what is played.
-    void expertRequested();
-    /// The device is to lead the hand along what is played, or to let it go.
-    void leadRequested(bool on);
+    void gradeRequested();
+    void forecastGiven(const ui::scoring::ScorePrediction& expected);
+    void recordingSaveRequested(const QString& path);
+    /// Emitted when the tooth shall be saved as a captured ideal.
+    void referenceSaveRequested(const QString& path);
+
+    // Lessons and presets.
+    /// Emitted when the page of lessons opens; setLessons() answers.
+    void lessonsRequested();
+    void lessonFolderRequested();
+    /// See LessonEditing.
+    void unpackRequested(const QString& pack, const QString& name);
+    void knownAttemptsRequested(const lessons::Lesson& lesson);
+    /// See HardnessController.
+    void presetTrialRequested(const core::settings::FeelPreset& preset);
+    void trialBlockChosen(const core::settings::ToothKind& kind);
+    void presetFelt(const core::settings::FeelPreset& preset);
+    void feelRequested(const core::settings::FeelPreset& preset);
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -67,8 +67,14 @@ public:
     void putRoomBehindLogin() { m_behindLogin = &m_pages.room; }
 
     void openLessons();
-    /// Opens the page of attempts.
+    void openClasses() { goTo(m_pages.classes); }
+    /// Opens the page where a class gets its lessons.
+    void openAssign() { goTo(m_pages.assign); }
+    void openScore() { goTo(m_pages.score); }
+    /// Opens the page of attempts. Esc leads back to the page of classes, or to the room.
     void openHistory();
+    /// Opens the page of attempts without changing where Esc leads from there.
+    void goBackToHistory() { goTo(m_pages.history); }
     /// Sets the page to which Esc leads from the score.
     void setBehindScore(QWidget& page) { m_behindScore = &page; }
     /// Opens the score of an earlier attempt. Esc leads back to the list where it was requested.
@@ -85,7 +91,8 @@ signals:
     void pageShown();
     /// Emitted when the page of lessons opens and needs its lessons.
     void lessonsRequested();
-    /// Emitted when the tour opens the page of classes.
+    /// Emitted when the page of the user's own attempts, or that of classes, shall open. Who reads them opens it.
+    void attemptsRequested();
     void classesRequested();
     void tourEnded();
 
