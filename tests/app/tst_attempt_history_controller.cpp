@@ -77,7 +77,7 @@ private slots:
     {
         makeController(m_student);
         addAttempt(m_student);
-        emit m_window->attemptsRequested();
+        emit m_window->navigation().attemptsRequested();
         waitUntilAsked();
         m_who = m_teacher;
         m_school->answer();
@@ -89,7 +89,7 @@ private slots:
     {
         makeController(m_student);
         addAttempt(m_student);
-        emit m_window->attemptsRequested();
+        emit m_window->navigation().attemptsRequested();
         waitUntilAsked();
         m_window->openClasses();
         m_school->answer();
@@ -255,14 +255,14 @@ private:
     void waitUntilAsked() const { QTRY_VERIFY(m_school->isAsked()); }
     void openOwn()
     {
-        emit m_window->attemptsRequested();
+        emit m_window->navigation().attemptsRequested();
         waitUntilAsked();
         m_school->answer();
     }
     void openClass()
     {
         m_school->classes.all = {{m_classId, "DEN101-A", 3, 1}};
-        emit m_window->classesRequested();
+        emit m_window->navigation().classesRequested();
         waitUntilAsked();
         m_school->answer();
     }

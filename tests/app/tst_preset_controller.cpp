@@ -173,7 +173,7 @@ private slots:
     void aSavedPresetIsInTheSchool()
     {
         makeController(m_admin);
-        emit m_window->presetSaveRequested(presetCalled("mine"));
+        emit m_window->hardness().saveRequested(presetCalled("mine"));
         m_school->answer();
         QCOMPARE(m_school->presets.all.size(), std::size_t{1});
         QCOMPARE(m_school->presets.all.front().name, std::string("mine"));

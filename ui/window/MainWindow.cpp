@@ -654,7 +654,6 @@ void MainWindow::beginTrial()
 
 void MainWindow::showChannels(core::session::UiChannels& channels)
 {
-    m_view->showChannels(channels);
     m_practice->showChannels(channels);
 }
 

@@ -92,6 +92,12 @@ void PracticeController::showGuide(const core::servo::ServoState& servo)
     m_room.panel().setGuide(marginMm, core::guidance::progressOf(*tooth->anatomy, *m_state.ideal, tooth->top));
 }
 
+void PracticeController::showChannels(core::session::UiChannels& channels)
+{
+    m_channels = &channels;
+    m_view.showChannels(channels);
+}
+
 void PracticeController::takeSession()
 {
     const core::session::SessionState& now = m_channels->session.latest();

@@ -43,9 +43,9 @@ public:
     void takeFrame(const core::servo::ServoState& servo);
     /// Takes the state of the session only, while the view draws nothing.
     void takeSession();
-    /// Reads the state of the session from other channels: those of a replay, or the own ones again.
+    /// Shows the states of other channels, also in the tooth view: those of a replay, or the own ones again.
     /// @param channels  must outlive the controller
-    void showChannels(core::session::UiChannels& channels) { m_channels = &channels; }
+    void showChannels(core::session::UiChannels& channels);
 
 signals:
     /// Emitted after each frame.
