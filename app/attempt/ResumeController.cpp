@@ -236,7 +236,8 @@ void ResumeController::resume(std::unique_ptr<core::session::ResumableAttempt> a
     m_attempt.resume(attempt->recording.ticks(), std::exchange(m_seenOfUnfinished, {}));
     const double recordedS = std::chrono::duration<double>(attempt->recording.duration()).count();
     double workedS = recordedS - attempt->restedS;
-    // An exam's time goes on while its student is away, for whatever reason: otherwise they could think as long as they like.
+    // An exam's time goes on while its student is away, for whatever reason: otherwise they could think as long as they
+    // like.
     if (assignment->lesson && assignment->lesson->exam)
         workedS = std::max(workedS,
                            1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch() - m_unfinished->begunUtcMs));
