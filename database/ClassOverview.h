@@ -43,8 +43,8 @@ struct MatrixCell
     bool passed = false;
     std::string lastUtc;
     int withoutScore = 0;                    ///< exams that were begun, which also count as attempts
-    std::optional<int> limitElsewhere = {};  ///< limit of the student's other classes, the highest of them; 0: no limit
-    std::string begunUtc = {};               ///< the newest of the exams without a score, which may still be going on
+    std::optional<int> limitElsewhere = {};  ///< highest limit in the student's other classes; 0: no limit
+    std::string begunUtc = {};               ///< begin of the newest exam without a score, which may still run
     bool operator==(const MatrixCell&) const = default;
 
     /// Returns whether the student has not passed and has no attempt left, as sql::attemptsLeft() reports.
@@ -121,7 +121,7 @@ struct AttemptComment
     std::string words;
     std::optional<std::array<double, 3>> placeMm;  ///< tooth frame
     std::optional<std::int64_t> momentMs;          ///< from the start of the attempt
-    bool isMine = false;                           ///< written by the user, who may withdraw it
+    bool isMine = false;                           ///< the user wrote it and may withdraw it
     bool operator==(const AttemptComment&) const = default;
 };
 

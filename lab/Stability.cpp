@@ -101,7 +101,8 @@ struct Circle
     double hz;
 };
 
-/// Returns the largest energy that a round of some circles gives the hand, uJ. The first rounds are not counted.
+/// Moves the device along several circles and returns the largest energy that one revolution adds to the hand, in uJ.
+/// The first revolutions are not counted.
 double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial, double GivenPath::*energy)
 {
     constexpr double kDownS = 0.1;

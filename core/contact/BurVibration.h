@@ -11,12 +11,13 @@
 
 namespace core::contact {
 
-/// The vibration of a free-running bur on the hand: noise across its axis, most of it at 150 to 350 Hz (the 5 kHz of a
-/// real one cannot be produced at 1 kHz), with slowly changing strength (docs/facts/haptics.md, section 7).
+/// Computes the vibration that the hand feels while the bur turns freely: noise perpendicular to the axis of the bur,
+/// mostly between 150 and 350 Hz, with a slowly changing amplitude (docs/facts/haptics.md, section 7). A real bur
+/// vibrates at 5 kHz, which a loop of 1 kHz cannot produce.
 ///
-/// n(k) - n(k-2) of uniform random numbers, one per millisecond, or one per tick if ticks are longer: at 1 kHz zero at
-/// 0 and 500 Hz, and largest at 250 Hz; a sum over any 50 ms is that of four numbers, so the mean is zero. Seeded: the
-/// same every time. Servo thread; no allocation.
+/// The noise is n(k) - n(k-2) of uniform random numbers n, one per millisecond, or one per tick if ticks are longer. At
+/// 1 kHz its spectrum is zero at 0 and 500 Hz and largest at 250 Hz. A sum over any 50 ms has only four numbers left,
+/// so the mean is zero. The seed is fixed: each run gives the same noise. Servo thread; no allocation.
 class BurVibration
 {
 public:

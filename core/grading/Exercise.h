@@ -24,7 +24,7 @@ struct PointsToTouch
     bool operator==(const PointsToTouch&) const = default;
 };
 
-/// A force to hold on the tooth with the drill off.
+/// An exercise: the student presses on the tooth with a given force while the drill is off.
 struct ForceToHold
 {
     double forceN = 1.0;

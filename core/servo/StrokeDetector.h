@@ -3,7 +3,8 @@
 
 namespace core::servo {
 
-/// Detects the end of a stroke, and so of an undo step: a pause in cutting of kPauseTicks. No allocation.
+/// Detects the end of a stroke, which is also the end of an undo step: nothing has been cut for kPauseTicks ticks.
+/// Allocates nothing.
 class StrokeDetector
 {
 public:

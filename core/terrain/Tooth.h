@@ -25,7 +25,7 @@ using PerMaterial = std::array<double, kMaterialCount>;
 
 /// The interfaces of one column, mm in the frame in which the tooth is cut. Cutting does not change them.
 ///
-/// The material at a height z inside the tooth is the first that matches:
+/// The material at a height z inside the tooth is the first one in this list whose condition is true:
 ///   caries  if cariesFloor < z <= cariesRoof   (an open lesion has its roof at or above the top)
 ///   pulp    if pulpFloor   < z <= pulpRoof
 ///   enamel  if z > dej

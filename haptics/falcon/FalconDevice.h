@@ -29,9 +29,9 @@ namespace haptics::falcon {
 /// own thread it returns at once without effect.
 void letGoOfAll() noexcept;
 
-/// A Novint Falcon. A thread of its own finds and opens it, loads its firmware, waits until the grip is homed, and then
-/// exchanges frames as fast as the device answers, about 1,000 a second: the answer wakes the servo, and the servo's
-/// force is sent with the next request.
+/// Drives a Novint Falcon in a thread of its own. The thread finds and opens the device, loads its firmware and waits
+/// until the user has homed the grip. It then exchanges frames as fast as the device answers, about 1,000 a second.
+/// Each answer wakes the servo, whose force is sent with the next request.
 ///
 /// The force is zero unless the grip is homed and the servo has answered within the last 20 ms. It rises over half a
 /// second when the device becomes ready.

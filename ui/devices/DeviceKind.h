@@ -17,7 +17,7 @@ inline constexpr const char* kPedals = "pedals";
 /// Id of the row for sound, likewise.
 inline constexpr const char* kSound = "sound";
 
-/// A kind of force device, for the devices page.
+/// The data of one kind of force device that the devices page shows.
 struct DeviceKind
 {
     QString id;                 ///< as in database::AttemptRecord::device

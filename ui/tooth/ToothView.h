@@ -253,9 +253,9 @@ private:
     TouchGesture m_gesture;
     core::servo::PointerInput m_published;
     core::servo::ServoState m_servo;
-    QPixmap m_gizmo;                        ///< as last painted
+    QPixmap m_gizmo;                        ///< the orientation gizmo, as painted last
     std::optional<glm::dmat3> m_gizmoTurn;  ///< the rotation of m_gizmo
-    core::servo::Pose m_pose;               ///< of the bur, as drawn
+    core::servo::Pose m_pose;               ///< the pose in which the bur is drawn
     FrameClock m_clock;
 
     QElapsedTimer m_sinceTurn;                ///< since the turning bur was last drawn
