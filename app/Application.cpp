@@ -20,11 +20,17 @@ using ui::window::MainWindow;
 constexpr double kStiffnessNPerMm = core::contact::ForceSettings{}.stiffnessNPerMm;
 constexpr double kServoPeriodS = std::chrono::duration<double>(SessionThreads::kServoPeriod).count();
 
+/// Whether the simulated hand was asked for.
+bool isSimulated(const WindowOptions& options)
+{
+    return options.device == QLatin1String(ui::devices::kSimulated);
+}
+
 }  // namespace
 
 core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions& options)
 {
-    auto tick = core::servo::makeServoTick(settingsFor(options.simulatedDevice));
+    auto tick = core::servo::makeServoTick(settingsFor(isSimulated(options)));
     if (!tick)
         return tl::unexpected(tick.error());
     return std::unique_ptr<Application>(new Application(options, std::move(*tick)));
@@ -33,36 +39,27 @@ core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions
 Application::Application(const WindowOptions& options, std::unique_ptr<core::servo::ServoTick> tick)
     : m_options(options), m_pointer(m_channels.pointer, kStiffnessNPerMm, kServoPeriodS),
       m_simulatedFalcon(m_simulatedInput, kStiffnessNPerMm, kServoPeriodS),
-      m_bur(options.simulatedDevice ? static_cast<haptics::HapticDevice&>(m_simulatedFalcon) : m_pointer,
+      m_bur(isSimulated(options) ? static_cast<haptics::HapticDevice&>(m_simulatedFalcon) : m_pointer,
             SessionThreads::kServoPeriod),
       m_servo(m_bur, std::move(tick), m_servoChannels, m_channels.servo, SessionThreads::kServoPeriod),
-      m_session(m_servoChannels, m_channels, settingsFor(options.simulatedDevice)), m_assessment(m_session),
+      m_session(m_servoChannels, m_channels, settingsFor(isSimulated(options))), m_assessment(m_session),
       m_window(std::make_unique<MainWindow>(m_channels)), m_threads(m_servo, m_session, m_assessment, m_channels),
       m_presets(*m_window, [this] { return m_school.user; }),
-      m_devices(std::make_unique<DeviceController>(*m_window,
-                                                   DeviceController::Hands{m_bur, m_pointer, m_simulatedFalcon},
-                                                   options.devices, options.simulatedDevice)),
+      m_devices(std::make_unique<DeviceController>(
+          *m_window, DeviceController::Hands{m_bur, m_pointer, m_simulatedFalcon}, options.devices, options.device)),
       m_headTracking(std::make_unique<HeadTrackingController>(*m_window)),
       m_pedals(std::make_unique<PedalController>(*m_window, m_bur, [this] { return m_devices->isSimulated(); })),
       m_sound(std::make_unique<SoundController>(*m_window, m_channels.sound, options.audioPort)),
-      m_limit(m_school, m_loads), m_lessons(*m_window, m_school),
-      m_attempts({*m_window, m_channels, m_session, m_assessment, *m_devices, m_presets, m_attempt, m_loads, m_limit},
-                 options.build, !options.picture.isEmpty()),
-      m_simulatedHand({m_channels, m_session, *m_devices, m_attempt, m_attempts}, m_simulatedInput),
-      m_resume(
-          {*m_window, m_session, *m_devices, m_presets, m_attempt, m_attempts, m_loads, m_limit, m_lessons, m_school},
-          options.retry),
-      m_observer({*m_window, m_channels, m_session, m_assessment, *m_devices, m_attempt, m_attempts, m_resume, m_limit,
-                  m_school}),
-      m_opened(*m_window, m_attempts, m_loads, m_school),
-      m_grading({*m_window, m_channels, m_session, m_assessment, *m_devices, m_attempt, m_attempts, m_resume,
-                 m_observer, m_limit, m_opened, m_school}),
-      m_playback({*m_window, m_channels, m_session, m_servo, *m_sound, m_bur, m_attempt, m_attempts, m_loads, m_opened,
-                  m_grading},
-                 !options.picture.isEmpty()),
+      m_limit(m_school, m_loads),
+      m_lessons(*m_window, m_school), m_context{*m_window, m_channels, m_session, m_assessment, *m_devices,
+                                                m_presets, m_attempt,  m_loads,   m_limit,      m_school},
+      m_attempts(m_context, options.build, !options.picture.isEmpty()),
+      m_simulatedHand(m_context, m_attempts, m_simulatedInput),
+      m_resume(m_context, m_attempts, m_lessons, options.retry), m_observer(m_context, m_attempts, m_resume),
+      m_opened(m_context, m_attempts), m_grading(m_context, {m_attempts, m_resume, m_observer, m_opened}),
+      m_playback(m_context, {m_servo, *m_sound, m_bur, m_attempts, m_opened, m_grading}, !options.picture.isEmpty()),
       m_data(*m_window, m_school, {options.database, options.opening, options.retry, options.asksWho}),
-      m_login({*m_window, m_school, m_data, m_lessons, m_presets, m_attempt, m_attempts, m_resume, m_grading, m_loads},
-              options.loginPatience),
+      m_login(m_context, {m_school, m_data, m_lessons, m_attempts, m_resume, m_grading}, options.loginPatience),
       m_reports(*m_window, [this] { return m_opened.isShown() ? m_opened.subject() : m_grading.subject(); })
 {
     m_data.setParent(this);
@@ -151,7 +148,7 @@ void Application::openDatabase()
         [this] { return m_school.user; });
     connect(m_admin.get(), &AdminController::restoreRequested, &m_login, &LoginController::leaveToRestore);
     connect(m_admin.get(), &AdminController::idleMinutesChanged, this,
-            [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
+            [this](int minutes) { m_window->account().idleLock().setLimit(std::chrono::minutes(minutes)); });
     m_history =
         std::make_unique<AttemptHistoryController>(*m_window, *m_data.service(), [this] { return m_school.user; });
     m_opened.setHistory(m_history.get());
@@ -159,7 +156,7 @@ void Application::openDatabase()
     m_login.connectService();
     m_data.openSchool();
     if (m_options.asksWho)
-        m_window->askLogin();
+        m_window->account().askLogin();
 }
 
 /// Ends the program, whose caller reports the error.

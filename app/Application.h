@@ -12,6 +12,7 @@
 #include "app/LoginController.h"
 #include "app/PictureWriter.h"
 #include "app/SchoolController.h"
+#include "app/attempt/AttemptContext.h"
 #include "app/attempt/AttemptController.h"
 #include "app/attempt/AttemptObserver.h"
 #include "app/attempt/CurrentAttempt.h"
@@ -62,8 +63,8 @@ struct WindowOptions
     bool asksWho = false;     ///< begin at the login; else as a guest
     bool showsRound = false;  ///< whoever has not seen the tour
     QString picture;          ///< draw the tooth, or the end of the recording, into this file and quit
-    /// A simulated hand with a simulated Falcon does the work; the student watches.
-    bool simulatedDevice = false;
+    /// The id of the hand to work with in this run, one of handIds(); empty: the one that was chosen in the last run.
+    QString device;
     /// The force devices that this station can have.
     std::vector<DeviceRow> devices = stationDevices();
     /// The way to the audio outputs.
@@ -126,6 +127,7 @@ private:
     std::unique_ptr<SoundController> m_sound;
     AttemptLimit m_limit;
     LessonsController m_lessons;
+    AttemptContext m_context;  ///< what those below share
     AttemptController m_attempts;
     SimulatedHand m_simulatedHand;
     ResumeController m_resume;

@@ -11,19 +11,21 @@
 #include "app/threads/Background.h"
 #include "database/Passwords.h"
 #include "database/Repositories.h"
+#include "ui/people/LoginPage.h"
+#include "ui/scoring/ScorePage.h"
 
 namespace app {
 
 using ui::window::MainWindow;
 
-LoginController::LoginController(const Parts& parts, std::chrono::milliseconds patience)
-    : m_window(parts.window), m_school(parts.school), m_data(parts.data), m_lessons(parts.lessons),
-      m_presets(parts.presets), m_attempt(parts.attempt), m_attempts(parts.attempts), m_resume(parts.resume),
-      m_grading(parts.grading), m_loads(parts.loads), m_patience(patience)
+LoginController::LoginController(const AttemptContext& context, const Others& others,
+                                 std::chrono::milliseconds patience)
+    : m_context(context), m_school(others.school), m_data(others.data), m_lessons(others.lessons),
+      m_attempts(others.attempts), m_resume(others.resume), m_grading(others.grading), m_patience(patience)
 {
     connectWindow();
     connect(&m_data, &SchoolController::opened, this, [this] {
-        m_presets.setSchool(m_school.service);
+        m_context.presets.setSchool(m_school.service);
         updateMayEdit();
     });
 }
@@ -34,14 +36,15 @@ void LoginController::connectService()
     connect(service, &SchoolService::isBack, this, [this] {
         if (m_school.user.isGuest())
             return;
-        m_presets.refresh();
-        m_window.readAgain();
+        m_context.presets.refresh();
+        m_context.window.readAgain();
     });
     connect(service, &SchoolService::disabled, this, [this] {
         if (m_school.user.isGuest())  // has been logged out already
             return;
         leave();
-        m_window.sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
+        m_context.window.account().say(
+            [] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
     });
     connect(service, &SchoolService::refused, this, &LoginController::leaveIfRoleChanged);
     connect(service, &SchoolService::otherSchool, this, [this] {
@@ -51,7 +54,7 @@ void LoginController::connectService()
         m_data.service()->takeOtherSchool();
         m_data.openSchool();
         if (wasIn)
-            m_window.sayAtDoor(
+            m_context.window.account().say(
                 [] { return tr("Another school is now where yours was, and you were logged out. Log in again."); });
     });
     updateMayEdit();
@@ -71,7 +74,7 @@ void LoginController::readIdleLimit()
         this, [who = m_school.user](const database::Repositories& school) { return school.settings.read(who); },
         [this](const core::Result<database::SettingsMap>& settings) {
             if (settings)
-                m_window.setIdleLimit(std::chrono::minutes(idleMinutesOf(*settings)));
+                m_context.window.account().idleLock().setLimit(std::chrono::minutes(idleMinutesOf(*settings)));
         });
 }
 
@@ -83,34 +86,35 @@ void LoginController::changePassword(const QString& old, const QString& password
             const database::Repositories& school) { return school.logins.changePassword(who, old, next); },
         [this](const core::Status& done) {
             if (!done) {
-                m_window.refuseLogin(done.error());
+                m_context.window.account().refuse(done.error());
                 return;
             }
             readOwnHash();
-            m_window.setWho(m_school.user);
-            m_window.showMessage(tr("Your password was changed."));
+            m_context.window.setWho(m_school.user);
+            m_context.window.showMessage(tr("Your password was changed."));
         });
 }
 
 void LoginController::connectWindow()
 {
     using ui::window::MainWindow;
-    connect(&m_window, &MainWindow::loginRequested, this, [this](const QString& name, const QString& password) {
-        ask([name = name.toStdString(), password = password.toStdString()](
-                const database::Repositories& school) { return school.logins.login(name, password); },
-            [this, isOwner = name.toStdString() == m_school.user.username(), password](const core::Error& why) {
-                if (isOwner && isUnreachable(why.code))
-                    unlockOffline(password, why);
-                else
-                    m_data.refuseLogin(why);
+    connect(&m_context.window.loginPage(), &ui::people::LoginPage::loginRequested, this,
+            [this](const QString& name, const QString& password) {
+                ask([name = name.toStdString(), password = password.toStdString()](
+                        const database::Repositories& school) { return school.logins.login(name, password); },
+                    [this, isOwner = name.toStdString() == m_school.user.username(), password](const core::Error& why) {
+                        if (isOwner && isUnreachable(why.code))
+                            unlockOffline(password, why);
+                        else
+                            m_data.refuseLogin(why);
+                    });
             });
-    });
-    connect(&m_window, &MainWindow::codeRequested, this,
+    connect(&m_context.window.loginPage(), &ui::people::LoginPage::codeRequested, this,
             [this](const QString& name, const QString& code, const QString& password) {
                 ask([name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
                         const database::Repositories& school) { return school.logins.redeem(name, code, password); });
             });
-    connect(&m_window, &MainWindow::schoolRequested, this,
+    connect(&m_context.window.loginPage(), &ui::people::LoginPage::schoolRequested, this,
             [this](const database::NewPerson& admin, const QString& password) {
                 ask(
                     [admin, password = password.toStdString()](const database::Repositories& school) {
@@ -120,18 +124,22 @@ void LoginController::connectWindow()
                         if (why.code == core::ErrorCode::NotAllowed) {  // another computer was faster
                             m_data.endNewSchool();
                             updateMayEdit();
-                            m_window.askLogin();
+                            m_context.window.account().askLogin();
                         }
-                        m_window.refuseLogin(why);
+                        m_context.window.account().refuse(why);
                     });
             });
-    connect(&m_window, &MainWindow::guestRequested, this, &LoginController::becomeGuest);
-    connect(&m_window, &MainWindow::logoutRequested, this, &LoginController::leave);
-    connect(&m_window, &MainWindow::passwordChangeRequested, this, &LoginController::changePassword);
-    connect(&m_window, &MainWindow::keepRequested, this, [this] {
+    connect(&m_context.window.loginPage(), &ui::people::LoginPage::guestRequested, this, &LoginController::becomeGuest);
+    connect(&m_context.window.account(), &ui::window::AccountController::logoutRequested, this,
+            &LoginController::leave);
+    connect(&m_context.window.loginPage(), &ui::people::LoginPage::passwordChangeRequested, this,
+            &LoginController::changePassword);
+    const auto logInToKeep = [this] {
         m_keepsOnLogin = true;
-        m_window.askLoginToKeep();
-    });
+        m_context.window.account().askLoginToKeep();
+    };
+    connect(&m_context.window.account(), &ui::window::AccountController::keepRequested, this, logInToKeep);
+    connect(&m_context.window.scorePage(), &ui::scoring::ScorePage::keepRequested, this, logInToKeep);
 }
 
 /// Logs in the user that the database returns. Ignores an answer that arrives after the user has left the login page:
@@ -141,8 +149,8 @@ void LoginController::ask(const std::function<core::Result<database::Login>(cons
                           const std::function<void(const core::Error&)>& refuse)
 {
     const auto answer = [this, refuse, turn = ++m_turn](const core::Result<database::Login>& who) {
-        if (turn != m_turn || !m_window.isAtDoor()) {
-            if (who && m_window.isNewSchool())
+        if (turn != m_turn || !m_context.window.navigation().isAtLogin()) {
+            if (who && m_context.window.account().isNewSchool())
                 m_data.endNewSchool();
             return;
         }
@@ -187,7 +195,7 @@ void LoginController::unlockOffline(const QString& password, const core::Error& 
         return;
     }
     if (const auto wait = m_unlock.wait(); wait.count() > 0) {
-        m_window.refuseLogin({core::ErrorCode::TooSoon, "wait " + std::to_string(wait.count()) + " s"});
+        m_context.window.account().refuse({core::ErrorCode::TooSoon, "wait " + std::to_string(wait.count()) + " s"});
         return;
     }
     inBackground(
@@ -200,8 +208,8 @@ void LoginController::unlockOffline(const QString& password, const core::Error& 
                 return;
             }
             m_unlock.reject();
-            m_window.refuseLogin(fits ? core::Error{core::ErrorCode::WrongLogin, "the password is wrong"}
-                                      : fits.error());
+            m_context.window.account().refuse(fits ? core::Error{core::ErrorCode::WrongLogin, "the password is wrong"}
+                                                   : fits.error());
         });
 }
 
@@ -210,36 +218,38 @@ void LoginController::enter(const database::Login& who)
 {
     m_unlock.resetTries();
     if (who.person() == m_school.user.person()) {
-        m_window.setWho(who);
+        m_context.window.setWho(who);
         return;
     }
-    if (m_window.isNewSchool())
+    if (m_context.window.account().isNewSchool())
         m_data.endNewSchool();
     m_school.user = who;
     m_lessons.forget();
     m_unlock.setHash({});
     readOwnHash();
     m_attempts.forgetFeelByHand();
-    m_presets.refresh();
+    m_context.presets.refresh();
     // Work of a guest belongs to nobody, unless they log in to save its grade.
-    const bool keeps = std::exchange(m_keepsOnLogin, false) && m_window.keepsOnLogin() && m_grading.isGuests();
-    if (!keeps && m_attempt.hasTooth())
+    const bool keeps =
+        std::exchange(m_keepsOnLogin, false) && m_context.window.account().keepsOnLogin() && m_grading.isGuests();
+    if (!keeps && m_context.attempt.hasTooth())
         m_attempts.beginWholeTooth();
-    m_window.setWho(who);
+    m_context.window.setWho(who);
     updateMayEdit();
     readIdleLimit();
     m_resume.startJournal();
     if (keeps)
         m_grading.saveGuestsGrade();
     else
-        m_window.openHome();
+        m_context.window.openHome();
     if (m_tour != nullptr && !keeps)
         m_tour->welcome(m_school.service, m_school.user);
     if (who.role() == database::Role::Admin && m_school.service)
         raisePasswordCost();
     if (m_data.isOnNetworkDrive() && who.role() == database::Role::Admin)
-        m_window.showWarning(tr("The school's database is on a network drive, where only one computer at a time can "
-                                "use it. For several computers, use a PostgreSQL server."));
+        m_context.window.showWarning(
+            tr("The school's database is on a network drive, where only one computer at a time can "
+               "use it. For several computers, use a PostgreSQL server."));
 }
 
 /// Passwords are hashed at a cost that suits today's computers.
@@ -269,20 +279,20 @@ void LoginController::leave()
     // A saved attempt is not offered again. The note in its journal may be on its way still, for example during a
     // replay.
     m_resume.stopJournal(m_grading.isSaved());
-    m_loads.begin();  // a tooth that is being made for them opens for nobody else
-    m_window.stopBusy();
+    m_context.loads.begin();  // a tooth that is being made for them opens for nobody else
+    m_context.window.stopBusy();
     m_school.user = {};
     m_lessons.forget();
     m_unlock.setHash({});
     m_unlock.resetTries();
     m_attempts.forgetFeelByHand();
-    m_presets.refresh();
-    m_window.leaveAll();
+    m_context.presets.refresh();
+    m_context.window.leaveAll();
     emit left();
-    m_window.setWho(m_school.user);
+    m_context.window.setWho(m_school.user);
     updateMayEdit();
     m_attempts.beginWholeTooth();
-    m_window.askLogin();
+    m_context.window.account().askLogin();
 }
 
 /// The window shows the pages of the role that the user had when they logged in.
@@ -296,7 +306,8 @@ void LoginController::leaveIfRoleChanged()
             if (!now || m_school.user != who || *now == who.role())
                 return;
             leave();
-            m_window.sayAtDoor([] { return tr("Your role was changed, and you were logged out. Log in again."); });
+            m_context.window.account().say(
+                [] { return tr("Your role was changed, and you were logged out. Log in again."); });
         });
 }
 
@@ -305,14 +316,14 @@ void LoginController::updateMayEdit()
 {
     const bool teaches =
         m_school.user.role() == database::Role::Instructor || m_school.user.role() == database::Role::Admin;
-    m_window.setMayEdit(!m_school.service || m_window.isNewSchool() || teaches);
+    m_context.window.setMayEdit(!m_school.service || m_context.window.account().isNewSchool() || teaches);
 }
 
 void LoginController::becomeGuest()
 {
     ++m_turn;
     m_keepsOnLogin = false;
-    m_window.setWho(m_school.user);
+    m_context.window.setWho(m_school.user);
     if (m_resume.isRunning())  // they have only looked at the login page
         return;
     m_resume.startJournal();

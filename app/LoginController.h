@@ -8,13 +8,12 @@
 #include <QString>
 
 #include "app/SchoolController.h"
+#include "app/attempt/AttemptContext.h"
 #include "app/attempt/GradingController.h"
 #include "app/attempt/ResumeController.h"
 #include "app/pages/LessonsController.h"
-#include "app/pages/PresetController.h"
 #include "app/pages/TourController.h"
 #include "app/school/OfflineUnlock.h"
-#include "app/school/SchoolSession.h"
 
 namespace app {
 
@@ -24,22 +23,18 @@ class LoginController final : public QObject
     Q_OBJECT
 
 public:
-    /// All of them outlive the controller.
-    struct Parts
+    /// What a login works with besides the attempt; all of them outlive the controller.
+    struct Others
     {
-        ui::window::MainWindow& window;
         SchoolSession& school;
         SchoolController& data;
         LessonsController& lessons;
-        PresetController& presets;
-        CurrentAttempt& attempt;
         AttemptController& attempts;
         ResumeController& resume;
         GradingController& grading;
-        LatestRequest& loads;
     };
     /// @param patience  how long the login waits for a database that hangs
-    LoginController(const Parts& parts, std::chrono::milliseconds patience);
+    LoginController(const AttemptContext& context, const Others& others, std::chrono::milliseconds patience);
 
     /// Connects to the database's service, which has been started.
     void connectService();
@@ -66,16 +61,13 @@ private:
     void leaveIfRoleChanged();
     void updateMayEdit();
     void becomeGuest();
-    ui::window::MainWindow& m_window;
+    AttemptContext m_context;
     SchoolSession& m_school;
     SchoolController& m_data;
     LessonsController& m_lessons;
-    PresetController& m_presets;
-    CurrentAttempt& m_attempt;
     AttemptController& m_attempts;
     ResumeController& m_resume;
     GradingController& m_grading;
-    LatestRequest& m_loads;
     std::chrono::milliseconds m_patience;
     TourController* m_tour = nullptr;
     OfflineUnlock m_unlock;

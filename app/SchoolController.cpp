@@ -11,6 +11,7 @@
 
 #include "app/pages/AdminController.h"
 #include "database/sql/Backups.h"
+#include "ui/people/LoginPage.h"
 
 namespace app {
 namespace {
@@ -71,7 +72,7 @@ bool SchoolController::openDatabase()
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
     m_address = *address;
     makeStationFolder();
-    m_window.setRecoveryFolder(m_stationFolder);
+    m_window.lessonEditing().setRecoveryFolder(m_stationFolder);
     m_service = std::make_unique<SchoolService>(*address, m_stationFolder, m_options.opening, m_options.retry);
     m_school.service = m_service.get();
     m_uploader = std::make_unique<AttemptUploader>(*m_service);
@@ -85,8 +86,8 @@ bool SchoolController::openDatabase()
     });
     m_openWatch.setInterval(m_options.retry);
     connect(&m_openWatch, &QTimer::timeout, this, &SchoolController::openSchool);
-    connect(&m_window, &MainWindow::openAgainRequested, this, &SchoolController::openSchool);
-    connect(&m_window, &MainWindow::restoreRequested, this, [this] { restore(m_school.user); });
+    connect(&m_window.loginPage(), &ui::people::LoginPage::againRequested, this, &SchoolController::openSchool);
+    connect(&m_window.loginPage(), &ui::people::LoginPage::restoreRequested, this, [this] { restore(m_school.user); });
     return true;
 }
 
@@ -95,8 +96,8 @@ void SchoolController::connectService()
     SchoolService* const service = m_service.get();
     connect(service, &SchoolService::damaged, this,
             [this](const core::Error& error) { m_window.showError(error, FailedOperation::SendingAttempt); });
-    connect(service, &SchoolService::unanswered, &m_window, &MainWindow::showUnanswered);
-    connect(service, &SchoolService::answered, &m_window, &MainWindow::forgetUnanswered);
+    connect(service, &SchoolService::unanswered, &m_window, &MainWindow::showDatabaseSilent);
+    connect(service, &SchoolService::answered, &m_window, &MainWindow::hideDatabaseSilent);
     connect(service, &SchoolService::waitOn, this, [this](int count) {
         m_window.showMessage(tr("%n attempt(s) on this computer cannot be sent to this school: the student is "
                                 "unknown, or another station.key signed them. They stay on this computer.",
@@ -128,19 +129,19 @@ void SchoolController::makeStationFolder() const
 void SchoolController::openSchool()
 {
     makeStationFolder();  // the disk may be writable by now
-    m_window.setOpening(true);
+    m_window.account().setOpening(true);
     m_service->open(this, [this](const SchoolService::Opening& opening) { takeOpening(opening); });
 }
 
 void SchoolController::refuseLogin(const core::Error& why)
 {
     if (!m_service || m_address->isServer() || !isOfTheFile(why.code)) {
-        m_window.refuseLogin(why);
+        m_window.account().refuse(why);
         return;
     }
     m_service->open(this, [this, why](const SchoolService::Opening& opening) {
         if (opening.status)
-            m_window.refuseLogin(why);
+            m_window.account().refuse(why);
         else
             takeOpening(opening);
     });
@@ -148,12 +149,12 @@ void SchoolController::refuseLogin(const core::Error& why)
 
 void SchoolController::takeOpening(const SchoolService::Opening& opening)
 {
-    m_window.setOpening(false);
+    m_window.account().setOpening(false);
     m_backup = opening.soundBackup;
     const QDateTime backupMade = database::sql::madeAt(m_backup);
     if (!opening.status) {
         const core::Error& error = opening.status.error();
-        m_window.setUnreachable(error, m_where, backupMade);
+        m_window.account().setUnreachable(error, m_where, backupMade);
         if (!m_options.asksWho && !m_openWatch.isActive())
             m_window.showError(error, FailedOperation::KeepingGrades, m_options.database);
         // A server may return by itself; a file that cannot be used does not.
@@ -163,15 +164,15 @@ void SchoolController::takeOpening(const SchoolService::Opening& opening)
         return;
     }
     m_openWatch.stop();
-    m_window.setUnreachable({}, m_where, backupMade);
+    m_window.account().setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
-    const bool wasNew = m_window.isNewSchool();
-    m_window.setNewSchool(opening.isNew);
+    const bool wasNew = m_window.account().isNewSchool();
+    m_window.account().setNewSchool(opening.isNew);
     m_backups->setEmpty(opening.isNew);
     m_backups->start();
     emit opened();
-    if (m_window.isAtDoor() && wasNew != opening.isNew)
-        m_window.askLogin();
+    if (m_window.navigation().isAtLogin() && wasNew != opening.isNew)
+        m_window.account().askLogin();
 }
 
 void SchoolController::restore(const database::Login& who)
@@ -179,8 +180,8 @@ void SchoolController::restore(const database::Login& who)
     m_service->restore(this, who, m_backup, [this](const SchoolService::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
-        m_window.sayAtDoor([made, restored = opening.restored, isOpen = opening.status.has_value(),
-                            replaced = QFileInfo(opening.replaced).fileName()] {
+        m_window.account().say([made, restored = opening.restored, isOpen = opening.status.has_value(),
+                                replaced = QFileInfo(opening.replaced).fileName()] {
             if (!restored)
                 return (isOpen ? tr("The backup was not restored; nothing has been changed. %1")
                                : tr("The backup was not restored. %1"))
@@ -196,10 +197,10 @@ void SchoolController::restore(const database::Login& who)
 
 void SchoolController::endNewSchool()
 {
-    m_window.setNewSchool(false);
+    m_window.account().setNewSchool(false);
     m_backups->setEmpty(false);
     m_backup.clear();
-    m_window.setUnreachable({}, m_where, {});
+    m_window.account().setUnreachable({}, m_where, {});
 }
 
 }  // namespace app

@@ -21,8 +21,8 @@ namespace app {
 /// Whether an error means that the database could not be asked, which says nothing about who may log in.
 [[nodiscard]] bool isUnreachable(core::ErrorCode code);
 
-/// Opens the database of the school, restores its backups and makes the backup of the day. Shows on the login page what
-/// came of it. Ui thread.
+/// Opens the database of the school, restores its backups and makes the backup of the day. Shows the results on the
+/// login page. Ui thread.
 class SchoolController final : public QObject
 {
     Q_OBJECT
@@ -39,8 +39,8 @@ public:
     SchoolController(ui::window::MainWindow& window, SchoolSession& school, Options options);
     ~SchoolController() override;
 
-    /// Starts the service of the database. Returns false if its address is not one; the window then says so, and
-    /// nothing is saved. Without a database students can drill and be graded.
+    /// Starts the service of the database. Returns false if the address is wrong; the window then says so. Without a
+    /// database students can drill and are graded, but nothing is saved.
     bool openDatabase();
     /// Opens the school in it, and again later if it does not answer.
     void openSchool();
@@ -82,9 +82,9 @@ private:
     std::optional<database::Address> m_address;
     core::Error m_whyNone;
     QString m_stationFolder;
-    QString m_where;     ///< the database, to be shown
-    QString m_backup;    ///< that can replace the database; empty: none
-    QTimer m_openWatch;  ///< tries again what a server or another program has held up
+    QString m_where;     ///< the address of the database, as it is shown
+    QString m_backup;    ///< the newest backup, which can replace the database; empty: none
+    QTimer m_openWatch;  ///< opens the database again after a failure that may pass
     bool m_isOnNetworkDrive = false;
     std::unique_ptr<SchoolService> m_service;
     std::unique_ptr<AttemptUploader> m_uploader;

@@ -13,6 +13,7 @@
 #include "core/recording/Recording.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
+#include "ui/devices/DeviceKind.h"
 
 namespace cli {
 namespace {
@@ -43,6 +44,7 @@ core::Result<lessons::Assignment> workFor(const QCommandLineParser& parser, cons
 
 int demoCommand(const QStringList& arguments)
 {
+    const QStringList hands{QLatin1String(ui::devices::kPointer), QLatin1String(ui::devices::kSimulated)};
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral(
         "A simulated hand takes the decay out of a tooth, or does what a lesson asks for. Leaves the recording, its "
@@ -54,7 +56,7 @@ int demoCommand(const QStringList& arguments)
     parser.addOption({QStringLiteral("lesson"),
                       QStringLiteral("A lesson's file or id; its tooth is taken, and none of the options about teeth."),
                       QStringLiteral("FILE|ID")});
-    addDeviceOption(parser);
+    addDeviceOption(parser, hands);
     addToothOptions(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp demo [--out FOLDER] [OPTIONS]")))
         return *code;
@@ -62,9 +64,9 @@ int demoCommand(const QStringList& arguments)
     const auto build = toothOptions(parser, source);
     if (!build)
         return wrongUsage(QString::fromStdString(build.error().detail));
-    const auto simulatedDevice = wantsSimulatedDevice(parser);
-    if (!simulatedDevice)
-        return wrongUsage(QString::fromStdString(simulatedDevice.error().detail));
+    const auto device = chosenDevice(parser, hands);
+    if (!device)
+        return wrongUsage(QString::fromStdString(device.error().detail));
     const QDir folder(parser.value(QStringLiteral("out")));
     if (!folder.mkpath(QStringLiteral(".")))
         return failed({core::ErrorCode::FileUnwritable,
@@ -76,7 +78,7 @@ int demoCommand(const QStringList& arguments)
                                   .arg(QString::fromStdString(work->lesson->id))
                             : QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
                                   .arg(QString::fromStdString(work->anatomy->name))));
-    const auto outcome = app::demonstrate(*work, *simulatedDevice);
+    const auto outcome = app::demonstrate(*work, *device == hands.back());
     if (!outcome)
         return failed(outcome.error());
 

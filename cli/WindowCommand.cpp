@@ -12,9 +12,11 @@
 #include <QSurfaceFormat>
 
 #include "app/Application.h"
+#include "app/devices/StationDevices.h"
 #include "app/devices/StopForces.h"
 #include "cli/Commands.h"
 #include "cli/parts/Arguments.h"
+#include "ui/devices/DeviceKind.h"
 #include "ui/kit/LanguageMenu.h"
 #include "ui/kit/Theme.h"
 #include "ui/text/Language.h"
@@ -48,7 +50,7 @@ void addOptions(QCommandLineParser& parser)
     option("theme", "light or dark; the desktop's own if not given.", "THEME");
     option("language", "one of those that it speaks; if not given, the one chosen before, or the system's own.",
            "CODE");
-    addDeviceOption(parser);
+    addDeviceOption(parser, app::handIds());
     addToothOptions(parser);
 }
 
@@ -63,10 +65,10 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
                               .arg(parser.positionalArguments().front()));
     if (parser.isSet(QStringLiteral("recording")) && parser.isSet(QStringLiteral("tooth")))
         return wrongUsage(QStringLiteral("a recording brings its own tooth; leave out --tooth or --recording"));
-    const auto simulatedDevice = wantsSimulatedDevice(parser);
-    if (!simulatedDevice)
-        return wrongUsage(QString::fromStdString(simulatedDevice.error().detail));
-    options.simulatedDevice = *simulatedDevice;
+    const auto device = chosenDevice(parser, app::handIds());
+    if (!device)
+        return wrongUsage(QString::fromStdString(device.error().detail));
+    options.device = *device;
     options.source = parser.isSet(QStringLiteral("tooth"))
                          ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())
                          : core::teeth::ToothSource{kFirstTooth};
@@ -85,7 +87,8 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     options.picture = parser.value(QStringLiteral("picture"));
     options.database = parser.value(QStringLiteral("db"));
     // A recording, picture or tooth that is named is shown at once, and the work of a simulated hand belongs to nobody.
-    options.asksWho = options.recording.isEmpty() && options.picture.isEmpty() && !options.simulatedDevice &&
+    options.asksWho = options.recording.isEmpty() && options.picture.isEmpty() &&
+                      options.device != QLatin1String(ui::devices::kSimulated) &&
                       !parser.isSet(QStringLiteral("tooth"));
     options.showsRound = options.asksWho;
     return std::nullopt;

@@ -10,19 +10,11 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/attempt/CurrentAttempt.h"
-#include "app/devices/DeviceController.h"
-#include "app/pages/PresetController.h"
-#include "app/school/AttemptLimit.h"
-#include "app/threads/LatestRequest.h"
+#include "app/attempt/AttemptContext.h"
 #include "core/servo/ServoParameters.h"
-#include "core/session/LiveAssessmentLoop.h"
-#include "core/session/SessionChannels.h"
-#include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Assignment.h"
 #include "ui/text/Texts.h"
-#include "ui/window/MainWindow.h"
 
 namespace app {
 
@@ -33,25 +25,12 @@ class AttemptController final : public QObject
     Q_OBJECT
 
 public:
-    /// All of them outlive the controller.
-    struct Parts
-    {
-        ui::window::MainWindow& window;
-        core::session::UiChannels& channels;
-        core::session::SessionLoop& session;
-        core::session::LiveAssessmentLoop& assessment;
-        DeviceController& devices;
-        PresetController& presets;
-        CurrentAttempt& attempt;
-        LatestRequest& loads;
-        AttemptLimit& limit;
-    };
     /// @param isForPicture  the program draws one picture and quits: it ends where the window would show an error
-    AttemptController(const Parts& parts, const core::teeth::BuildOptions& build, bool isForPicture);
+    AttemptController(const AttemptContext& context, const core::teeth::BuildOptions& build, bool isForPicture);
 
     /// Makes or reads a tooth, and begins an attempt without a lesson.
     /// @param unit   of a scan; empty: as found
-    /// @param tried  the preset that is tried on the tooth; its work is nobody's
+    /// @param tried  the preset that is tried on the tooth; such an attempt belongs to nobody and is not saved
     void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {},
                    const std::optional<core::settings::FeelPreset>& tried = {});
     /// Makes the tooth of a lesson and begins an attempt, if the student has one left.
@@ -59,7 +38,7 @@ public:
     /// Begins an attempt.
     /// @param notes  on the scan, in the language of the moment
     void begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes, bool isUnitInDoubt);
-    /// Begins an attempt at the tooth practised on last, without a lesson. Whatever was graded or opened is forgotten.
+    /// Begins an attempt at the tooth practised on last, without a lesson. Forgets the last grade and the opened score.
     void beginWholeTooth();
     /// Makes an assignment the current attempt and shows its tooth. The caller sends the session its command next.
     void load(const lessons::Assignment& assignment, const core::servo::ServoSettings& settings,
@@ -118,29 +97,21 @@ private:
     void saveRecording(const QString& path);
     void saveReference(const QString& path);
 
-    ui::window::MainWindow& m_window;
-    core::session::UiChannels& m_channels;
-    core::session::SessionLoop& m_session;
-    core::session::LiveAssessmentLoop& m_assessment;
-    DeviceController& m_devices;
-    PresetController& m_presets;
-    CurrentAttempt& m_attempt;
-    LatestRequest& m_loads;
-    AttemptLimit& m_limit;
+    AttemptContext m_context;
     core::teeth::BuildOptions m_build;
     bool m_isForPicture;
 
     core::teeth::ToothSource m_source;  ///< of the tooth loaded last
-    /// Practised on last without a lesson; a scan is left out, which may be of somebody's patient.
+    /// The tooth practised on last without a lesson. Never a scan: it may show somebody's patient.
     std::shared_ptr<const core::terrain::ToothAnatomy> m_practised;
-    std::optional<core::settings::FeelPreset> m_tried;   ///< instead of the preset in use
-    core::settings::ToothKind m_triedKind;               ///< of the block that it is tried on
-    std::optional<core::settings::FeelPreset> m_byHand;  ///< instead of the preset in use, except in exams
-    core::servo::ServoParameters m_parameters{};         ///< that the servo should have
-    core::servo::ServoParameters m_parametersSent{};
-    std::function<QStringList()> m_notes;  ///< on the scan
-    bool m_isUnitInDoubt = false;          ///< of the scan
-    std::uint64_t m_generation = 0;        ///< of the newest tooth shown
+    std::optional<core::settings::FeelPreset> m_tried;   ///< the preset on trial, instead of the one in use
+    core::settings::ToothKind m_triedKind;               ///< the tissue of the trial's block
+    std::optional<core::settings::FeelPreset> m_byHand;  ///< the preset as the user changed it; not used in exams
+    core::servo::ServoParameters m_parameters{};         ///< the values that the servo should have
+    core::servo::ServoParameters m_parametersSent{};     ///< the values that it has been sent
+    std::function<QStringList()> m_notes;                ///< on the scan that was opened
+    bool m_isUnitInDoubt = false;                        ///< the unit of that scan was guessed
+    std::uint64_t m_generation = 0;                      ///< of the newest tooth shown
 };
 
 }  // namespace app

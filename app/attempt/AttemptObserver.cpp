@@ -27,10 +27,8 @@ std::optional<Key> mostOf(const std::map<Key, int>& counts)
 
 }  // namespace
 
-AttemptObserver::AttemptObserver(const Parts& parts)
-    : m_window(parts.window), m_channels(parts.channels), m_session(parts.session), m_assessment(parts.assessment),
-      m_devices(parts.devices), m_attempt(parts.attempt), m_attempts(parts.attempts), m_resume(parts.resume),
-      m_limit(parts.limit), m_school(parts.school)
+AttemptObserver::AttemptObserver(const AttemptContext& context, AttemptController& attempts, ResumeController& resume)
+    : m_context(context), m_attempts(attempts), m_resume(resume)
 {
     connect(&m_attempts, &AttemptController::loaded, this, [this] {
         m_cutIn.clear();
@@ -43,65 +41,67 @@ AttemptObserver::AttemptObserver(const Parts& parts)
 
 QString AttemptObserver::hand() const
 {
-    return mostOf(m_cutWith).value_or(m_devices.hand());
+    return mostOf(m_cutWith).value_or(m_context.devices.hand());
 }
 
 ui::render::Stereo AttemptObserver::picture() const
 {
-    return mostOf(m_cutIn).value_or(m_window.view().settings().presentation.stereo);
+    return mostOf(m_cutIn).value_or(m_context.window.view().settings().presentation.stereo);
 }
 
 void AttemptObserver::observe()
 {
-    if (!m_attempt.isResting()) {
+    if (!m_context.attempt.isResting()) {
         m_attempts.sendParameters();
         // An exercise is done by touching.
         const bool isExercise =
-            m_attempt.assignment().lesson && lessons::isExercise(m_attempt.assignment().lesson->task);
-        if (const core::servo::ServoState& servo = m_channels.servo.latest();
+            m_context.attempt.assignment().lesson && lessons::isExercise(m_context.attempt.assignment().lesson->task);
+        if (const core::servo::ServoState& servo = m_context.channels.servo.latest();
             servo.cutting || (isExercise && servo.touching)) {
-            ++m_cutIn[m_window.view().settings().presentation.stereo];
-            ++m_cutWith[m_devices.cutsWith()];
+            ++m_cutIn[m_context.window.view().settings().presentation.stereo];
+            ++m_cutWith[m_context.devices.cutsWith()];
         }
     }
-    if (m_attempt.isResting() || !m_attempt.assignment().lesson)
+    if (m_context.attempt.isResting() || !m_context.attempt.assignment().lesson)
         return;
-    const core::session::Findings findings = m_assessment.findings();
-    if (findings.generation != m_attempt.generation())
+    const core::session::Findings findings = m_context.assessment.findings();
+    if (findings.generation != m_context.attempt.generation())
         return;
     watchExam(findings);
     if (findings.practised)
-        m_window.showPractised(*findings.practised);
-    if (const auto violation = m_attempt.nextViolation(findings.infractions)) {
-        const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), violation->tick).has_value();
-        m_window.tellInfraction(*violation, canTakeBack);
+        m_context.window.exerciseView().setPractised(*findings.practised);
+    if (const auto violation = m_context.attempt.nextViolation(findings.infractions)) {
+        const bool canTakeBack =
+            core::history::lastBefore(m_context.session.historySoFar(), violation->tick).has_value();
+        m_context.window.infractionView().show(*violation, canTakeBack);
     }
 }
 
-/// The first cut of an exam counts as an attempt, whether or not it is graded. A student who opened their last attempt
-/// in two windows begins it in one of them.
+/// Counts an exam as an attempt from its first cut on, whether or not it is graded. If the student has no attempt left,
+/// for example because another station counted the last one, the exam is refused.
 void AttemptObserver::watchExam(const core::session::Findings& findings)
 {
     const bool isBegun =
         findings.process.firstCutS || (findings.practised && core::grading::isBegun(*findings.practised));
-    if (!m_attempt.isExam() || !isBegun || !m_school.isLoggedIn() || m_uploader == nullptr)
+    if (!m_context.attempt.isExam() || !isBegun || !m_context.school.isLoggedIn() || m_uploader == nullptr)
         return;
-    const std::filesystem::path journal = m_resume.fileOf(m_attempt.generation());
-    if (journal.empty() || !m_attempt.startExam())  // the journal has yet to read this tooth
+    const std::filesystem::path journal = m_resume.fileOf(m_context.attempt.generation());
+    if (journal.empty() || !m_context.attempt.startExam())  // the journal has not written this tooth yet
         return;
-    // Taken up after a kill it is told of again, and is the same one.
-    const database::ExamStart start{database::uidOf("exam " + m_school.user.uid() + ' ' + journal.filename().string()),
-                                    m_attempt.assignment().lesson->id,
-                                    QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
-    if (m_attempt.exam() == CurrentAttempt::Exam::Counted) {
-        m_uploader->send(m_school.user, start);
+    // A resumed exam is reported again under the same uid, so that it counts once.
+    const database::ExamStart start{
+        database::uidOf("exam " + m_context.school.user.uid() + ' ' + journal.filename().string()),
+        m_context.attempt.assignment().lesson->id, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
+    if (m_context.attempt.exam() == CurrentAttempt::Exam::Counted) {
+        m_uploader->send(m_context.school.user, start);
         return;
     }
-    m_limit.ask(start.lessonId, [this, who = m_school.user, start, generation = m_attempt.generation()](bool may) {
+    m_context.limit.ask(start.lessonId, [this, who = m_context.school.user, start,
+                                         generation = m_context.attempt.generation()](bool may) {
         if (may)
             m_uploader->send(who, start);
-        if (m_attempt.answerExam(generation, may))
-            m_window.refuseExam();
+        if (m_context.attempt.answerExam(generation, may))
+            m_context.window.lessonController().refuseExam();
     });
 }
 

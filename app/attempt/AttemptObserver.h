@@ -7,11 +7,10 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/attempt/AttemptContext.h"
 #include "app/attempt/AttemptController.h"
 #include "app/attempt/ResumeController.h"
-#include "app/school/AttemptLimit.h"
 #include "app/school/AttemptUploader.h"
-#include "app/school/SchoolSession.h"
 #include "database/AttemptRecord.h"
 #include "ui/render/Presenter.h"
 
@@ -24,21 +23,8 @@ class AttemptObserver final : public QObject
     Q_OBJECT
 
 public:
-    /// All of them outlive the observer.
-    struct Parts
-    {
-        ui::window::MainWindow& window;
-        core::session::UiChannels& channels;
-        core::session::SessionLoop& session;
-        core::session::LiveAssessmentLoop& assessment;
-        DeviceController& devices;
-        CurrentAttempt& attempt;
-        AttemptController& attempts;
-        ResumeController& resume;
-        AttemptLimit& limit;
-        const SchoolSession& school;
-    };
-    explicit AttemptObserver(const Parts& parts);
+    /// The controllers outlive the observer.
+    AttemptObserver(const AttemptContext& context, AttemptController& attempts, ResumeController& resume);
 
     /// Sets where the beginning of an exam is sent to; null: there is no database.
     void setUploader(AttemptUploader* uploader) { m_uploader = uploader; }
@@ -52,20 +38,13 @@ private:
     void observe();
     void watchExam(const core::session::Findings& findings);
 
-    ui::window::MainWindow& m_window;
-    core::session::UiChannels& m_channels;
-    core::session::SessionLoop& m_session;
-    core::session::LiveAssessmentLoop& m_assessment;
-    DeviceController& m_devices;
-    CurrentAttempt& m_attempt;
+    AttemptContext m_context;
     AttemptController& m_attempts;
     ResumeController& m_resume;
-    AttemptLimit& m_limit;
-    const SchoolSession& m_school;
     AttemptUploader* m_uploader = nullptr;
     QTimer m_timer;
-    std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by kind of picture
-    std::map<QString, int> m_cutWith;           ///< the same, by the hand that moves the bur
+    std::map<ui::render::Stereo, int> m_cutIn;  ///< observations during which the tooth was cut, by kind of picture
+    std::map<QString, int> m_cutWith;           ///< the same, by id of the hand
 };
 
 }  // namespace app

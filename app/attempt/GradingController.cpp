@@ -16,6 +16,7 @@
 #include "database/Passwords.h"
 #include "database/Repositories.h"
 #include "lessons/ScoreSheetJson.h"
+#include "ui/scoring/ScorePredictionPage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
@@ -28,27 +29,26 @@ constexpr int kHistoryLength = 12;
 constexpr double kMnPerN = 1000.0;
 constexpr double kMsPerS = 1000.0;
 constexpr int kSettleMs = 20;
-constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
+constexpr int kSettledLooks = 3;  ///< so many in a row have to find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
-constexpr int kDiskPatienceMs = 1500;  ///< with the disk, before the score of an exam is shown
+constexpr int kDiskPatienceMs = 1500;  ///< how long the score of an exam waits for the disk
 
 }  // namespace
 
-GradingController::GradingController(const Parts& parts)
-    : m_window(parts.window), m_channels(parts.channels), m_session(parts.session), m_assessment(parts.assessment),
-      m_devices(parts.devices), m_attempt(parts.attempt), m_attempts(parts.attempts), m_resume(parts.resume),
-      m_observer(parts.observer), m_limit(parts.limit), m_opened(parts.opened), m_school(parts.school)
+GradingController::GradingController(const AttemptContext& context, const Others& others)
+    : m_context(context), m_attempts(others.attempts), m_resume(others.resume), m_observer(others.observer),
+      m_opened(others.opened)
 {
-    connect(&m_window, &MainWindow::gradeRequested, this, &GradingController::requestGrade);
-    connect(&m_window, &MainWindow::forecastGiven, this,
+    connect(&m_context.window, &MainWindow::gradeRequested, this, &GradingController::requestGrade);
+    connect(&m_context.window.predictionPage(), &ui::scoring::ScorePredictionPage::answered, this,
             [this](const ui::scoring::ScorePrediction& expected) { finish(expected); });
     connect(&m_resume, &ResumeController::gradeRequested, this, &GradingController::requestGrade);
     connect(&m_attempts, &AttemptController::aboutToLoad, this, [this] { m_analysis.forget(); });
     connect(&m_attempts, &AttemptController::cleared, this, [this] { m_graded.reset(); });
-    m_analysis.showOn(m_window.scorePage(), [this] { return !m_opened.isShown(); });
+    m_analysis.showOn(m_context.window.scorePage(), [this] { return !m_opened.isShown(); });
     connect(&m_analysis, &ScoreAnalysis::failed, this, [this](const core::Error& error) {
         if (!m_opened.isShown())
-            m_window.showError(error, FailedOperation::Marking);
+            m_context.window.showError(error, FailedOperation::Marking);
     });
 }
 
@@ -65,8 +65,9 @@ std::optional<ReportController::Subject> GradingController::subject() const
 {
     if (!m_graded)
         return std::nullopt;
-    return ReportController::Subject{m_graded->record, QString::fromStdString(m_school.user.fullName()), m_school.user,
-                                     m_graded->keeping == Keeping::Kept ? m_school.service : nullptr};
+    return ReportController::Subject{m_graded->record, QString::fromStdString(m_context.school.user.fullName()),
+                                     m_context.school.user,
+                                     m_graded->keeping == Keeping::Kept ? m_context.school.service : nullptr};
 }
 
 bool GradingController::isSaved() const
@@ -84,97 +85,100 @@ void GradingController::handleDelivered(const std::string& uid)
 
 void GradingController::requestGrade()
 {
-    if (!m_attempt.settle())
+    if (!m_context.attempt.settle())
         return;
-    m_window.view().release();
+    m_context.window.view().release();
     settle(0, 0);
 }
 
-/// Waits until the bur has left the tooth: what is cut while the work is graded would belong to no attempt. A hand that
-/// stays in the tooth is waited for half a second.
+/// Waits, for half a second at most, until the bur has left the tooth: cuts made during the grading would belong to no
+/// attempt.
 void GradingController::settle(int looks, int settled)
 {
-    const core::servo::ServoState& servo = m_channels.servo.latest();
+    const core::servo::ServoState& servo = m_context.channels.servo.latest();
     const bool isOut = !(servo.touching && servo.drillOn);
     settled = isOut ? settled + 1 : 0;
     if (settled >= kSettledLooks || looks >= kMostSettleLooks) {
         gradeNow();
-        m_attempt.stopSettling();
+        m_context.attempt.stopSettling();
         return;
     }
-    QTimer::singleShot(kSettleMs, this, [this, looks, settled, generation = m_attempt.generation()] {
-        if (generation != m_attempt.generation())
+    QTimer::singleShot(kSettleMs, this, [this, looks, settled, generation = m_context.attempt.generation()] {
+        if (generation != m_context.attempt.generation())
             return;
-        if (!m_attempt.isResting())
+        if (!m_context.attempt.isResting())
             settle(looks + 1, settled);
         else
-            m_attempt.stopSettling();
+            m_context.attempt.stopSettling();
     });
 }
 
 void GradingController::gradeNow()
 {
-    const auto tooth = m_session.toothSoFar();
-    if (!tooth || m_session.recordedGeneration() != m_attempt.generation()) {
-        m_window.showMessage(tr("The tooth is not ready yet. Try again in a moment."));
+    const auto tooth = m_context.session.toothSoFar();
+    if (!tooth || m_context.session.recordedGeneration() != m_context.attempt.generation()) {
+        m_context.window.showMessage(tr("The tooth is not ready yet. Try again in a moment."));
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
     std::optional<core::grading::Practised> practised;
-    if (const core::session::Findings now = m_assessment.findings(); now.generation == m_attempt.generation())
+    if (const core::session::Findings now = m_context.assessment.findings();
+        now.generation == m_context.attempt.generation())
         practised = now.practised;
-    if (m_graded && m_graded->generation == m_attempt.generation() && m_graded->hash == hash &&
+    if (m_graded && m_graded->generation == m_context.attempt.generation() && m_graded->hash == hash &&
         m_graded->practised == practised) {
         showGrade();
         if (m_graded->keeping == Keeping::Nowhere)
-            saveGrade();  // what failed may work now
+            saveGrade();  // the disk may be writable now
         m_analysis.tellAgain();
         return;
     }
-    if (m_attempt.assignment().exercise && !(practised && core::grading::isBegun(*practised))) {
-        m_window.showMessage(m_attempt.assignment().lesson &&
-                                     m_attempt.assignment().lesson->task == lessons::Task::TellLayers
-                                 ? tr("No pad has an answer yet. Choose below the view what each pad is made of.")
-                                 : tr("This exercise has not been started yet, so there is nothing to grade."));
+    if (m_context.attempt.assignment().exercise && !(practised && core::grading::isBegun(*practised))) {
+        m_context.window.showMessage(
+            m_context.attempt.assignment().lesson &&
+                    m_context.attempt.assignment().lesson->task == lessons::Task::TellLayers
+                ? tr("No pad has an answer yet. Choose below the view what each pad is made of.")
+                : tr("This exercise has not been started yet, so there is nothing to grade."));
         return;
     }
-    if (!m_attempt.assignment().exercise && tooth->top == tooth->anatomy->top) {
-        m_window.showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
+    if (!m_context.attempt.assignment().exercise && tooth->top == tooth->anatomy->top) {
+        m_context.window.showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
     // Neither the time of the prediction counts, nor work after the end of an exam.
-    m_attempt.conclude([this] { return m_assessment.conclude(); }, m_window.isExamOver());
+    m_context.attempt.conclude([this] { return m_context.assessment.conclude(); }, m_context.window.isExamOver());
     // An exam was counted when it began. Further work that is graded again is one more attempt.
-    const bool isAnother = m_attempt.isGraded();
-    const bool isCounted = m_attempt.exam() == CurrentAttempt::Exam::Counted;
-    if (!m_attempt.assignment().lesson)
+    const bool isAnother = m_context.attempt.isGraded();
+    const bool isCounted = m_context.attempt.exam() == CurrentAttempt::Exam::Counted;
+    if (!m_context.attempt.assignment().lesson)
         finish({});
-    else if (m_attempt.seenBefore() && !isAnother)  // the student has seen the score already
-        finish(m_attempt.seenBefore()->expectedTenths
-                   ? std::optional(ui::scoring::ScorePrediction{*m_attempt.seenBefore()->expectedTenths, {}})
+    else if (m_context.attempt.seenBefore() && !isAnother)  // the student has seen the score already
+        finish(m_context.attempt.seenBefore()->expectedTenths
+                   ? std::optional(ui::scoring::ScorePrediction{*m_context.attempt.seenBefore()->expectedTenths, {}})
                    : std::nullopt);
-    else if (m_attempt.isExam() && isCounted && !isAnother)
-        m_window.askForecast();
+    else if (m_context.attempt.isExam() && isCounted && !isAnother)
+        m_context.window.askPrediction();
     else
-        m_limit.whenAllowed(m_attempt.assignment().lesson->id, [this] { m_window.askForecast(); });
+        m_context.limit.whenAllowed(m_context.attempt.assignment().lesson->id,
+                                    [this] { m_context.window.askPrediction(); });
 }
 
 /// Marks the work as it was when the grade was requested, saves the grade and shows it.
 void GradingController::finish(const std::optional<ui::scoring::ScorePrediction>& expected)
 {
-    const auto done = m_attempt.grade();
+    const auto done = m_context.attempt.grade();
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
     const lessons::Conduct conduct{found.process, found.infractions, found.aids, found.practised};
-    const auto marked = lessons::mark(m_attempt.assignment(), done->tooth, conduct);
+    const auto marked = lessons::mark(m_context.attempt.assignment(), done->tooth, conduct);
     if (!marked) {
-        m_window.showError(marked.error(), FailedOperation::Marking);
+        m_context.window.showError(marked.error(), FailedOperation::Marking);
         return;
     }
     const lessons::ScoreSheet& sheet = marked->sheet;
     const std::uint64_t hash = core::terrain::stateHash(done->tooth);
-    m_graded = {m_attempt.generation(),
+    m_graded = {m_context.attempt.generation(),
                 hash,
                 sheet,
                 recordOf(*done, sheet, expected),
@@ -182,20 +186,20 @@ void GradingController::finish(const std::optional<ui::scoring::ScorePrediction>
                 {},
                 {},
                 expected,
-                {std::make_shared<const core::terrain::Tooth>(done->tooth), m_attempt.assignment().shownIdeal(),
+                {std::make_shared<const core::terrain::Tooth>(done->tooth), m_context.attempt.assignment().shownIdeal(),
                  marked->measured, found.infractions, found.aids,
                  // The card of the trial names the preset, or in a blind comparison hides it.
                  m_attempts.isTrial() ? std::nullopt : std::optional(lessons::presetUsed(done->recording)),
-                 m_attempt.assignment().exercise},
+                 m_context.attempt.assignment().exercise},
                 done->recording,
                 found.practised};
-    if (m_attempt.isExam())
+    if (m_context.attempt.isExam())
         saveExam();
     else {
         showGrade();
         saveGrade();
     }
-    m_analysis.explain(m_attempt.assignment(), m_graded->recording, m_graded->work.tooth, conduct);
+    m_analysis.explain(m_context.attempt.assignment(), m_graded->recording, m_graded->work.tooth, conduct);
 }
 
 database::AttemptRecord GradingController::recordOf(const core::session::AttemptSnapshot& done,
@@ -206,16 +210,16 @@ database::AttemptRecord GradingController::recordOf(const core::session::Attempt
     database::AttemptRecord record;
     record.uid = database::newUid();
     record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-    record.tooth = m_attempt.assignment().anatomy->name;
+    record.tooth = m_context.attempt.assignment().anatomy->name;
     record.scoreTenths = sheet.totalTenths;
     record.passed = sheet.passed();
     record.passMarkTenths = sheet.passMarkTenths;
     record.rubricHash = sheet.rubricHash;
     if (expected)
         record.expectedTenths = expected->tenths;
-    if (m_attempt.assignment().lesson) {
-        record.lessonId = m_attempt.assignment().lesson->id;
-        record.lessonHash = m_attempt.assignment().lesson->hash;
+    if (m_context.attempt.assignment().lesson) {
+        record.lessonId = m_context.attempt.assignment().lesson->id;
+        record.lessonHash = m_context.attempt.assignment().lesson->hash;
     }
     for (const lessons::Criterion& criterion : sheet.criteria)
         record.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
@@ -224,10 +228,10 @@ database::AttemptRecord GradingController::recordOf(const core::session::Attempt
     record.stateHash =
         QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();
     record.device = m_observer.hand().toStdString();
-    record.method = m_attempt.settings().method;
-    record.grid = m_attempt.assignment().anatomy->grid.side;
+    record.method = m_context.attempt.settings().method;
+    record.grid = m_context.attempt.assignment().anatomy->grid.side;
     record.viewMode = ui::render::idOf(m_observer.picture());
-    record.seed = std::to_string(m_attempt.assignment().anatomy->seed);
+    record.seed = std::to_string(m_context.attempt.assignment().anatomy->seed);
     record.preset = preset.name.toStdString() + (preset.version > 0 ? " v" + std::to_string(preset.version) : "") +
                     (preset.isChanged ? ", changed" : "");
     record.presetHash = preset.hash.toStdString();
@@ -242,11 +246,11 @@ database::AttemptRecord GradingController::recordOf(const core::session::Attempt
 /// Sends the grade to the outbox, and from there to the database.
 void GradingController::saveGrade()
 {
-    m_graded->keeping = destinationOf({.hasDatabase = m_school.service != nullptr,
-                                       .isGuest = m_school.user.isGuest(),
-                                       .isExam = m_attempt.isExam(),
-                                       .isResumed = m_attempt.isResumed(),
-                                       .isSimulated = m_devices.isSimulated(),
+    m_graded->keeping = destinationOf({.hasDatabase = m_context.school.service != nullptr,
+                                       .isGuest = m_context.school.user.isGuest(),
+                                       .isExam = m_context.attempt.isExam(),
+                                       .isResumed = m_context.attempt.isResumed(),
+                                       .isSimulated = m_context.devices.isSimulated(),
                                        .isTrial = m_attempts.isTrial(),
                                        .isOverLimit = m_graded->isOverLimit});
     updateKeeping();
@@ -254,7 +258,7 @@ void GradingController::saveGrade()
         recordGraded();
     else
         m_uploader->send(std::make_shared<const PendingAttempt>(
-            PendingAttempt{m_school.user, m_graded->record, m_graded->recording, m_graded->generation,
+            PendingAttempt{m_context.school.user, m_graded->record, m_graded->recording, m_graded->generation,
                            m_resume.fileOf(m_graded->generation)}));
 }
 
@@ -282,26 +286,26 @@ void GradingController::showExamsScore(const std::string& uid)
 /// Notes in the recording, and so in the journal, that the attempt is graded: it is not offered as unfinished.
 void GradingController::recordGraded()
 {
-    if (m_graded->generation == m_attempt.generation())
-        static_cast<void>(m_channels.commands.tryPush(core::session::AddNote{core::servo::kGradedNote}));
+    if (m_graded->generation == m_context.attempt.generation())
+        m_context.window.send(core::session::AddNote{core::servo::kGradedNote});
 }
 
 void GradingController::handleSaved(const PendingAttempt& letter, bool isAgain)
 {
     endJournal(letter);
     handleAnswer(letter, Keeping::Waiting);
-    if (m_school.user != letter.who || m_uploader->hasAnyOf(m_school.user))
+    if (m_context.school.user != letter.who || m_uploader->hasAnyOf(m_context.school.user))
         return;
-    m_window.forgetNotKept();
+    m_context.window.hideGradeNotSaved();
     if (isAgain)
-        m_window.showMessage(tr("The grade that could not be saved is now saved."));
+        m_context.window.showMessage(tr("The grade that could not be saved is now saved."));
 }
 
 void GradingController::handleRefused(const PendingAttempt& letter, bool isAgain, const core::Error& why)
 {
     handleAnswer(letter, Keeping::Refused);
-    if (m_school.user == letter.who && !isAgain)
-        m_window.showNotKept(why);
+    if (m_context.school.user == letter.who && !isAgain)
+        m_context.window.showGradeNotSaved(why);
 }
 
 void GradingController::handleAnswer(const PendingAttempt& letter, Keeping keeping)
@@ -311,27 +315,27 @@ void GradingController::handleAnswer(const PendingAttempt& letter, Keeping keepi
         updateKeeping();
     }
     showExamsScore(letter.record.uid);
-    m_window.setUnkeptGrades(m_uploader->count());
+    m_context.window.unsavedWork().setUnsavedGrades(m_uploader->count());
 }
 
 bool GradingController::isAsGraded() const
 {
-    const auto tooth = m_session.toothSoFar();
-    return m_graded && m_graded->generation == m_attempt.generation() && tooth &&
-           m_session.recordedGeneration() == m_attempt.generation() &&
+    const auto tooth = m_context.session.toothSoFar();
+    return m_graded && m_graded->generation == m_context.attempt.generation() && tooth &&
+           m_context.session.recordedGeneration() == m_context.attempt.generation() &&
            core::terrain::stateHash(*tooth) == m_graded->hash;
 }
 
 /// A saved attempt is not offered as unfinished. Work since the grade is another attempt.
 void GradingController::endJournal(const PendingAttempt& letter)
 {
-    if (letter.generation == m_attempt.generation()) {
+    if (letter.generation == m_context.attempt.generation()) {
         if (isAsGraded())
             recordGraded();
-        if (m_attempt.isResumed())
+        if (m_context.attempt.isResumed())
             m_resume.offerAnother();
     } else if (!letter.journal.empty()) {
-        // The student has another tooth by now, or has logged out.
+        // The student has another tooth now, or has logged out.
         QThreadPool::globalInstance()->start(
             [journal = letter.journal, events = letter.recording.events()] { endKept(journal, events); });
     }
@@ -341,15 +345,15 @@ void GradingController::saveGuestsGrade()
 {
     m_graded->keeping = Keeping::Pending;
     updateKeeping();
-    m_school.service->ask(
+    m_context.school.service->ask(
         this,
-        [who = m_school.user, lesson = m_graded->record.lessonId](const database::Repositories& school) {
+        [who = m_context.school.user, lesson = m_graded->record.lessonId](const database::Repositories& school) {
             return school.lessons.attemptsLeft(who, lesson);
         },
-        [this, who = m_school.user, record = m_graded->record,
+        [this, who = m_context.school.user, record = m_graded->record,
          recording = m_graded->recording](const core::Result<std::optional<int>>& left) {
             const bool isOverLimit = who.role() == database::Role::Student && left && *left == 0;
-            if (!m_graded || m_graded->record.uid != record.uid || m_school.user != who) {
+            if (!m_graded || m_graded->record.uid != record.uid || m_context.school.user != who) {
                 // The student works on something else by now.
                 if (!isOverLimit)
                     m_uploader->send(std::make_shared<const PendingAttempt>(PendingAttempt{who, record, recording}));
@@ -357,10 +361,10 @@ void GradingController::saveGuestsGrade()
             }
             m_graded->isOverLimit = isOverLimit;
             saveGrade();
-            if (!m_graded->isOverLimit || m_graded->generation != m_attempt.generation())
+            if (!m_graded->isOverLimit || m_graded->generation != m_context.attempt.generation())
                 return;
-            m_window.setUsedUp(true);
-            m_window.showOverLimit();
+            m_context.window.lessonController().setUsedUp(true);
+            m_context.window.showOverLimit();
         });
 }
 
@@ -368,7 +372,7 @@ void GradingController::saveGuestsGrade()
 void GradingController::showGrade()
 {
     m_opened.close();
-    m_window.showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
+    m_context.window.showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
     updateKeeping();
 }
 
@@ -377,12 +381,12 @@ void GradingController::updateKeeping()
 {
     if (m_opened.isShown())
         return;
-    ui::scoring::ScorePage& page = m_window.scorePage();
+    ui::scoring::ScorePage& page = m_context.window.scorePage();
     page.setHistory(m_graded->history);
     page.setKeeping(m_graded->keeping);
-    if (m_graded->generation == m_attempt.generation() &&
+    if (m_graded->generation == m_context.attempt.generation() &&
         (m_graded->keeping == Keeping::Waiting || m_graded->keeping == Keeping::Kept))
-        m_window.showWorkKept();
+        m_context.window.unsavedWork().setGradedSaved();
     if (m_graded->keeping == Keeping::Kept)
         page.setClass(m_graded->standing);
 }
@@ -390,9 +394,9 @@ void GradingController::updateKeeping()
 /// Reads the earlier grades of the same lesson, or without a lesson of the same tooth, and the rank in the class.
 void GradingController::updateHistory()
 {
-    m_school.service->ask(
+    m_context.school.service->ask(
         this,
-        [who = m_school.user, record = m_graded->record](const database::Repositories& school) {
+        [who = m_context.school.user, record = m_graded->record](const database::Repositories& school) {
             return school.lessons.contextOf(who, record, kHistoryLength);
         },
         [this, uid = m_graded->record.uid](const core::Result<database::GradeContext>& found) {
@@ -401,11 +405,12 @@ void GradingController::updateHistory()
             if (found) {
                 m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
                 m_graded->standing = found->standing;
-                m_window.lessonsPage().setAttemptsLeft(m_graded->record.lessonId, found->attemptsLeft);
-                if (m_graded->generation == m_attempt.generation())
-                    m_window.setUsedUp(m_school.user.role() == database::Role::Student && found->attemptsLeft == 0);
+                m_context.window.lessonsPage().setAttemptsLeft(m_graded->record.lessonId, found->attemptsLeft);
+                if (m_graded->generation == m_context.attempt.generation())
+                    m_context.window.lessonController().setUsedUp(
+                        m_context.school.user.role() == database::Role::Student && found->attemptsLeft == 0);
             } else {
-                m_window.showError(found.error(), FailedOperation::KeepingGrades);
+                m_context.window.showError(found.error(), FailedOperation::KeepingGrades);
             }
             updateKeeping();
         });

@@ -8,6 +8,7 @@
 #include <QList>
 #include <QObject>
 
+#include "app/attempt/AttemptContext.h"
 #include "app/attempt/AttemptObserver.h"
 #include "app/attempt/OpenedScoreController.h"
 #include "app/attempt/ScoreAnalysis.h"
@@ -28,23 +29,15 @@ class GradingController final : public QObject
     Q_OBJECT
 
 public:
-    /// All of them outlive the controller.
-    struct Parts
+    /// The other controllers of an attempt; they outlive this one.
+    struct Others
     {
-        ui::window::MainWindow& window;
-        core::session::UiChannels& channels;
-        core::session::SessionLoop& session;
-        core::session::LiveAssessmentLoop& assessment;
-        DeviceController& devices;
-        CurrentAttempt& attempt;
         AttemptController& attempts;
         ResumeController& resume;
         AttemptObserver& observer;
-        AttemptLimit& limit;
         OpenedScoreController& opened;
-        const SchoolSession& school;
     };
-    explicit GradingController(const Parts& parts);
+    GradingController(const AttemptContext& context, const Others& others);
 
     /// Sets where grades are sent to; null: there is no database.
     void setUploader(AttemptUploader* uploader);
@@ -107,18 +100,11 @@ private:
         bool isOverLimit = false;                           ///< of a guest who logged in for it and had no attempt left
     };
 
-    ui::window::MainWindow& m_window;
-    core::session::UiChannels& m_channels;
-    core::session::SessionLoop& m_session;
-    core::session::LiveAssessmentLoop& m_assessment;
-    DeviceController& m_devices;
-    CurrentAttempt& m_attempt;
+    AttemptContext m_context;
     AttemptController& m_attempts;
     ResumeController& m_resume;
     AttemptObserver& m_observer;
-    AttemptLimit& m_limit;
     OpenedScoreController& m_opened;
-    const SchoolSession& m_school;
     AttemptUploader* m_uploader = nullptr;
     std::optional<Graded> m_graded;
     std::string m_scoreToShow;  ///< uid of the exam whose score is shown when it is saved

@@ -21,14 +21,13 @@ std::optional<ui::scoring::ScorePrediction> expectationOf(const database::Attemp
 
 }  // namespace
 
-OpenedScoreController::OpenedScoreController(ui::window::MainWindow& window, AttemptController& attempts,
-                                             LatestRequest& loads, const SchoolSession& school)
-    : m_window(window), m_attempts(attempts), m_loads(loads), m_school(school)
+OpenedScoreController::OpenedScoreController(const AttemptContext& context, AttemptController& attempts)
+    : m_context(context), m_attempts(attempts)
 {
-    m_analysis.showOn(m_window.scorePage(), [this] { return isShown(); });
+    m_analysis.showOn(m_context.window.scorePage(), [this] { return isShown(); });
     connect(&m_analysis, &ScoreAnalysis::failed, this, [this](const core::Error& error) {
         if (isShown())
-            m_window.showError(error, FailedOperation::Marking);
+            m_context.window.showError(error, FailedOperation::Marking);
     });
     connect(&m_attempts, &AttemptController::cleared, this, &OpenedScoreController::forget);
 }
@@ -44,7 +43,7 @@ void OpenedScoreController::setHistory(AttemptHistoryController* history)
 
 ReportController::Subject OpenedScoreController::subject() const
 {
-    return {*m_history->talkedAbout(), m_history->nameOfTalkedAbout(), m_school.user, m_school.service};
+    return {*m_history->talkedAbout(), m_history->nameOfTalkedAbout(), m_context.school.user, m_context.school.service};
 }
 
 void OpenedScoreController::forget()
@@ -60,14 +59,14 @@ void OpenedScoreController::close()
         m_history->talkAbout({});
 }
 
-/// Marks the attempt again from its recording, which gives the same score and shows where and when it was lost.
+/// Marks the attempt again from its recording: the score is the same, and shows where and when points were lost.
 void OpenedScoreController::showAttempt(const database::AttemptRecord& attempt,
                                         const core::recording::Recording& recording)
 {
     if (isRefusedInExam())
         return;
-    const int load = m_loads.begin();
-    m_window.showBusy(tr("Preparing the score card …"));
+    const int load = m_context.loads.begin();
+    m_context.window.showBusy(tr("Preparing the score card …"));
     inBackground(
         this,
         [recording, workOut = m_attempts.surfaceWorker()] {
@@ -75,10 +74,10 @@ void OpenedScoreController::showAttempt(const database::AttemptRecord& attempt,
             return lessons::markAgain(recording);
         },
         [this, load, attempt, recording](const core::Result<lessons::Remarked>& marked) {
-            if (!m_loads.isLatest(load))
+            if (!m_context.loads.isLatest(load))
                 return;
             if (!marked) {
-                m_window.showError(marked.error(), FailedOperation::Marking);
+                m_context.window.showError(marked.error(), FailedOperation::Marking);
                 m_history->openSheet(attempt);
                 return;
             }
@@ -90,41 +89,41 @@ void OpenedScoreController::showAttempt(const database::AttemptRecord& attempt,
                                                marked->conduct.aids,
                                                lessons::presetUsed(recording),
                                                assignment ? assignment->exercise : std::nullopt};
-            m_window.showOldScore(
+            m_context.window.showOldScore(
                 [lesson = assignment ? assignment->lesson : std::nullopt, tooth = recording.anatomy()] {
                     return lesson ? ui::text::said(lesson->title) : ui::text::toothTitle(*tooth);
                 },
                 marked->mark.sheet, {attempt}, expectationOf(attempt), work);
             m_recording = recording;
             m_history->talkAbout(attempt);
-            m_window.scorePage().setPerson(attempt.person == m_school.user.person() ? QString()
-                                                                                    : m_history->nameOfTalkedAbout());
+            m_context.window.scorePage().setPerson(
+                attempt.person == m_context.school.user.person() ? QString() : m_history->nameOfTalkedAbout());
             if (assignment)
                 m_analysis.explain(*assignment, recording, work.tooth, marked->conduct);
         });
 }
 
-/// Without a recording nothing can be marked again or played.
+/// Shows a score without its recording: it cannot be marked again or played.
 void OpenedScoreController::showSheet(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
                                       const std::function<QString()>& work)
 {
     if (isRefusedInExam())
         return;
-    m_loads.begin();
-    m_window.showOldScore(work, sheet, {attempt}, expectationOf(attempt), {});
+    m_context.loads.begin();
+    m_context.window.showOldScore(work, sheet, {attempt}, expectationOf(attempt), {});
     m_recording.reset();
     m_analysis.forget();
     m_history->talkAbout(attempt);
-    m_window.scorePage().setPerson(attempt.person == m_school.user.person() ? QString()
-                                                                            : m_history->nameOfTalkedAbout());
+    m_context.window.scorePage().setPerson(
+        attempt.person == m_context.school.user.person() ? QString() : m_history->nameOfTalkedAbout());
 }
 
 bool OpenedScoreController::isRefusedInExam()
 {
-    if (!m_window.isExamRunning())
+    if (!m_context.window.isExamRunning())
         return false;
-    m_window.stopBusy();
-    m_window.showMessage(
+    m_context.window.stopBusy();
+    m_context.window.showMessage(
         tr("Earlier attempts are not available during an exam. Press G to finish the exam, or start another lesson."));
     return true;
 }

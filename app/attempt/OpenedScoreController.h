@@ -6,11 +6,11 @@
 
 #include <QObject>
 
+#include "app/attempt/AttemptContext.h"
 #include "app/attempt/AttemptController.h"
 #include "app/attempt/ScoreAnalysis.h"
 #include "app/pages/AttemptHistoryController.h"
 #include "app/pages/ReportController.h"
-#include "app/school/SchoolSession.h"
 #include "core/recording/Recording.h"
 #include "database/AttemptRecord.h"
 #include "ui/window/MainWindow.h"
@@ -23,9 +23,7 @@ class OpenedScoreController final : public QObject
     Q_OBJECT
 
 public:
-    /// All of them outlive the controller.
-    OpenedScoreController(ui::window::MainWindow& window, AttemptController& attempts, LatestRequest& loads,
-                          const SchoolSession& school);
+    OpenedScoreController(const AttemptContext& context, AttemptController& attempts);
 
     /// Sets the list of attempts that scores are opened from; null: there is no database.
     void setHistory(AttemptHistoryController* history);
@@ -48,10 +46,8 @@ private:
     void showSheet(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
                    const std::function<QString()>& work);
 
-    ui::window::MainWindow& m_window;
+    AttemptContext m_context;
     AttemptController& m_attempts;
-    LatestRequest& m_loads;
-    const SchoolSession& m_school;
     AttemptHistoryController* m_history = nullptr;
     std::optional<core::recording::Recording> m_recording;
     ScoreAnalysis m_analysis;

@@ -77,7 +77,7 @@ void remember(const QString& id, const DeviceSetup& setup)
 }  // namespace
 
 DeviceController::DeviceController(ui::window::MainWindow& window, const Hands& hands, std::vector<DeviceRow> rows,
-                                   bool isSimulated)
+                                   const QString& chosen)
     : m_window(window), m_hands(hands), m_chosen(kPointer), m_inUse(kPointer)
 {
     QList<ui::devices::DeviceKind> kinds;
@@ -88,8 +88,9 @@ DeviceController::DeviceController(ui::window::MainWindow& window, const Hands& 
     m_window.devicesPage().setKinds(kinds);
     recall();
     connectPage();
-    if (isSimulated)
-        m_chosen = kSimulated;
+    const Device* const device = find(chosen);
+    if (chosen == kPointer || chosen == kSimulated || (device != nullptr && device->row.make))
+        m_chosen = chosen;
     m_window.devicesPage().setChosen(m_chosen);
     m_poll.setInterval(kPollMs);
     connect(&m_poll, &QTimer::timeout, this, &DeviceController::poll);
@@ -246,7 +247,7 @@ void DeviceController::poll()
 void DeviceController::want(const QString& id)
 {
     if (id == kSimulated)
-        m_window.leaveWork([this, id] { choose(id); });
+        m_window.unsavedWork().leaveWork([this, id] { choose(id); });
     else
         choose(id);
 }

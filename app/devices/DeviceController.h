@@ -35,8 +35,9 @@ public:
         haptics::HapticDevice& simulated;
     };
     /// Takes the hand that was chosen in the last run.
-    /// @param isSimulated  the simulated hand is chosen instead, for this run
-    DeviceController(ui::window::MainWindow& window, const Hands& hands, std::vector<DeviceRow> rows, bool isSimulated);
+    /// @param chosen  id of the hand for this run; empty, or one that this program cannot use: the one of the last run
+    DeviceController(ui::window::MainWindow& window, const Hands& hands, std::vector<DeviceRow> rows,
+                     const QString& chosen);
     /// Stops the devices. No thread reads the switch any more.
     ~DeviceController() override;
 

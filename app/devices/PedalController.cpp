@@ -210,7 +210,7 @@ void PedalController::pressButtons(const Controller& controller, const std::vect
 void PedalController::press(ControllerAction action)
 {
     const ui::kit::Actions& actions = m_window.actions();
-    if (!m_window.isInRoom() || m_window.isAsking())
+    if (!m_window.isInRoom() || m_window.unsavedWork().isAsking())
         return;
     switch (action) {
     case ControllerAction::Drill:
@@ -293,7 +293,7 @@ void PedalController::steer(const std::vector<Controller>& controllers)
             input = asked;
     }
     m_restedPads = std::move(rested);
-    const bool drills = m_window.isInRoom() && !m_window.isReplaying() && !m_window.isAsking();
+    const bool drills = m_window.isInRoom() && !m_window.isReplaying() && !m_window.unsavedWork().isAsking();
     m_window.view().setPad(drills ? input : ui::tooth::PadInput{});
 }
 

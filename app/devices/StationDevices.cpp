@@ -61,4 +61,13 @@ std::vector<DeviceRow> stationDevices()
     return {falconRow()};
 }
 
+QStringList handIds()
+{
+    QStringList ids{QLatin1String(ui::devices::kPointer), QLatin1String(ui::devices::kSimulated)};
+    for (const DeviceRow& row : stationDevices())
+        if (row.make)
+            ids.push_back(row.kind.id);
+    return ids;
+}
+
 }  // namespace app

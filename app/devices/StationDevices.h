@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 #include "haptics/ForceDevice.h"
 #include "ui/devices/DeviceKind.h"
@@ -24,5 +25,8 @@ struct DeviceRow
 
 /// All kinds that Cusp knows. Another device is a class and a row here.
 [[nodiscard]] std::vector<DeviceRow> stationDevices();
+
+/// Returns the ids of the hands that this program can use: the pointer, the simulated hand, and the force devices.
+[[nodiscard]] QStringList handIds();
 
 }  // namespace app

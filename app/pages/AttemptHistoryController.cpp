@@ -183,7 +183,7 @@ void AttemptHistoryController::connectParts()
     });
     connect(&m_comments, &CommentsController::feedbackSeen, this,
             [this, &page](const std::vector<database::Feedback>& feedback) {
-                m_window.setFeedback(feedback);
+                m_window.lessonsPage().setFeedback(feedback);
                 if (m_person == m_queries.who().person())
                     page.setFeedback(feedback);
             });
@@ -280,7 +280,7 @@ void AttemptHistoryController::showBesides(const std::vector<AttemptRecord>& att
                  fetch(id, [this, name](const auto&, const auto& recording) { emit besideRequested(recording, name); });
              }});
     }
-    m_window.offerBeside(choices);
+    m_window.replayView().offerBeside(choices);
 }
 
 void AttemptHistoryController::showReadError(const core::Error& error)
@@ -312,7 +312,7 @@ void AttemptHistoryController::open(PersonId person, const QString& fullName, co
         page.setLesson(lesson);
         if (lesson)
             readClassmates(QString::fromStdString(*lesson));
-        m_window.openHistory();
+        m_window.navigation().openHistory();
     };
     m_lessons.read([this, person, show] {
         m_queries.ask(

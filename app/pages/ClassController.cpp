@@ -127,7 +127,7 @@ void ClassController::open()
                 return;
             ClassPage& page = m_window.classPage();
             const bool isShown = page.isVisible();  // otherwise the page reads the class when it is shown
-            m_window.openClasses();
+            m_window.navigation().openClasses();
             if (isShown)
                 page.readAgain();
         });
@@ -177,7 +177,7 @@ void ClassController::openAssignments()
                 if (!isStillThere())
                     return;
                 m_window.assignPage().setAssignments(read->overview, read->given);
-                m_window.openAssign();
+                m_window.navigation().openAssign();
             });
     });
 }
@@ -221,7 +221,7 @@ void ClassController::readOverview(ClassId ofClass)
             if (page.chosenClass() != ofClass)
                 return;
             if (page.isVisible())
-                m_window.forgetUnread();
+                m_window.hideReadError();
             // The results of another class are neither shown nor printed.
             if (m_overview.id != read->overview.id || page.chosenLesson().isEmpty())
                 m_results = {};

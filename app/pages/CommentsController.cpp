@@ -70,7 +70,7 @@ void CommentsController::connectPanel()
                     return school.comments.giveScore(who, id, tenths, reason, before);
                 });
             });
-    connect(&panel, &CommentsPanel::momentRequested, &m_window, &MainWindow::momentRequested);
+    connect(&panel, &CommentsPanel::momentRequested, &m_window.scorePage(), &ui::scoring::ScorePage::momentRequested);
     connect(&m_window.replayView(), &ui::window::ReplayView::shown, this, [this, &panel](double seconds) {
         if (replaysOpenAttempt())
             panel.setMoment(std::llround(1000.0 * seconds));
@@ -266,7 +266,7 @@ void CommentsController::readRemarks()
         },
         [this, id = m_replayed->id](const core::Result<database::AttemptTalk>& talk) {
             if (talk && m_replayed && m_replayed->id == id)
-                m_window.setRemarks(remarksOf(*talk));
+                m_window.replayView().setRemarks(remarksOf(*talk));
         });
 }
 

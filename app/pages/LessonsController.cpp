@@ -22,7 +22,7 @@ namespace app {
 namespace {
 
 constexpr int kMostKnownAttempts = 200;
-constexpr int kSchoolPatienceMs = 1500;  ///< for the database, before the lessons are shown without it
+constexpr int kSchoolPatienceMs = 1500;  ///< after it the lessons are shown without an answer of the database
 
 }  // namespace
 
@@ -33,9 +33,10 @@ LessonsController::LessonsController(MainWindow& window, const SchoolSession& sc
     : m_window(window), m_school(school)
 {
     connect(&window, &MainWindow::lessonsRequested, this, &LessonsController::showLessons);
-    connect(&window, &MainWindow::knownAttemptsRequested, this, &LessonsController::showKnownAttempts);
-    connect(&window, &MainWindow::unpackRequested, this, &LessonsController::unpack);
-    connect(&window, &MainWindow::lessonFolderRequested, this, &LessonsController::openFolder);
+    connect(&window.lessonEditing(), &ui::window::LessonEditing::knownAttemptsRequested, this,
+            &LessonsController::showKnownAttempts);
+    connect(&window.lessonEditing(), &ui::window::LessonEditing::unpackRequested, this, &LessonsController::unpack);
+    connect(&window.lessonsPage(), &ui::catalog::LessonsPage::folderRequested, this, &LessonsController::openFolder);
 }
 
 bool LessonsController::isUsedUp(const std::string& lessonId) const
@@ -85,8 +86,8 @@ void LessonsController::showLessons()
             [this, who](std::vector<lessons::CatalogEntry>& entries) {
                 if (m_school.user != who)
                     return;
-                m_window.setLessons(std::move(entries), m_fromSchool.standings, m_fromSchool.given);
-                m_window.setFeedback(m_fromSchool.feedback);
+                m_window.lessonsPage().setLessons(std::move(entries), m_fromSchool.standings, m_fromSchool.given);
+                m_window.lessonsPage().setFeedback(m_fromSchool.feedback);
                 emit shown();
             });
     };
@@ -108,7 +109,7 @@ void LessonsController::showLessons()
                 return;
             if (found)
                 m_fromSchool = shownOf(*found);
-            else  // what was read before may be old, but is no "not tried yet"
+            else  // an old answer is better than to show every lesson as not tried
                 m_window.showError(found.error(), FailedOperation::ReadingSchool);
             show();
         });
@@ -130,7 +131,7 @@ void LessonsController::unpack(const QString& pack, const QString& name)
         },
         [this](const core::Result<lessons::ReadLesson>& unpacked) {
             if (unpacked && unpacked->lesson) {
-                m_window.editLesson(*unpacked);
+                m_window.lessonEditing().edit(*unpacked);
                 return;
             }
             m_window.showMessage(
@@ -139,11 +140,11 @@ void LessonsController::unpack(const QString& pack, const QString& name)
         });
 }
 
-/// The measured values of graded attempts at exactly this lesson: the user's own and, for a teacher, those of their
-/// classes.
+/// Gives the editor the measures of graded attempts at exactly this version of a lesson: the user's own and, for a
+/// teacher, those of their classes.
 void LessonsController::showKnownAttempts(const lessons::Lesson& lesson)
 {
-    m_window.setKnownAttempts({});
+    m_window.lessonEditing().setKnownAttempts({});
     if (!m_school.isLoggedIn())
         return;
     m_school.service->ask(
@@ -155,7 +156,7 @@ void LessonsController::showKnownAttempts(const lessons::Lesson& lesson)
             std::vector<ui::lessoneditor::MeasuredAttempt> known;
             for (const database::KeptSheet& sheet : sheets.value_or(std::vector<database::KeptSheet>{}))
                 known.push_back({QString::fromStdString(sheet.finishedUtc), lessons::measuredIn(sheet.json)});
-            m_window.setKnownAttempts(std::move(known));
+            m_window.lessonEditing().setKnownAttempts(std::move(known));
         });
 }
 

@@ -24,9 +24,9 @@ public:
     /// Both outlive this.
     LessonsController(ui::window::MainWindow& window, const SchoolSession& school);
 
-    /// Whether the database has said that the user has no attempt left at a lesson.
+    /// Returns whether the user has no attempt left at a lesson, by the database's last answer.
     [[nodiscard]] bool isUsedUp(const std::string& lessonId) const;
-    /// Forgets what the database said of the user before.
+    /// Forgets the last answer: another user has logged in.
     void forget() { m_fromSchool = {}; }
 
 signals:
@@ -50,7 +50,7 @@ private:
 
     ui::window::MainWindow& m_window;
     const SchoolSession& m_school;
-    FromSchool m_fromSchool;  ///< of the user, as the database said last
+    FromSchool m_fromSchool;  ///< the database's last answer about the user
 };
 
 }  // namespace app

@@ -108,7 +108,7 @@ void PresetController::whenRead(const std::function<void()>& goOn)
 void PresetController::read(bool showsError)
 {
     const Login who = m_who();
-    m_window.setMayKeepPresets(who, who.isGuest() || who.role() == Role::Admin);
+    m_window.hardness().setMayKeep(who, who.isGuest() || who.role() == Role::Admin);
     if (!m_school) {
         apply(who, {});
         return;
@@ -120,13 +120,13 @@ void PresetController::read(bool showsError)
             if (who.person() == m_who().person()) {
                 if (found) {
                     if (std::exchange(m_showsReadError, false))
-                        m_window.showPresetFault({});
+                        m_window.hardness().showFault({});
                     apply(who, std::move(*found));
                 } else if (m_all.empty()) {
                     apply(who, {});
                 } else if (showsError) {  // the preset in use stays as it is: the same for the whole class
                     m_showsReadError = true;
-                    m_window.showPresetFault(
+                    m_window.hardness().showFault(
                         ui::text::errorText(found.error(), ui::text::FailedOperation::ReadingSchool));
                 }
             }
@@ -148,7 +148,7 @@ void PresetController::apply(const Login& who, SchoolPresets found)
     m_all = lessons::shelved(std::move(found.all));
     const auto chosen = lessons::findPreset(m_all, found.inUse);
     const FeelPreset before = std::exchange(m_inUse, chosen.value_or(lessons::usualPreset(m_all)));
-    m_window.setPresets(m_all, m_inUse);
+    m_window.hardness().setPresets(m_all, m_inUse);
     if (!(before == m_inUse))
         emit inUseChanged();
 }
@@ -176,7 +176,7 @@ void PresetController::use(const QString& name, const std::optional<QString>& in
             if (choice)
                 showChoice(name, *choice);
             else
-                m_window.showPresetFault(
+                m_window.hardness().showFault(
                     ui::text::errorText(choice.error(), ui::text::FailedOperation::ChangingSchool));
         });
 }
@@ -201,7 +201,7 @@ void PresetController::showChoice(const QString& name, const ChosenPreset& choic
 void PresetController::showUsed(const QString& name, const QString& before, const QString& said)
 {
     refresh();
-    m_window.showPresetFault({});
+    m_window.hardness().showFault({});
     if (before == name)
         m_window.showMessage(said);
     else
@@ -220,16 +220,17 @@ void PresetController::retire(const QString& name, bool isRetired)
         },
         [this, name, isRetired](const core::Result<bool>& done) {
             if (!done) {
-                m_window.showPresetFault(ui::text::errorText(done.error(), ui::text::FailedOperation::ChangingSchool));
+                m_window.hardness().showFault(
+                    ui::text::errorText(done.error(), ui::text::FailedOperation::ChangingSchool));
                 return;
             }
             refresh();
             if (!*done) {
-                m_window.showPresetFault(
+                m_window.hardness().showFault(
                     tr("%1 was not retired: teeth feel like it now, or too many are retired.").arg(name));
                 return;
             }
-            m_window.showPresetFault({});
+            m_window.hardness().showFault({});
             m_window.showUndoable(isRetired
                                       ? tr("%1 is offered to nobody any more. Attempts go on naming it.").arg(name)
                                       : tr("%1 is offered again.").arg(name),
@@ -240,7 +241,7 @@ void PresetController::retire(const QString& name, bool isRetired)
 void PresetController::save(const FeelPreset& preset, const QString& note)
 {
     if (const ReadPreset read = readBack(preset); !read.preset) {
-        m_window.showPresetFault(tr("Not kept: %1").arg(ui::text::faultWords(read)));
+        m_window.hardness().showFault(tr("Not kept: %1").arg(ui::text::faultWords(read)));
         return;
     }
     const Login who = m_who();
@@ -261,7 +262,7 @@ void PresetController::save(const FeelPreset& preset, const QString& note)
 void PresetController::showSaved(const core::Result<FeelPreset>& saved, const QString& note)
 {
     if (!saved) {
-        m_window.showPresetFault(saveFault(saved.error()));
+        m_window.hardness().showFault(saveFault(saved.error()));
         return;
     }
     // With a name, as a preset from a file or from the school has: only the shipped presets have none.
@@ -273,8 +274,8 @@ void PresetController::showSaved(const core::Result<FeelPreset>& saved, const QS
         m_all.push_back(one);
         m_all = lessons::shelved(std::move(m_all));
     }
-    m_window.setPresets(m_all, m_inUse);
-    m_window.showPresetKept(*saved, note);
+    m_window.hardness().setPresets(m_all, m_inUse);
+    m_window.hardness().showSaved(*saved, note);
     if (m_school != nullptr)
         readAgain();  // another admin may have retired it, or chosen another one
 }
@@ -291,16 +292,16 @@ void PresetController::import(const QString& path)
         save(*read.preset, note.join(u'\n'));
         return;
     }
-    m_window.showPresetFault(tr("Not imported: %1").arg(ui::text::faultWords(read)));
+    m_window.hardness().showFault(tr("Not imported: %1").arg(ui::text::faultWords(read)));
 }
 
 void PresetController::exportTo(const FeelPreset& preset, const QString& path)
 {
     if (const auto written = lessons::writePreset(path, preset)) {
-        m_window.showPresetFault({});
+        m_window.hardness().showFault({});
         m_window.showMessage(tr("The preset was exported as %1.").arg(QDir::toNativeSeparators(path)));
     } else
-        m_window.showPresetFault(
+        m_window.hardness().showFault(
             tr("Not exported: the file cannot be written. Choose another folder, or make room on the disk.") + u'\n' +
             QString::fromStdString(written.error().detail));
 }

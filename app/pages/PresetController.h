@@ -26,7 +26,7 @@ class PresetController final : public QObject
 public:
     PresetController(ui::window::MainWindow& window, std::function<database::Login()> who);
 
-    /// @param school  whose presets are used from now on, outlives its use here; null: there is no school
+    /// @param school  the service of the database with the presets, must outlive its use; null: there is none
     void setSchool(SchoolAccess* school);
     /// Reads the presets again: another user has logged in, or the presets may have changed.
     void refresh();

@@ -12,6 +12,7 @@
 #include "app/threads/Background.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonReader.h"
+#include "ui/scoring/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
@@ -34,17 +35,19 @@ core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::te
 
 }  // namespace
 
-PlaybackController::PlaybackController(const Parts& parts, bool isForPicture)
-    : m_window(parts.window), m_channels(parts.channels), m_session(parts.session), m_servo(parts.servo),
-      m_sound(parts.sound), m_bur(parts.bur), m_attempt(parts.attempt), m_attempts(parts.attempts),
-      m_loads(parts.loads), m_opened(parts.opened), m_grading(parts.grading), m_isForPicture(isForPicture)
+PlaybackController::PlaybackController(const AttemptContext& context, const Others& others, bool isForPicture)
+    : m_context(context), m_servo(others.servo), m_sound(others.sound), m_bur(others.bur), m_attempts(others.attempts),
+      m_opened(others.opened), m_grading(others.grading), m_isForPicture(isForPicture)
 {
-    connect(&m_window, &MainWindow::recordingOpenRequested, this, &PlaybackController::openRecording);
-    connect(&m_window, &MainWindow::besideRequested, this, &PlaybackController::openBeside);
-    connect(&m_window, &MainWindow::expertRequested, this, &PlaybackController::openExpert);
-    connect(&m_window, &MainWindow::replayStopRequested, this, &PlaybackController::stopReplay);
-    connect(&m_window, &MainWindow::momentRequested, this, &PlaybackController::showMoment);
-    connect(&m_window.scorePage(), &ui::scoring::ScorePage::replayRequested, this, [this] {
+    connect(&m_context.window, &MainWindow::recordingOpenRequested, this, &PlaybackController::openRecording);
+    connect(&m_context.window.replayView(), &ui::window::ReplayView::besideRequested, this,
+            &PlaybackController::openBeside);
+    connect(&m_context.window.replayView(), &ui::window::ReplayView::expertRequested, this,
+            &PlaybackController::openExpert);
+    connect(&m_context.window, &MainWindow::replayStopRequested, this, &PlaybackController::stopReplay);
+    connect(&m_context.window.scorePage(), &ui::scoring::ScorePage::momentRequested, this,
+            &PlaybackController::showMoment);
+    connect(&m_context.window.scorePage(), &ui::scoring::ScorePage::replayRequested, this, [this] {
         if (m_opened.recording() != nullptr)
             playOpened({});
     });
@@ -67,7 +70,7 @@ void PlaybackController::playKept(const core::recording::Recording& recording, c
 {
     if (m_opened.isRefusedInExam())
         return;
-    const int load = m_loads.begin();
+    const int load = m_context.loads.begin();
     inBackground(
         this,
         [anatomy = recording.anatomy(), workOut = m_attempts.surfaceWorker()] {
@@ -75,7 +78,7 @@ void PlaybackController::playKept(const core::recording::Recording& recording, c
             return anatomy;
         },
         [this, load, recording, attempt, whose](const auto&) {
-            if (!m_loads.isLatest(load) || !play(recording, {}, whose))
+            if (!m_context.loads.isLatest(load) || !play(recording, {}, whose))
                 return;
             m_playedFrom = PlayedFrom::Attempts;
             m_history->followReplay(attempt);
@@ -87,7 +90,7 @@ void PlaybackController::leaveToAnotherTooth()
     if (!m_replay)
         return;
     endReplay();
-    m_window.setReplaying(false);
+    m_context.window.setReplaying(false);
     showOwn();
 }
 
@@ -109,8 +112,8 @@ void PlaybackController::rest()
 
 void PlaybackController::showOwn()
 {
-    m_window.showChannels(m_channels);
-    m_sound.play(m_channels.sound);
+    m_context.window.showChannels(m_context.channels);
+    m_sound.play(m_context.channels.sound);
     m_servo.setResting(false);
 }
 
@@ -139,26 +142,26 @@ void PlaybackController::compareWith(const core::recording::Recording& recording
 void PlaybackController::openExpert()
 {
     if (!m_replay) {
-        if (m_attempt.assignment().lesson)
-            openExpertAt(m_attempt.assignment());
+        if (m_context.attempt.assignment().lesson)
+            openExpertAt(m_context.attempt.assignment());
         return;
     }
     if (!m_replay->attempt().lesson())
         return;
-    const int load = m_loads.begin();
-    m_window.showBusy(tr("Preparing the lesson …"));
+    const int load = m_context.loads.begin();
+    m_context.window.showBusy(tr("Preparing the lesson …"));
     inBackground(
         this,
         [anatomy = m_replayed, lesson = m_replay->attempt().lesson()->json] { return playedFor(anatomy, lesson); },
         [this, load](const core::Result<lessons::Assignment>& assignment) {
-            if (!m_loads.isLatest(load))
+            if (!m_context.loads.isLatest(load))
                 return;
             if (!assignment)
                 m_attempts.refuse(assignment.error(), FailedOperation::OpeningLesson, {});
             else if (m_replay)
                 openExpertAt(*assignment);
             else
-                m_window.stopBusy();
+                m_context.window.stopBusy();
         });
 }
 
@@ -178,8 +181,8 @@ void PlaybackController::openExpertAt(const lessons::Assignment& assignment)
 
 void PlaybackController::openDemonstration(const lessons::Assignment& assignment)
 {
-    const int load = m_loads.begin();
-    m_window.showBusy(tr("A simulated hand does the lesson …"));
+    const int load = m_context.loads.begin();
+    m_context.window.showBusy(tr("A simulated hand does the lesson …"));
     inBackground(
         this,
         [assignment, workOut = m_attempts.surfaceWorker()]() -> std::optional<core::recording::Recording> {
@@ -190,15 +193,15 @@ void PlaybackController::openDemonstration(const lessons::Assignment& assignment
             return marked && marked->mark.sheet.passed() ? outcome->recording : std::nullopt;
         },
         [this, load](const std::optional<core::recording::Recording>& recording) {
-            if (!m_loads.isLatest(load))
+            if (!m_context.loads.isLatest(load))
                 return;
             if (recording)
                 showExpert(*recording, tr("The simulated hand"), {});
             else
-                m_window.stopBusy();
-            m_window.showMessage(recording
-                                     ? tr("No teacher has recorded this lesson, so a simulated hand shows it.")
-                                     : tr("No teacher has recorded this lesson, and the simulated hand cannot do it."));
+                m_context.window.stopBusy();
+            m_context.window.showMessage(
+                recording ? tr("No teacher has recorded this lesson, so a simulated hand shows it.")
+                          : tr("No teacher has recorded this lesson, and the simulated hand cannot do it."));
         });
 }
 
@@ -220,8 +223,8 @@ void PlaybackController::readRecording(const QString& path, const UseRecording& 
 
 void PlaybackController::readRecording(const QString& path, const UseRecording& use, const ReadRecording& read)
 {
-    const int load = m_loads.begin();
-    m_window.showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
+    const int load = m_context.loads.begin();
+    m_context.window.showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
     inBackground(
         this,
         [read, workOut = m_attempts.surfaceWorker()] {
@@ -231,7 +234,7 @@ void PlaybackController::readRecording(const QString& path, const UseRecording& 
             return recording;
         },
         [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
-            if (!m_loads.isLatest(load))
+            if (!m_context.loads.isLatest(load))
                 return;
             if (recording)
                 use(*recording);
@@ -246,7 +249,7 @@ bool PlaybackController::play(const core::recording::Recording& recording, std::
 {
     // The button for the guidance is there while the hand in use has a force.
     const std::uint64_t generation = m_attempts.nextGeneration();
-    auto replay = ReplayController::make(recording, m_shown, m_window, generation, &m_bur);
+    auto replay = ReplayController::make(recording, m_shown, m_context.window, generation, &m_bur);
     if (!replay) {
         m_attempts.refuse(replay.error(), FailedOperation::OpeningRecording, {});
         return false;
@@ -255,16 +258,16 @@ bool PlaybackController::play(const core::recording::Recording& recording, std::
         endReplay();
     } else {
         rest();
-        m_window.view().storeCamera();
+        m_context.window.view().storeCamera();
     }
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
-    m_attempt.setResting(true);
-    m_window.showChannels(m_shown);
-    m_window.setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal(),
-                          m_replay->attempt().lesson(), whose);
-    m_window.setHandpieces(recording.settings().handpieces);
-    m_window.showTooth(m_replayed, generation, {});
+    m_context.attempt.setResting(true);
+    m_context.window.showChannels(m_shown);
+    m_context.window.setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal(),
+                                  m_replay->attempt().lesson(), whose);
+    m_context.window.setHandpieces(recording.settings().handpieces);
+    m_context.window.showTooth(m_replayed, generation, {});
     if (m_isForPicture)
         m_replay->goToEnd();
     if (momentS)
@@ -301,7 +304,7 @@ void PlaybackController::endReplay()
     if (m_history)
         m_history->followReplay({});
     m_replay.reset();
-    m_attempt.setResting(false);
+    m_context.attempt.setResting(false);
 }
 
 /// Returns to the student's own work as it was left. A student without one gets the whole tooth of the recording.
@@ -312,32 +315,32 @@ void PlaybackController::stopReplay()
     const PlayedFrom from = m_playedFrom;
     const auto goBack = [this, from] {
         if (from == PlayedFrom::ScoreCard && (m_opened.recording() != nullptr || m_grading.recording() != nullptr))
-            m_window.backToScore();
+            m_context.window.navigation().openScore();
         else if (from == PlayedFrom::Attempts)
-            m_window.backToHistory();
+            m_context.window.navigation().goBackToHistory();
         else
             return false;
         return true;
     };
-    if (!m_attempt.hasTooth()) {
+    if (!m_context.attempt.hasTooth()) {
         if (const auto practice = lessons::practiceOn(m_replayed)) {
             m_attempts.begin(*practice, {}, false);
-            m_window.showMessage(tr("The tooth is intact. You can start drilling."));
+            m_context.window.showMessage(tr("The tooth is intact. You can start drilling."));
         }
         static_cast<void>(goBack());
         return;
     }
     endReplay();
-    m_window.setReplaying(false);
-    m_window.setHandpieces(m_attempt.settings().handpieces);
+    m_context.window.setReplaying(false);
+    m_context.window.setHandpieces(m_context.attempt.settings().handpieces);
     showOwn();
-    m_window.showTooth(m_attempt.assignment().anatomy, m_attempt.generation(), {});
-    m_window.view().restoreCamera();
+    m_context.window.showTooth(m_context.attempt.assignment().anatomy, m_context.attempt.generation(), {});
+    m_context.window.view().restoreCamera();
     // A tooth that was taken a moment before the replay may still be on its way to the session.
-    if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_attempt.assignment().anatomy)
-        m_window.view().setHeights(own->top);
+    if (const auto own = m_context.session.toothSoFar(); own && own->anatomy == m_context.attempt.assignment().anatomy)
+        m_context.window.view().setHeights(own->top);
     if (!goBack())
-        m_window.showMessage(tr("You are back in your own work."));
+        m_context.window.showMessage(tr("You are back in your own work."));
 }
 
 }  // namespace app

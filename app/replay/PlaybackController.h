@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QString>
 
+#include "app/attempt/AttemptContext.h"
 #include "app/attempt/GradingController.h"
 #include "app/attempt/OpenedScoreController.h"
 #include "app/devices/SoundController.h"
@@ -27,23 +28,18 @@ class PlaybackController final : public QObject
     Q_OBJECT
 
 public:
-    /// All of them outlive the controller.
-    struct Parts
+    /// What a replay works with besides the attempt; all of them outlive the controller.
+    struct Others
     {
-        ui::window::MainWindow& window;
-        core::session::UiChannels& channels;
-        core::session::SessionLoop& session;
         haptics::ServoLoop& servo;
         SoundController& sound;
         haptics::DeviceSwitch& bur;
-        CurrentAttempt& attempt;
         AttemptController& attempts;
-        LatestRequest& loads;
         OpenedScoreController& opened;
         GradingController& grading;
     };
     /// @param isForPicture  the program draws one picture and quits: recordings are played to their end at once
-    PlaybackController(const Parts& parts, bool isForPicture);
+    PlaybackController(const AttemptContext& context, const Others& others, bool isForPicture);
 
     /// Sets the list of earlier attempts, which are played from there; null: there is no database.
     void setHistory(AttemptHistoryController* history);
@@ -83,15 +79,11 @@ private:
     void showOwn();
     void stopReplay();
 
-    ui::window::MainWindow& m_window;
-    core::session::UiChannels& m_channels;
-    core::session::SessionLoop& m_session;
+    AttemptContext m_context;
     haptics::ServoLoop& m_servo;
     SoundController& m_sound;
     haptics::DeviceSwitch& m_bur;
-    CurrentAttempt& m_attempt;
     AttemptController& m_attempts;
-    LatestRequest& m_loads;
     OpenedScoreController& m_opened;
     GradingController& m_grading;
     AttemptHistoryController* m_history = nullptr;

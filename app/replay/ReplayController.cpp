@@ -49,7 +49,7 @@ ReplayController::ReplayController(std::unique_ptr<ReplayTrack> attempt, MainWin
 ReplayController::~ReplayController()
 {
     stopThreads();
-    m_window.hideBeside();
+    m_window.replayView().hideBeside();
 }
 
 void ReplayController::start()
@@ -116,7 +116,7 @@ void ReplayController::closeBeside()
         return;
     stopThreads();
     m_loop.putBeside(nullptr);
-    m_window.hideBeside();
+    m_window.replayView().hideBeside();
     m_besideLinks.reset();
     startThreads();
 }
@@ -141,15 +141,15 @@ void ReplayController::watch()
     // The course of what is known so far, again while more of it becomes known.
     if (const double readyS = attempt().readyS(); readyS != m_toldReadyS) {
         m_toldReadyS = readyS;
-        m_window.setReplayCourse(attempt().course());
+        m_window.replayView().setCourse(attempt().course());
     }
     lookAtMoment();
     if (const ReplayTrack* beside = m_loop.beside(); beside != nullptr && beside->readyS() != m_toldBesideS) {
         m_toldBesideS = beside->readyS();
-        m_window.setBesideCourse(beside->course());
+        m_window.replayView().setBesideCourse(beside->course());
     }
     if (m_loop.takeEnd())
-        m_window.showReplayEnd();
+        m_window.replayView().showEnd();
     if (m_guide)
         watchHand();
 }
@@ -163,7 +163,7 @@ void ReplayController::watchHand()
     if (hand != ReplayLoop::Hand::Pushed && hand != ReplayLoop::Hand::Lost)
         return;
     m_guideLinks.wanted.store(false, std::memory_order_relaxed);
-    m_window.showLeadEnd(hand == ReplayLoop::Hand::Pushed);
+    m_window.replayView().showLeadEnd(hand == ReplayLoop::Hand::Pushed);
 }
 
 }  // namespace app

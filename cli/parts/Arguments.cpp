@@ -257,19 +257,23 @@ void addBurOption(QCommandLineParser& parser, const QString& value, const QStrin
          value});
 }
 
-void addDeviceOption(QCommandLineParser& parser)
+void addDeviceOption(QCommandLineParser& parser, const QStringList& ids)
 {
-    parser.addOption({QStringLiteral("device"),
-                      QStringLiteral("\"simulated\": a simulated Falcon in a simulated hand does the work."),
-                      QStringLiteral("DEVICE"), QStringLiteral("pointer")});
+    parser.addOption(
+        {QStringLiteral("device"),
+         QStringLiteral("The hand that moves the bur: %1. With \"simulated\", a simulated Falcon in a simulated hand "
+                        "does the work.")
+             .arg(ids.join(QStringLiteral(", "))),
+         QStringLiteral("DEVICE")});
 }
 
-core::Result<bool> wantsSimulatedDevice(const QCommandLineParser& parser)
+core::Result<QString> chosenDevice(const QCommandLineParser& parser, const QStringList& ids)
 {
     const QString device = parser.value(QStringLiteral("device"));
-    if (device != u"pointer" && device != u"simulated")
-        return core::unexpected(core::ErrorCode::UnknownName, "--device wants \"pointer\" or \"simulated\"");
-    return device == u"simulated";
+    if (parser.isSet(QStringLiteral("device")) && !ids.contains(device))
+        return core::unexpected(core::ErrorCode::UnknownName,
+                                "--device wants one of " + ids.join(QStringLiteral(", ")).toStdString());
+    return device;
 }
 
 core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low, qint64 high)

@@ -57,11 +57,12 @@ void addToothOptions(QCommandLineParser& parser);
 /// @param more   other possible values, such as "or a file"; may be empty
 void addBurOption(QCommandLineParser& parser, const QString& value, const QString& more = {});
 
-/// Adds --device: the device that moves the bur.
-void addDeviceOption(QCommandLineParser& parser);
+/// Adds --device: the hand that moves the bur.
+/// @param ids  of the hands that can be chosen
+void addDeviceOption(QCommandLineParser& parser, const QStringList& ids);
 
-/// Returns whether it is the simulated Falcon, or an error.
-[[nodiscard]] core::Result<bool> wantsSimulatedDevice(const QCommandLineParser& parser);
+/// Returns the id of the hand; empty if none was given. UnknownName for any other than these.
+[[nodiscard]] core::Result<QString> chosenDevice(const QCommandLineParser& parser, const QStringList& ids);
 
 /// Returns a whole number within [low, high] from an option, or an error.
 [[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,

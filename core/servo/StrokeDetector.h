@@ -27,8 +27,6 @@ public:
     void restart() noexcept { m_inStroke = false; }
 
     [[nodiscard]] bool isInStroke() const noexcept { return m_inStroke; }
-    /// Returns the number of ticks since the last cut. Valid within a stroke.
-    [[nodiscard]] int ticksSinceCut() const noexcept { return m_ticksSinceCut; }
 
 private:
     bool m_inStroke = false;

@@ -72,7 +72,7 @@ protected:
     /// Makes an empty folder with a copy of the school that is a file.
     void takeCopyOfSchool();
     [[nodiscard]] ui::people::LoginMode door() const { return child<ui::people::LoginPage>()->door(); }
-    [[nodiscard]] bool isAtDoor() const { return window().isAtDoor(); }
+    [[nodiscard]] bool isAtDoor() const { return window().navigation().isAtLogin(); }
     [[nodiscard]] QString saidAtDoor() const;
     void waitForDoorToSay(const QString& words) const;
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }

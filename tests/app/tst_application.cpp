@@ -26,6 +26,7 @@
 #include "ui/kit/Actions.h"
 #include "ui/kit/MessageBar.h"
 #include "ui/kit/TabularDigitsLabel.h"
+#include "ui/people/LoginPage.h"
 #include "ui/practice/HistoryPanel.h"
 #include "ui/scoring/ScorePage.h"
 #include "ui/scoring/ScorePredictionPage.h"
@@ -264,7 +265,7 @@ private slots:
         WAIT_FOR_VALUE(removed(), own);
         const QImage cut = window().view().toothPicture();
         // What is said at the end is not said elsewhere.
-        window().showReplayEnd();
+        window().replayView().showEnd();
         QVERIFY(message().contains("recording has ended"));
         actions().stepBack->trigger();
         QVERIFY2(!message().contains("recording has ended"), qPrintable(message()));
@@ -289,7 +290,7 @@ private slots:
         grade();
         m_application->showMoment(1.0e6);
         for (int n = 0; n < 2; ++n) {  // another one takes its place
-            emit window().besideRequested(recording);
+            emit window().replayView().besideRequested(recording);
             WAIT_FOR(actions().beside->isEnabled() && views().size() == 2);
         }
         const auto* beside = views().front() == &window().view() ? views().back() : views().front();
@@ -308,7 +309,7 @@ private slots:
         WAIT_FOR(cutIn(*beside) == 0.0 && cutIn(window().view()) == 0.0);
         actions().beside->trigger();
         QCOMPARE(views().size(), 1);
-        emit window().besideRequested(recording);
+        emit window().replayView().besideRequested(recording);
         WAIT_FOR_VALUE(views().size(), 2);
         actions().back->trigger();
         QCOMPARE(views().size(), 1);
@@ -345,7 +346,7 @@ private slots:
 
     void aHandIsLedAlongARecording()
     {
-        start({}, true);
+        start({}, ui::devices::kSimulated);
         QVERIFY(labelWith("The simulated handpiece is active") != nullptr);
         const QString before = removed();
         WAIT_FOR(removed() != before);
@@ -499,12 +500,12 @@ private slots:
     }
 
 private:
-    void start(const QString& recording = {}, bool simulatedDevice = false)
+    void start(const QString& recording = {}, const QString& device = {})
     {
         app::WindowOptions options;
         options.source = {36};
         options.recording = recording;
-        options.simulatedDevice = simulatedDevice;
+        options.device = device;
         begin(options);
         waitForTooth();
     }
@@ -512,8 +513,8 @@ private:
     /// As the admin who creates the school.
     void logIn() const
     {
-        window().askLogin();
-        emit window().schoolRequested({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
+        window().account().askLogin();
+        emit window().loginPage().schoolRequested({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
         WAIT_FOR_VALUE(actions().account->text(), QString("admin"));
         actions().back->trigger();
         waitForTooth();
@@ -525,7 +526,7 @@ private:
     [[nodiscard]] QString save() const
     {
         const QString path = m_folder->filePath("first.cusprec");
-        emit window().recordingSaveRequested(path);
+        emit window().unsavedWork().recordingSaveRequested(path);
         if (!QTest::qWaitFor([this] { return message().contains("saved"); }, kPatienceMs))
             qFatal("the recording is not saved");
         return path;

@@ -91,7 +91,7 @@ private slots:
         addAttempt(m_student);
         emit m_window->navigation().attemptsRequested();
         waitUntilAsked();
-        m_window->openClasses();
+        m_window->navigation().openClasses();
         m_school->answer();
         QVERIFY(m_window->page() != static_cast<const QWidget*>(&m_window->historyPage()));
     }
@@ -178,7 +178,7 @@ private slots:
         openAttempt(m_student);
         m_school->comments.refusal = core::Error{ErrorCode::NotAllowed, "not in your classes"};
         emit panel().commentRequested("well done", {}, {});
-        m_window->openLessons();
+        m_window->navigation().openLessons();
         m_school->answer();
         QVERIFY2(sentence().contains("none of your classes"), qPrintable(sentence()));
     }

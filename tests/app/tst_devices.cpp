@@ -21,6 +21,7 @@
 #include "ui/devices/HandList.h"
 #include "ui/kit/AppSettings.h"
 #include "ui/kit/ConfirmOverlay.h"
+#include "ui/people/LoginPage.h"
 #include "ui/scoring/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -287,8 +288,8 @@ private:
     /// As the admin who creates the school.
     void logIn() const
     {
-        window().askLogin();
-        emit window().schoolRequested({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
+        window().account().askLogin();
+        emit window().loginPage().schoolRequested({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
         WAIT_FOR_VALUE(actions().account->text(), QString("admin"));
         actions().back->trigger();
         waitForTooth();

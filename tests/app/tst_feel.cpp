@@ -157,7 +157,7 @@ private slots:
         emit window().scanChosen(scan);
         WAIT_FOR(isAsked());
         const core::settings::FeelPreset& other = lessons::shippedPresets().front();
-        emit window().feelRequested(other);
+        emit window().hardness().feelRequested(other);
         WAIT_FOR_VALUE(used().name, QString::fromStdString(other.name));
         QVERIFY(!used().isChanged);
         child<ui::kit::MessageBar>()->dismiss();  // that the recording was saved
@@ -301,7 +301,7 @@ private:
     {
         const QString path = m_folder->filePath("now.cusprec");
         QFile::remove(path);
-        emit window().recordingSaveRequested(path);
+        emit window().unsavedWork().recordingSaveRequested(path);
         if (!QTest::qWaitFor([&] { return QFile::exists(path); }, kPatienceMs))
             qFatal("no recording");
         return core::recording::readRecording(path.toStdString()).value();

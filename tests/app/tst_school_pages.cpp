@@ -186,7 +186,7 @@ private slots:
         QVERIFY2(!isAtDoor(), qPrintable(saidAtDoor()));
         QVERIFY(window().view().isVisible());
         // Lessons are files, and are read without it.
-        window().setLessons({}, {});
+        window().lessonsPage().setLessons({}, {});
         actions().lessons->trigger();
         WAIT_FOR(lessonsShown() > 2);
         other.execute("ROLLBACK");

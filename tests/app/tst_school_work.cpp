@@ -96,9 +96,9 @@ private slots:
             auto* const keep = child<QCheckBox>("keepOnLogin");
             QVERIFY(keep->isVisible());
             if (isIdle) {
-                window().setIdleLimit(std::chrono::milliseconds(300));
+                window().account().idleLock().setLimit(std::chrono::milliseconds(300));
                 WAIT_FOR(!keep->isVisible());
-                window().setIdleLimit(std::chrono::minutes(10));
+                window().account().idleLock().setLimit(std::chrono::minutes(10));
             } else {
                 keep->setChecked(false);
             }
@@ -113,7 +113,7 @@ private slots:
         doLesson("exam-36", 0);
         waitForSaved("will not be here next time");
         QVERIFY(!child<QPushButton>("keepGrade")->isVisible());
-        emit window().keepRequested();
+        emit window().account().keepRequested();
         logIn("sue");
         openAttempts();
         QCOMPARE(attempts(), 0);
@@ -190,7 +190,7 @@ private slots:
             };
             WAIT_FOR(isUndone());
             WAIT_FOR(actions().redo->isEnabled());
-            emit window().feelRequested(lessons::shippedPresets().back());
+            emit window().hardness().feelRequested(lessons::shippedPresets().back());
             waitForTicks(500);
             QVERIFY(actions().redo->isEnabled());
         };
@@ -235,9 +235,9 @@ private slots:
         QVERIFY(onTheTable() != whole);
         drill(-2.0);
         const QString own = removed();
-        window().setIdleLimit(std::chrono::milliseconds(300));
+        window().account().idleLock().setLimit(std::chrono::milliseconds(300));
         WAIT_FOR(isAtDoor() && door() == LoginMode::Locked);
-        window().setIdleLimit(std::chrono::minutes(10));
+        window().account().idleLock().setLimit(std::chrono::minutes(10));
         tryPassword();
         WAIT_FOR(window().view().isVisible());
         QCOMPARE(removed(), own);
@@ -500,7 +500,7 @@ private slots:
         clock.start();
         openLesson("exam-36");
         drill(-2.0);
-        window().endExam();
+        window().lessonController().endExam();
         emit window().gradeRequested();
         waitForPage<ui::scoring::ScorePredictionPage>();
         const qint64 endMs = clock.elapsed();

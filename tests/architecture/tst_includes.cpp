@@ -167,13 +167,13 @@ const QList<Arrows> kArrows{
                   "ui/scoring ui/catalog ui/people ui/report ui/window app/threads app/school"},
     {"app/attempt", "core/rt core/bur core/teeth core/settings core/servo core/grading core/guidance "
                     "core/history core/recording core/preparation core/session lessons haptics/falcon "
-                    "haptics/pointer haptics/simulated database ui/render ui/text ui/tooth ui/scoring "
+                    "haptics/pointer haptics/simulated database ui/render ui/text ui/kit ui/tooth ui/scoring "
                     "ui/window app/threads app/school app/devices app/pages"},
     {"app/replay", "core/rt core/servo core/audio core/history core/recording core/session lessons "
-                   "haptics ui/tooth ui/replay ui/window app/threads app/devices app/pages app/attempt"},
+                   "haptics ui/tooth ui/scoring ui/replay ui/window app/threads app/devices app/pages app/attempt"},
     {"app", "core/base core/teeth core/servo core/session haptics haptics/pointer "
             "haptics/simulated database database/sql ui/sound ui/text ui/devices ui/tooth "
-            "ui/window app/threads app/school app/devices app/pages app/attempt app/replay"},
+            "ui/scoring ui/people ui/window app/threads app/school app/devices app/pages app/attempt app/replay"},
     {"cli/parts", "core/base core/tracking core/bur core/teeth core/settings core/servo core/grading "
                   "lessons haptics/falcon haptics/simulated database/sql ui/devices app/devices"},
     {"bench", "core/base core/rt core/tracking core/terrain core/bur core/teeth core/contact "
@@ -185,7 +185,7 @@ const QList<Arrows> kArrows{
     {"cli", "core/base core/mesh core/tracking core/bur core/teeth core/settings core/servo "
             "core/audio core/recording core/preparation core/session lessons haptics "
             "haptics/falcon haptics/pointer haptics/simulated database database/sql ui/render "
-            "ui/text ui/kit ui/inside ui/tooth ui/catalog app/threads app/school app/devices "
+            "ui/text ui/kit ui/inside ui/tooth ui/catalog ui/devices app/threads app/school app/devices "
             "app/attempt app cli/parts bench cli/render"},
 };
 

@@ -243,7 +243,7 @@ protected:
     {
         lessons::Aids aids;
         aids.*aid = false;
-        m_window->setAids(aids);
+        m_window->lessonController().setAids(aids);
     }
     /// Publishes a state of the threads. The window has taken it when the call returns.
     void take(const core::servo::ServoState& servo, const core::session::SessionState& session) const
@@ -332,9 +332,9 @@ private:
         m_window->setMayEdit(true);
         m_window->leaveAll();
         m_window->stopBusy();
-        m_window->hideBeside();
+        m_window->replayView().hideBeside();
         m_window->setReplaying(false);
-        m_window->setUnkeptGrades(0);
+        m_window->unsavedWork().setUnsavedGrades(0);
         takeUsualHandpieces();
         beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
         for (int steps = 0; !isInRoom() && steps < 5; ++steps)

@@ -177,11 +177,11 @@ private slots:
     void init()
     {
         ui::text::Language::choose("en_GB");
-        m_window->askWho(ui::people::LoginMode::Login);
+        m_window->account().ask(ui::people::LoginMode::Login);
         m_window->leaveAll();
         m_window->setWho({});
         m_window->setReplaying(false);
-        m_window->hideBeside();
+        m_window->replayView().hideBeside();
         m_beside.reset();
         m_window->setAssignment({});
         m_links->session.publish({});
@@ -333,7 +333,7 @@ private slots:
         });
         page("replay", [this] {
             m_window->setReplaying(true, 60.0);
-            m_window->setReplayCourse(support::course());
+            m_window->replayView().setCourse(support::course());
             m_beside = std::make_unique<UiChannels>();
             m_window->showBeside(*m_beside, support::syntheticMolar(), 1, {}, "[···]");
         });
@@ -348,18 +348,18 @@ private slots:
         });
         page("lessons", [this] {
             const QDateTime now = QDateTime::currentDateTime();
-            m_window->setLessons(
+            m_window->lessonsPage().setLessons(
                 catalog(), {{"decay-21-small", {3, 872, true, kThen}}, {"class1-36", {3, 572, false, kThen}}},
                 {{"class1-36", {"[···]", now.addDays(-2), 2}}, {"decay-36-small", {"[···]", now.addDays(1), {}}}});
             actions().lessons->trigger();
         });
         page("feedback", [this] {
-            m_window->setFeedback({{{1}, "class1-36", "[···]", kThen, true}});
+            m_window->lessonsPage().setFeedback({{{1}, "class1-36", "[···]", kThen, true}});
             openLessons();
         });
         page("unfinished", [this] {
             openLessons();
-            m_window->offerUnfinished([] { return QString("[···]"); }, thenOnTheClock(), false);
+            m_window->resumeOffer().offer([] { return QString("[···]"); }, thenOnTheClock(), false);
         });
         page("no lesson", [this] {
             openLessons();
@@ -379,7 +379,7 @@ private slots:
             });
         for (const bool mayKeep : {true, false})
             page(mayKeep ? "presets" : "presets, a student's", [this, mayKeep] {
-                m_window->setMayKeepPresets({}, mayKeep);
+                m_window->hardness().setMayKeep({}, mayKeep);
                 openPresets();
             });
         page("presets, all numbers", [this] {
@@ -395,24 +395,24 @@ private slots:
         page("attempts", [this] {
             m_window->historyPage().setLessonTitles({{"0", "[···]"}});
             m_window->historyPage().setHistory({charted(3), charted(2), charted(1)});
-            m_window->openHistory();
+            m_window->navigation().openHistory();
         });
-        page("no attempts", [this] { m_window->openHistory(); });
+        page("no attempts", [this] { m_window->navigation().openHistory(); });
         page("classes", [this] {
             m_window->classPage().setClasses({{{7}, "[···]", 3, 1}});
             m_window->classPage().setLessonTitles({{"0", "[···]"}});
             m_window->classPage().setOverview(classOfThree());
             m_window->classPage().setResults(resultsOfSix(), 700, {{"a", "[···]"}, {"b", "[····]"}});
-            m_window->openClasses();
+            m_window->navigation().openClasses();
         });
-        page("no classes", [this] { m_window->openClasses(); });
+        page("no classes", [this] { m_window->navigation().openClasses(); });
         page("assign", [this] {
             m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]", {}}, {"1", "[····]", "[··]", "[·]", {}}});
             // Of today: names of months are Qt's.
             const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
             m_window->assignPage().setAssignments({{7}, "[·]", {}, {}, {}}, {{1, {7}, "1", now, 3}});
             m_window->assignPage().confirm({{{}, database::ClassAssignment{1, {7}, "1", "", 0}}});
-            m_window->openAssign();
+            m_window->navigation().openAssign();
         });
         for (const auto& [name, part] : {std::pair("school, people", ui::admin::AdminPage::People),
                                          {"school, class list", ui::admin::AdminPage::Roster},
@@ -434,7 +434,7 @@ private slots:
             page(name, [this, task = task] { beginLesson(assigned(task)); });
         page("breach", [this] {
             beginLesson(assigned(Task::RemoveDecay));
-            m_window->tellInfraction(breach(), true);
+            m_window->infractionView().show(breach(), true);
         });
         page("layers, graded", [this] {
             beginLesson(assigned(Task::TellLayers));
@@ -443,7 +443,7 @@ private slots:
         });
         page("forecast", [this] {
             beginLesson(assigned(Task::RemoveDecay));
-            m_window->askForecast();
+            m_window->askPrediction();
         });
         page("score", [this] { showScore(); });
         page("talk", [this] {
@@ -465,10 +465,11 @@ private slots:
                                          {"new school", ui::people::LoginMode::NewSchool},
                                          {"own password", ui::people::LoginMode::OwnPassword},
                                          {"locked", ui::people::LoginMode::Locked}})
-            page(name, [this, door = door] { m_window->askWho(door); });
+            page(name, [this, door = door] { m_window->account().ask(door); });
         page("login, damaged", [this] {
-            m_window->askWho(ui::people::LoginMode::Login);
-            m_window->setUnreachable(core::Error{core::ErrorCode::BadStructure, {}}, "[···]", thenOnTheClock());
+            m_window->account().ask(ui::people::LoginMode::Login);
+            m_window->account().setUnreachable(core::Error{core::ErrorCode::BadStructure, {}}, "[···]",
+                                               thenOnTheClock());
         });
     }
 
@@ -547,8 +548,8 @@ private slots:
         });
         m_window->showError(core::Error{core::ErrorCode::FileUnreadable, "exact"},
                             ui::text::FailedOperation::OpeningScan, "a.stl");
-        m_window->offerUnfinished([] { return QCoreApplication::translate("Tooth", "enamel"); }, thenOnTheClock(),
-                                  false);
+        m_window->resumeOffer().offer([] { return QCoreApplication::translate("Tooth", "enamel"); }, thenOnTheClock(),
+                                      false);
         auto* bar = child<ui::kit::MessageBar>();
         const QString english = bar->sentence();
         QVERIFY2(english.contains("was not finished"), qPrintable(english));
@@ -567,13 +568,13 @@ private slots:
 
     void whatIsSaidAtTheDoorFollowsTheLanguage()
     {
-        m_window->askWho(ui::people::LoginMode::Login);
+        m_window->account().ask(ui::people::LoginMode::Login);
         const auto back = qScopeGuard([this] {
             ui::text::Language::choose("en_GB");
             m_window->setWho({});
         });
-        m_window->sayAtDoor([] { return QCoreApplication::translate("Material", "enamel"); });
-        m_window->refuseLogin({core::ErrorCode::WrongLogin, "no"});
+        m_window->account().say([] { return QCoreApplication::translate("Material", "enamel"); });
+        m_window->account().refuse({core::ErrorCode::WrongLogin, "no"});
         const auto says = [this](const QString& words) {
             const auto labels = m_window->findChildren<QLabel*>();
             return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) {
@@ -658,13 +659,13 @@ private:
 
     void openLessons()
     {
-        m_window->setLessons(catalog(), {});
+        m_window->lessonsPage().setLessons(catalog(), {});
         actions().lessons->trigger();
     }
 
     void openPresets()
     {
-        m_window->setPresets(lessons::shelved({}), lessons::shippedPresets().front());
+        m_window->hardness().setPresets(lessons::shelved({}), lessons::shippedPresets().front());
         actions().presets->trigger();
     }
 

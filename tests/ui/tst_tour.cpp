@@ -22,7 +22,7 @@ private slots:
     void init()
     {
         begin();
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
     }
     void cleanup()
     {
@@ -101,7 +101,7 @@ private slots:
 
     void escEndsItWhereItBegan()
     {
-        m_window->openLessons();
+        m_window->navigation().openLessons();
         QVERIFY(!m_window->view().isVisible());
         m_window->beginTour();
         QVERIFY(m_window->view().isVisible());  // a guest's first step is the tooth
@@ -129,7 +129,7 @@ private slots:
     {
         m_window->beginTour();
         QSignalSpy ended(&m_window->navigation(), &ui::window::Navigation::tourEnded);
-        m_window->askWho(ui::people::LoginMode::Login);
+        m_window->account().ask(ui::people::LoginMode::Login);
         QVERIFY(!tour().isVisible());
         QCOMPARE(ended.count(), 0);
         actions().tour->trigger();

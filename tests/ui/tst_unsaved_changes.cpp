@@ -36,7 +36,8 @@ private slots:
     void init()
     {
         begin();
-        m_window->setPresets({{{}, lessons::shippedPresets().front(), {}}}, lessons::shippedPresets().front());
+        m_window->hardness().setPresets({{{}, lessons::shippedPresets().front(), {}}},
+                                        lessons::shippedPresets().front());
         m_window->setWho(school().admin);
         m_window->setMayEdit(true);
         m_window->adminPage().people().setPeople({user(1, "Ada"), user(2, "Bob")}, {});
@@ -71,10 +72,10 @@ private slots:
         for (const char* page : {"people", "preset", "comment", "lesson"})
             change(page);
         const QString before = unsaved();
-        m_window->askWho(ui::people::LoginMode::Locked);
-        QVERIFY(m_window->isAtDoor() && question() == nullptr);
+        m_window->account().ask(ui::people::LoginMode::Locked);
+        QVERIFY(m_window->navigation().isAtLogin() && question() == nullptr);
         m_window->setWho(school().admin);
-        QVERIFY(!m_window->isAtDoor());
+        QVERIFY(!m_window->navigation().isAtLogin());
         QCOMPARE(unsaved(), before);
         QCOMPARE(child<QLineEdit>("personGiven")->text(), QString("Adalina"));
         QCOMPARE(child<QPlainTextEdit>("commentWords")->toPlainText(), QString("Half a sentence"));
@@ -86,11 +87,11 @@ private slots:
         QFETCH(bool, quits);
         change("people");
         const QTemporaryDir recovery;
-        m_window->setRecoveryFolder(recovery.path());
+        m_window->lessonEditing().setRecoveryFolder(recovery.path());
         m_window->setMayEdit(true);
         change("lesson");
-        QSignalSpy leaves(m_window.get(), &MainWindow::logoutRequested);
-        m_window->askWho(ui::people::LoginMode::Locked);
+        QSignalSpy leaves(&m_window->account(), &ui::window::AccountController::logoutRequested);
+        m_window->account().ask(ui::people::LoginMode::Locked);
         const auto leave = [&] {
             if (quits)
                 m_window->close();
@@ -138,7 +139,7 @@ private slots:
         QCOMPARE(child<QLineEdit>("personGiven")->text(), QString("Adalina"));
         QCOMPARE(table->selectionModel()->selectedRows().front().row(), 0);
         table->selectRow(1);
-        m_window->askWho(ui::people::LoginMode::Locked);  // the question does not stand over the lock
+        m_window->account().ask(ui::people::LoginMode::Locked);  // the question does not stand over the lock
         QVERIFY(question() == nullptr);
         m_window->setWho(school().admin);
         child<QPushButton>("newPerson")->click();
@@ -150,8 +151,8 @@ private slots:
 
     void withoutChangesNothingIsAsked()
     {
-        QSignalSpy leaves(m_window.get(), &MainWindow::logoutRequested);
-        m_window->askWho(ui::people::LoginMode::Locked);
+        QSignalSpy leaves(&m_window->account(), &ui::window::AccountController::logoutRequested);
+        m_window->account().ask(ui::people::LoginMode::Locked);
         click("otherLogin");
         QCOMPARE(leaves.size(), 1);
         m_window->setWho(school().admin);

@@ -19,6 +19,7 @@
 #include "ui/people/LoginPage.h"
 #include "ui/scoring/ScorePage.h"
 #include "ui/scoring/ScorePrediction.h"
+#include "ui/scoring/ScorePredictionPage.h"
 #include "ui/toothchooser/ArchView.h"
 #include "ui/toothchooser/ToothChooser.h"
 
@@ -80,7 +81,7 @@ private slots:
 
     void controlFSearchesThePageOrTheLessons()
     {
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
         press(Qt::Key_F, Qt::ControlModifier);
         QVERIFY(child<LessonsPage>()->isVisible() && search()->hasFocus());
         QTest::keyClicks(search(), "36");
@@ -97,10 +98,10 @@ private slots:
 
     void aRefusedPasswordIsTypedAnew()
     {
-        m_window->askWho(LoginMode::NewSchool);
+        m_window->account().ask(LoginMode::NewSchool);
         for (const char* name : {"password", "passwordAgain"})
             child<QLineEdit>(name)->setText("password1");
-        m_window->refuseLogin({core::ErrorCode::OutOfRange, "everybody tries it first"});
+        m_window->account().refuse({core::ErrorCode::OutOfRange, "everybody tries it first"});
         QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("password"));
         for (const char* name : {"password", "passwordAgain"})
             QVERIFY(child<QLineEdit>(name)->text().isEmpty());
@@ -109,20 +110,20 @@ private slots:
     void aOneTimeCodeLeadsToTheFirstPasswordField()
     {
         spoil();
-        QSignalSpy code(m_window.get(), &MainWindow::codeRequested);
+        QSignalSpy code(&m_window->loginPage(), &ui::people::LoginPage::codeRequested);
         auto* username = child<QLineEdit>("username");
         auto* password = child<QLineEdit>("password");
         auto* again = child<QLineEdit>("passwordAgain");
         for (const LoginMode door : {LoginMode::Login, LoginMode::Locked}) {
             if (door == LoginMode::Locked)
                 m_window->setWho(school().student);
-            m_window->askWho(door);
+            m_window->account().ask(door);
             const QString name =
                 door == LoginMode::Locked ? QString::fromStdString(school().student.username()) : "s1001";
             username->setText(door == LoginMode::Login ? name : QString());
             password->setText("K7PM-2QXR");
             click("logIn");
-            m_window->refuseLogin({core::ErrorCode::NewPassword, "the code is right"});
+            m_window->account().refuse({core::ErrorCode::NewPassword, "the code is right"});
             QVERIFY(password->hasFocus() && password->text().isEmpty());
             QVERIFY2(!username->isVisible(), "neither name nor code is asked for again");
             QTest::keyClicks(password, "a long password");
@@ -138,12 +139,12 @@ private slots:
     /// Of a large file, or one whose disk has much to do; what takes a moment is not.
     void whatIsWaitedForAtTheDoorIsTold()
     {
-        m_window->askWho(LoginMode::Login);
+        m_window->account().ask(LoginMode::Login);
         auto* waiting = child<QLabel>("waiting");
-        m_window->setOpening(true);
+        m_window->account().setOpening(true);
         QVERIFY(!waiting->isVisible());
         QTRY_VERIFY(waiting->isVisible());
-        m_window->setOpening(false);
+        m_window->account().setOpening(false);
         QVERIFY(!waiting->isVisible());
         child<QLineEdit>("username")->setText("ann");
         child<QLineEdit>("password")->setText("something");
@@ -151,7 +152,7 @@ private slots:
         QVERIFY(!waiting->isVisible());
         QTRY_VERIFY(waiting->isVisible());
         QVERIFY(child<QPushButton>("practiseAsGuest")->isEnabled());
-        m_window->refuseLogin({core::ErrorCode::WrongLogin, "wrong"});
+        m_window->account().refuse({core::ErrorCode::WrongLogin, "wrong"});
         QVERIFY(!waiting->isVisible());
     }
 
@@ -182,7 +183,7 @@ private slots:
     {
         spoil();
         auto* door = child<LoginPage>();
-        m_window->setIdleLimit(std::chrono::milliseconds(300));
+        m_window->account().idleLock().setLimit(std::chrono::milliseconds(300));
         QTest::qWait(500);  // time is the subject: a guest has nothing to lock, however long nothing is touched
         QVERIFY(!door->isVisible());
         m_window->setWho(school().student);
@@ -206,13 +207,13 @@ private slots:
         m_window->setWho(school().student);
         cutSomething(1.0);
         const auto lockAndComeBack = [&] {
-            m_window->askWho(LoginMode::Locked);
+            m_window->account().ask(LoginMode::Locked);
             QVERIFY(child<LoginPage>()->isVisible());
             for (const QWidget* window : m_window->findChildren<QWidget*>())
                 QVERIFY2(!window->isWindow() || !window->isVisible(), window->metaObject()->className());
             m_window->setWho(school().student);
         };
-        QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
+        QSignalSpy save(&m_window->unsavedWork(), &ui::window::UnsavedWork::recordingSaveRequested);
         actions().saveRecording->trigger();
         QVERIFY(child<QFileDialog>() != nullptr);
         lockAndComeBack();
@@ -227,7 +228,7 @@ private slots:
         press(Qt::Key_T);
         press(Qt::Key_Return);
         QVERIFY(question() != nullptr && question()->isVisible());
-        m_window->askWho(LoginMode::Locked);
+        m_window->account().ask(LoginMode::Locked);
         QTRY_VERIFY(question() == nullptr);
         QCOMPARE(chosen.size(), 0);
     }
@@ -260,8 +261,8 @@ private slots:
     void aReturnAtTheLockIsNoWrongPassword()
     {
         m_window->setWho(school().student);
-        m_window->askWho(LoginMode::Locked);
-        QSignalSpy wanted(m_window.get(), &MainWindow::loginRequested);
+        m_window->account().ask(LoginMode::Locked);
+        QSignalSpy wanted(&m_window->loginPage(), &ui::people::LoginPage::loginRequested);
         auto* password = child<QLineEdit>("password");
         QTest::keyClick(password, Qt::Key_Return);
         QCOMPARE(wanted.size(), 0);
@@ -274,7 +275,7 @@ private slots:
 
     void aCourseIsListedUnderItsHeading()
     {
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
         actions().lessons->trigger();
         const auto* model = child<QListView>("lessonList")->model();
         QStringList headings;
@@ -294,7 +295,7 @@ private slots:
 
     void typingSearchesTheLessons()
     {
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
         QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);
         actions().lessons->trigger();
         auto* list = child<QListView>("lessonList");
@@ -335,9 +336,9 @@ private slots:
     {
         const auto* list = child<QListView>("lessonList");
         actions().lessons->trigger();
-        m_window->setLessons(support::catalog(), {},
-                             {{"class1-36", {"Year 1", {}, {}}},
-                              {"class1-37", {"Year 1", QDateTime::currentDateTime().addDays(3), {}}}});
+        m_window->lessonsPage().setLessons(support::catalog(), {},
+                                           {{"class1-36", {"Year 1", {}, {}}},
+                                            {"class1-37", {"Year 1", QDateTime::currentDateTime().addDays(3), {}}}});
         const auto high = [&](const char* lesson) {
             search()->setText(QString::fromLatin1(lesson));
             return list->sizeHintForIndex(list->currentIndex()).height();
@@ -352,8 +353,8 @@ private slots:
     {
         auto* list = child<QListView>("lessonList");
         actions().lessons->trigger();
-        m_window->setLessons(support::catalog(), {{"class1-34", {2, 603, false, "2026-11-20T10:00:00Z"}},
-                                                  {"class1-36", {3, 917, true, "2026-11-20T11:00:00Z"}}});
+        m_window->lessonsPage().setLessons(support::catalog(), {{"class1-34", {2, 603, false, "2026-11-20T10:00:00Z"}},
+                                                                {"class1-36", {3, 917, true, "2026-11-20T11:00:00Z"}}});
         for (const auto& [lesson, score, passed] :
              {std::tuple("class1-34", "60.3", false), {"class1-36", "✓ 91.7", true}, {"class1-37", "", false}}) {
             search()->setText(lesson);
@@ -424,8 +425,8 @@ private slots:
                 entry.read.lesson->aids = {};
                 entry.read.lesson->aids.section = false;
             }
-        m_window->setLessons(entries, {{"class1-24", {1, 603, false, "2026-11-20T10:00:00Z"}}},
-                             {{"class1-24", {"Year 1", {}, 2}}});
+        m_window->lessonsPage().setLessons(entries, {{"class1-24", {1, 603, false, "2026-11-20T10:00:00Z"}}},
+                                           {{"class1-24", {"Year 1", {}, 2}}});
         actions().lessons->trigger();
         search()->setText("class1-24");
         QSignalSpy chosen(m_window.get(), &MainWindow::lessonChosen);
@@ -448,7 +449,7 @@ private slots:
         QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);
         actions().lessons->trigger();
         for (const int left : {1, 0}) {
-            m_window->setLessons(support::catalog(), {}, {{"class1-37", {"Year 1", {}, left}}});
+            m_window->lessonsPage().setLessons(support::catalog(), {}, {{"class1-37", {"Year 1", {}, left}}});
             search()->setText("class1-37");
             QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
             QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
@@ -463,10 +464,10 @@ private slots:
     void theForecastIsAnsweredWithTheKeys()
     {
         m_window->setAssignment(support::assigned("class1-36"));
-        QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
+        QSignalSpy given(&m_window->predictionPage(), &ui::scoring::ScorePredictionPage::answered);
         const auto* show = child<QPushButton>("showScore");
         const auto worst = [&] { return given.takeLast().front().value<ui::scoring::ScorePrediction>().worst; };
-        m_window->askForecast();
+        m_window->askPrediction();
         QVERIFY(!show->isEnabled());
         press(Qt::Key_Right);
         QVERIFY(show->isEnabled());
@@ -479,7 +480,7 @@ private slots:
         QCOMPARE(worst(), std::string("gouge"));
         // What cost most may be left open.
         actions().back->trigger();
-        m_window->askForecast();
+        m_window->askPrediction();
         press(Qt::Key_Right);
         press(Qt::Key_Return);
         QCOMPARE(given.size(), 1);
@@ -490,7 +491,7 @@ private slots:
     {
         m_window->resize(1280, 800);
         m_window->setAssignment(support::assigned("class2-36-distal"));
-        m_window->askForecast();
+        m_window->askPrediction();
         QCOMPARE(m_window->page()->findChildren<QRadioButton*>().size(), 3);
         const auto* show = child<QPushButton>("showScore");
         QTRY_COMPARE(show->visibleRegion().boundingRect(), show->rect());
@@ -571,15 +572,15 @@ private slots:
                                     : QString::fromStdString(chosen.takeLast().front().value<lessons::Lesson>().id);
         };
         const lessons::ScoreSheet pass = sheet(0, 0, 0);
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
         QCOMPARE(nextAfter("class1-36", sheet(40, 30, 0)), QString());
         QCOMPARE(nextAfter("class1-36", pass), QString("class1-37"));
         QVERIFY(isInRoom());
         // Assigned lessons that are not passed come first, each once.
         const ui::catalog::Given given{"Year 1", {}, {}};
         const ui::catalog::Given usedUp{"Year 1", {}, 0};
-        m_window->setLessons(support::catalog(), {},
-                             {{"class1-36", given}, {"class1-34", usedUp}, {"class1-27", given}});
+        m_window->lessonsPage().setLessons(support::catalog(), {},
+                                           {{"class1-36", given}, {"class1-34", usedUp}, {"class1-27", given}});
         QCOMPARE(nextAfter("class1-36", pass), QString("class1-27"));
         QCOMPARE(nextAfter("class1-27", pass), QString("class1-35"));
         // A grade without a lesson, and one that is looked at again, offer none.
@@ -594,7 +595,7 @@ private slots:
     void afterAnExamTheLessonsFollow()
     {
         QSignalSpy wanted(m_window.get(), &MainWindow::lessonsRequested);
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
         beginLesson(support::exam());
         m_window->showScore(sheet(40, 30, 0), {});
         QVERIFY(!child<QPushButton>("nextLesson")->isVisible());

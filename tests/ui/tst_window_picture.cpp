@@ -81,7 +81,7 @@ private slots:
         QVERIFY(view.isPressed());
         core::grading::Infraction breach;
         breach.breach = core::grading::RuleViolation::RidgeCut;
-        m_window->tellInfraction(breach, true);
+        m_window->infractionView().show(breach, true);
         SessionState session;
         session.toothGeneration = m_generation;
         session.removedMm3[static_cast<std::size_t>(Material::Caries)] = 1.0;
@@ -130,7 +130,7 @@ private slots:
         openPulp(burUnder(*notice));
         QVERIFY(notice->isVisible());
         QTRY_VERIFY(isOff(*notice));
-        m_window->tellInfraction({}, true);
+        m_window->infractionView().show({}, true);
         take(burUnder(*card), session);
         QTRY_VERIFY(isOff(*card));
         QTest::mouseRelease(&view, Qt::LeftButton);
@@ -189,7 +189,7 @@ private slots:
         forbid(&lessons::Aids::ideal);
         QCOMPARE(shown(), DepthColours::Off);
         QVERIFY(!actions().idealColours->isEnabled());
-        m_window->setAids({});
+        m_window->lessonController().setAids({});
         QCOMPARE(shown(), DepthColours::AgainstIdeal);
         // A tooth without decay has no ideal.
         auto sound = std::make_shared<core::terrain::ToothAnatomy>(*support::syntheticMolar(64));
@@ -223,14 +223,14 @@ private slots:
         forbid(&lessons::Aids::burColour);
         QTRY_VERIFY(!isShown());
         QVERIFY(!actions().burColour->isEnabled());
-        m_window->setAids({});
+        m_window->lessonController().setAids({});
         press(Qt::Key_A);
         QTRY_VERIFY(!isShown());
     }
 
     void aHandIsHeldOnRequest()
     {
-        QSignalSpy wanted(m_window.get(), &MainWindow::fixtureRequested);
+        QSignalSpy wanted(actions().fixture, &QAction::triggered);
         press(Qt::Key_Q);
         press(Qt::Key_Q);
         QCOMPARE(wanted.count(), 2);
@@ -346,11 +346,11 @@ private slots:
         };
         ui::replay::AttemptTimeline course;
         course.lengthS = course.readyS = 60.0;
-        m_window->setReplayCourse(course);
+        m_window->replayView().setCourse(course);
         const QImage bare = pictureAt(10.0);
         course.points = {{{-1.0, 0.0}, 0.6, 20.0}, {{1.5, 1.0}, 0.6, std::nullopt}};
         course.marks = {{ui::replay::Mark::Kind::Touched, 20.0, 0}};
-        m_window->setReplayCourse(course);
+        m_window->replayView().setCourse(course);
         const QImage ringed = pictureAt(10.0);
         QVERIFY(ringed != bare);
         const QImage touched = pictureAt(21.0);
@@ -359,13 +359,14 @@ private slots:
         QCOMPARE(pictureAt(11.0), ringed);
         // Remarks are read where they were meant.
         const auto* remark = child<QLabel>("remark");
-        m_window->setRemarks({{20.0, glm::dvec3(1.0, 0.5, -0.5), "Ada Teach", "The wall <b>leans</b> in."}});
+        m_window->replayView().setRemarks(
+            {{20.0, glm::dvec3(1.0, 0.5, -0.5), "Ada Teach", "The wall <b>leans</b> in."}});
         QVERIFY(pictureAt(20.0) != touched);
         QVERIFY(remark->isVisible());
         QCOMPARE(remark->text(), QString("Ada Teach: The wall <b>leans</b> in."));
         QCOMPARE(remark->textFormat(), Qt::PlainText);
         // More of the recording becomes known: what was said of it stays.
-        m_window->setReplayCourse(course);
+        m_window->replayView().setCourse(course);
         auto* line = child<ui::replay::TimeLine>("timeLine");
         QTRY_VERIFY(line->saidAt(QPoint(qRound(line->xOf(20.0)), 12)).join(' ').contains("leans"));
         QCOMPARE(pictureAt(40.0), touched);
@@ -398,7 +399,7 @@ private slots:
     /// An open list has the keys to itself only on a real display.
     void aToothOfTheArchIsSearchedFor()
     {
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
         auto* page = child<ui::catalog::LessonsPage>();
         const auto* search = page->findChild<QLineEdit*>();
         actions().lessons->trigger();

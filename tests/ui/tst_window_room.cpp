@@ -159,20 +159,21 @@ private slots:
     void filesAreAskedFor()
     {
         const QTemporaryDir folder;
-        for (const auto& [keys, file, chosen] :
-             {std::tuple("Ctrl+O", "scan.stl", &MainWindow::scanChosen),
-              {"Ctrl+Shift+O", "attempt.cusprec", &MainWindow::recordingOpenRequested},
-              {"Ctrl+S", "new.cusprec", &MainWindow::recordingSaveRequested}}) {
+        QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
+        QSignalSpy open(m_window.get(), &MainWindow::recordingOpenRequested);
+        QSignalSpy save(&m_window->unsavedWork(), &ui::window::UnsavedWork::recordingSaveRequested);
+        for (const auto& [keys, file, spy] : {std::tuple("Ctrl+O", "scan.stl", &scan),
+                                              {"Ctrl+Shift+O", "attempt.cusprec", &open},
+                                              {"Ctrl+S", "new.cusprec", &save}}) {
             const QString path = folder.filePath(file);
-            const bool isSaved = chosen == &MainWindow::recordingSaveRequested;
+            const bool isSaved = spy == &save;
             QFile made(path);
             QVERIFY(isSaved || made.open(QIODevice::WriteOnly));
-            QSignalSpy spy(m_window.get(), chosen);
             press(QKeySequence(keys));
             QVERIFY(!isSaved || child<QFileDialog>()->selectedFiles().value(0).endsWith(".cusprec"));
             accept(path);
-            QCOMPARE(spy.size(), 1);
-            QCOMPARE(spy.front().front().toString(), path);
+            QCOMPARE(spy->size(), 1);
+            QCOMPARE(spy->front().front().toString(), path);
             QTRY_VERIFY(child<QFileDialog>() == nullptr);
         }
     }
@@ -224,7 +225,7 @@ private slots:
     void theAidsInUseAreNoted()
     {
         spoil();
-        m_window->setAids({});
+        m_window->lessonController().setAids({});
         show();
         const auto first = aidsNoted();
         QVERIFY(first.has_value());
@@ -241,7 +242,7 @@ private slots:
         QVERIFY(isNoted(kMirrorAid) == true);
         forbid(&lessons::Aids::mirror);
         QVERIFY(isNoted(kMirrorAid) == false);
-        m_window->setAids({});
+        m_window->lessonController().setAids({});
         actions().mirror->setChecked(false);
         static_cast<void>(aidsNoted());
         // The console tells no more than the lesson allows, and of what it tells that is noted, too.
@@ -250,7 +251,7 @@ private slots:
         QVERIFY(isNoted(kDepthGaugeAid) == false);
         console->execute(QStringLiteral("watch live.depth"));
         QVERIFY(isNoted(kDepthGaugeAid) == true);
-        m_window->setAids(lessons::Aids::none());
+        m_window->lessonController().setAids(lessons::Aids::none());
         QVERIFY(isNoted(kDepthGaugeAid) == false);
         console->execute(QStringLiteral("get live.depth"));
         QVERIFY(child<QPlainTextEdit>("consoleOutput")->toPlainText().endsWith("This lesson does not allow it."));
@@ -263,7 +264,7 @@ private slots:
         press(Qt::Key_X);
         QVERIFY(section->isVisible());
         const QString tip = actions().section->toolTip();
-        m_window->setAids(lessons::Aids::none());
+        m_window->lessonController().setAids(lessons::Aids::none());
         QVERIFY(!section->isVisible());
         for (const QAction* aid : {actions().section, actions().turnSection, actions().radiograph}) {
             QVERIFY(!aid->isEnabled());
@@ -280,13 +281,13 @@ private slots:
         QCOMPARE(actions().section->toolTip(), tip);
         press(Qt::Key_X);
         QVERIFY(section->isVisible() && !child<TabularDigitsLabel>("sectionNearest")->isVisible());
-        m_window->setAids({});
+        m_window->lessonController().setAids({});
         QVERIFY(child<TabularDigitsLabel>("sectionNearest")->isVisible() &&
                 child<TabularDigitsLabel>("depthFigure")->isVisible());
         // Locked while it is looked at, the page of films closes.
         press(Qt::Key_F);
         QVERIFY(films->isVisible());
-        m_window->setAids(lessons::Aids::none());
+        m_window->lessonController().setAids(lessons::Aids::none());
         QVERIFY(!films->isVisible());
     }
 
@@ -630,15 +631,15 @@ private slots:
         m_window->showError(full, FailedOperation::KeepingAttempt);
         QVERIFY2(message().contains("is not kept on the disk"), qPrintable(message()));
         m_window->showError(full, FailedOperation::SavingRecording);
-        m_window->forgetAttemptNotKept();
+        m_window->hideJournalError();
         QVERIFY2(message().contains("was not saved"), qPrintable(message()));
         child<MessageBar>()->dismiss();
         QVERIFY2(message().isEmpty(), qPrintable(message()));
         // Once the school has answered, what was said of its silence is over.
         m_window->showError({core::ErrorCode::ConnectionLost, "away"}, FailedOperation::ReadingSchool);
-        m_window->showUnanswered();
+        m_window->showDatabaseSilent();
         QVERIFY2(message().contains("does not answer yet"), qPrintable(message()));
-        m_window->forgetUnanswered();
+        m_window->hideDatabaseSilent();
         QVERIFY2(message().isEmpty(), qPrintable(message()));
     }
 

@@ -47,8 +47,8 @@ private slots:
     void aBreachStopsTheBurAndIsExplained()
     {
         const auto* card = child<InfractionCard>();
-        QSignalSpy back(m_window.get(), &MainWindow::takeBackRequested);
-        m_window->tellInfraction(breach(RuleViolation::TooDeep), true);
+        QSignalSpy back(&m_window->infractionView(), &ui::window::InfractionView::takeBackRequested);
+        m_window->infractionView().show(breach(RuleViolation::TooDeep), true);
         QVERIFY(card->isVisible());
         QCOMPARE(child<QLabel>("infraction")->text(), QString("Deeper than 2.50 mm"));
         QCOMPARE(drillSent().value(0, true), false);
@@ -57,12 +57,12 @@ private slots:
         QCOMPARE(back.count(), 1);
         QCOMPARE(back.front().front().toULongLong(), qulonglong{4321});
         // Undo is the same, or the card would go on telling what is no longer there.
-        m_window->tellInfraction(breach(RuleViolation::TooDeep), true);
+        m_window->infractionView().show(breach(RuleViolation::TooDeep), true);
         press(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(!card->isVisible());
         QCOMPARE(back.count(), 2);
         // Also if the tooth has been pressed meanwhile.
-        m_window->tellInfraction(breach(RuleViolation::TooDeep), true);
+        m_window->infractionView().show(breach(RuleViolation::TooDeep), true);
         m_window->view().setFocus(Qt::MouseFocusReason);
         press(Qt::Key_Return);
         QVERIFY(!card->isVisible());
@@ -71,7 +71,7 @@ private slots:
         // Where there is nothing to go back to, only going on is offered; and in the air nothing was cut.
         for (const auto& [kind, canTakeBack] :
              {std::pair(RuleViolation::TooDeep, false), {RuleViolation::BurInAir, true}}) {
-            m_window->tellInfraction(breach(kind), canTakeBack);
+            m_window->infractionView().show(breach(kind), canTakeBack);
             QVERIFY(!child<QPushButton>("takeBack")->isVisible());
             press(Qt::Key_Escape);
             QVERIFY(!card->isVisible());
@@ -83,17 +83,17 @@ private slots:
     {
         spoil();
         auto* section = child<SectionView>();
-        m_window->tellInfraction(breach(RuleViolation::BurInAir), true);
+        m_window->infractionView().show(breach(RuleViolation::BurInAir), true);
         QVERIFY2(!section->isVisible(), "there is nothing to be seen");
         // How wide a marginal ridge is, is seen along the tooth only.
-        m_window->tellInfraction(breach(RuleViolation::RidgeCut), true);
+        m_window->infractionView().show(breach(RuleViolation::RidgeCut), true);
         QVERIFY(section->isVisible());
         QCOMPARE(section->angleDeg(), 0);
         // What was to be cut lies in the plane that shows where it was cut instead.
         for (const glm::dvec2 place : {glm::dvec2(-4.0, 0.0), {0.0, -4.0}, {-4.0, -4.0}}) {
             core::grading::Infraction infraction = breach(RuleViolation::WrongPlace);
             infraction.placeMm = glm::dvec3(place, 0.0);
-            m_window->tellInfraction(infraction, true);
+            m_window->infractionView().show(infraction, true);
             const double angle = section->angleDeg() * std::numbers::pi / 180.0;
             const glm::dvec2 there = glm::dvec2(support::kLesionX, support::kLesionY) - place;
             QVERIFY(std::abs(there.x * std::sin(angle) - there.y * std::cos(angle)) < support::kLesionRadiusMm);
@@ -104,13 +104,13 @@ private slots:
     {
         const auto practice = lessons::practiceOn(support::syntheticMolar()).value();
         actions().drill->setChecked(true);
-        m_window->tellInfraction(breach(RuleViolation::BurInAir), false);
+        m_window->infractionView().show(breach(RuleViolation::BurInAir), false);
         QCOMPARE(drillSent(), QList<bool>{false});
         beginLesson(practice);
         QCOMPARE(drillSent(), QList<bool>{true});
         // If the user has stopped the drill, it stays off.
         actions().drill->setChecked(true);
-        m_window->tellInfraction(breach(RuleViolation::BurInAir), false);
+        m_window->infractionView().show(breach(RuleViolation::BurInAir), false);
         press(Qt::Key_Escape);
         QCOMPARE(drillSent(), (QList<bool>{false, true}));
         actions().drill->setChecked(false);
@@ -142,13 +142,13 @@ private slots:
             QVERIFY(std::none_of(ofACut.begin(), ofACut.end(), told) && !told("pulpFigure"));
             QVERIFY2(told("enamelRemoved") && told("forceFigure"), "a scratch is told all the same");
             // R begins it anew, and no stroke is to be brought back.
-            QSignalSpy again(m_window.get(), &MainWindow::attemptAgainRequested);
+            QSignalSpy again(&m_window->lessonController(), &ui::window::LessonController::attemptAgainRequested);
             static_cast<void>(sent());
             press(Qt::Key_R);
             QCOMPARE(again.size(), 1);
             QVERIFY(sent().empty());
             QVERIFY2(message().isEmpty(), "the school may still refuse it");
-            m_window->showBegunAnew();
+            m_window->lessonController().showBegunAgain();
             QVERIFY2(message().contains("starts again"), qPrintable(message()));
             child<MessageBar>()->dismiss();
         }
@@ -239,7 +239,7 @@ private slots:
         QVERIFY2(!message().contains("time for this lesson"), qPrintable(message()));
         // A resumed attempt keeps the pauses that it had before.
         begin(false);
-        m_window->resumeClock(100.0, 40.0);
+        m_window->lessonController().resumeClock(100.0, 40.0);
         recordedS = 100.0;
         QCOMPARE(pass(10.0), QString("1:10"));
         begin(true);
@@ -264,12 +264,12 @@ private slots:
         };
         static_cast<void>(noted());
         QCOMPARE(noted(), QList<quint64>());
-        m_window->askWho(ui::people::LoginMode::Locked);
+        m_window->account().ask(ui::people::LoginMode::Locked);
         QCOMPARE(noted(), QList<quint64>{kRestNote});
         m_window->setWho({});
         QCOMPARE(noted(), QList<quint64>{kWorkNote});
         beginLesson(support::exam());
-        m_window->askWho(ui::people::LoginMode::Locked);
+        m_window->account().ask(ui::people::LoginMode::Locked);
         QCOMPARE(noted(), QList<quint64>());
     }
 
@@ -279,7 +279,7 @@ private slots:
         spoil();
         lessons::Assignment exam = support::exam();
         const double overS = 60.0 * exam.lesson->minutes + 1.0;
-        QSignalSpy again(m_window.get(), &MainWindow::attemptAgainRequested);
+        QSignalSpy again(&m_window->lessonController(), &ui::window::LessonController::attemptAgainRequested);
         QSignalSpy grade(m_window.get(), &MainWindow::gradeRequested);
         const auto mayCut = [&] {
             return actions().drill->isEnabled() && std::any_of(actions().burs.begin(), actions().burs.end(),
@@ -405,10 +405,10 @@ private slots:
         const std::uint64_t own = m_generation;
         const auto breachesTold = [&] {
             m_window->setReplaying(true, 60.0);
-            m_window->setReplayCourse(course());
+            m_window->replayView().setCourse(course());
             show();
             m_window->showBeside(*links, support::syntheticMolar(), 1, {}, "Before");
-            m_window->setBesideCourse(course());
+            m_window->replayView().setBesideCourse(course());
             // The pulp is opened while it is played.
             SessionState session;
             session.toothGeneration = m_generation;
@@ -423,14 +423,14 @@ private slots:
                 told << child<QLabel>("notice")->text();
             if (!line->saidAt({qRound(line->xOf(40.0)), 12}).join(' ').contains("Undone"))
                 told << "the rest of the course is missing";
-            m_window->hideBeside();
+            m_window->replayView().hideBeside();
             m_window->setReplaying(false);
             m_window->showTooth(exam.anatomy, own, {});
             return told;
         };
         QCOMPARE(breachesTold(), QStringList());
         // Nor is a lesson's ideal looked at in the editor.
-        m_window->setLessons(support::catalog(), {});
+        m_window->lessonsPage().setLessons(support::catalog(), {});
         actions().lessons->trigger();
         actions().editLesson->trigger();
         QVERIFY(!child<ui::lessoneditor::LessonEditor>()->isVisible());
@@ -460,7 +460,7 @@ private slots:
         lessons::Assignment exam = withExpert;
         exam.lesson->exam = true;
         const auto isOffered = [this] {
-            QSignalSpy wanted(m_window.get(), &MainWindow::expertRequested);
+            QSignalSpy wanted(&m_window->replayView(), &ui::window::ReplayView::expertRequested);
             press(Qt::Key_Y);
             const bool isVisible = actions().expert->isVisible();
             return isVisible == (wanted.size() == 1) ? std::optional(isVisible) : std::nullopt;
@@ -504,7 +504,7 @@ private slots:
         QFETCH(QString, answer);
         QSignalSpy tooth(m_window.get(), &MainWindow::toothChosen);
         QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
-        QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
+        QSignalSpy save(&m_window->unsavedWork(), &ui::window::UnsavedWork::recordingSaveRequested);
         const auto left = [&] { return tooth.size() + scan.size() + (m_window->isVisible() ? 0 : 1); };
         cutSomething(0.5);
         if (leave == "tooth") {
@@ -562,8 +562,8 @@ private slots:
     void anUnfinishedAttemptIsOffered()
     {
         spoil();
-        QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
-        QSignalSpy discarded(m_window.get(), &MainWindow::discardRequested);
+        QSignalSpy resumed(&m_window->resumeOffer(), &ui::window::ResumeOffer::resumeRequested);
+        QSignalSpy discarded(&m_window->resumeOffer(), &ui::window::ResumeOffer::discardRequested);
         auto* resume = child<MessageBar>()->findChild<QPushButton*>();
         auto* discard = child<MessageBar>()->findChild<QPushButton*>("decline");
         offerUnfinished(false);
@@ -599,8 +599,8 @@ private slots:
     /// It costs an attempt, as to leave one does.
     void anExamIsNotDiscardedUnasked()
     {
-        QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
-        QSignalSpy discarded(m_window.get(), &MainWindow::discardRequested);
+        QSignalSpy resumed(&m_window->resumeOffer(), &ui::window::ResumeOffer::resumeRequested);
+        QSignalSpy discarded(&m_window->resumeOffer(), &ui::window::ResumeOffer::discardRequested);
         for (const auto& [button, resumes, discards] :
              {std::tuple("questionStay", 0, 0), {"questionSave", 1, 0}, {"questionDiscard", 1, 1}}) {
             offerUnfinished(true);
@@ -624,23 +624,23 @@ private slots:
         m_window->showScore(sheet(40, 30, 0), {});
         child<ui::scoring::ScorePage>()->setKeeping(ui::scoring::ScorePage::Keeping::Refused);
         QVERIFY(child<QLabel>("historyRemark")->text().contains("tries again"));
-        m_window->setUnkeptGrades(1);
+        m_window->unsavedWork().setUnsavedGrades(1);
         m_window->close();
         QVERIFY(m_window->isVisible() && question("gradeQuestion") != nullptr);
         click("questionStay");
         QVERIFY(m_window->isVisible());
-        m_window->setUnkeptGrades(0);
+        m_window->unsavedWork().setUnsavedGrades(0);
         m_window->close();
         QVERIFY(question("gradeQuestion") == nullptr);
     }
 
     void aLessonOfAPackIsUnpackedToBeEdited()
     {
-        QSignalSpy unpack(m_window.get(), &MainWindow::unpackRequested);
+        QSignalSpy unpack(&m_window->lessonEditing(), &ui::window::LessonEditing::unpackRequested);
         lessons::CatalogEntry entry;
         entry.read = support::shipped("class1-36");
         entry.pack = "/folder/course.cusplessons";
-        m_window->setLessons({entry}, {});
+        m_window->lessonsPage().setLessons({entry}, {});
         actions().lessons->trigger();
         actions().editLesson->trigger();
         QCOMPARE(unpack.size(), 1);
@@ -659,7 +659,7 @@ private slots:
             press(key);
         press(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(sent().empty());
-        m_window->showReplayEnd();
+        m_window->replayView().showEnd();
         QVERIFY(!message().isEmpty());
         press(Qt::Key_Escape);
         QCOMPARE(stop.size(), 1);
@@ -714,7 +714,7 @@ private slots:
             press(key);
         QVERIFY2(seek.isEmpty(), "while one drills these keys are the tooth's");
         m_window->setReplaying(true, 60.0);
-        m_window->setReplayCourse(course());
+        m_window->replayView().setCourse(course());
         for (const auto& [key, to] : {std::pair(Qt::Key_Right, 9.01),
                                       {Qt::Key_Period, 21.01},
                                       {Qt::Key_Right, 40.0},
@@ -738,7 +738,7 @@ private slots:
         m_window->setReplaying(true, 60.0);
         ui::replay::AttemptTimeline rested = course();
         rested.rests = {{28.0, 34.0}};
-        m_window->setReplayCourse(rested);
+        m_window->replayView().setCourse(rested);
         auto* line = child<TimeLine>("timeLine");
         QTRY_VERIFY(line->width() > 400);
         const auto at = [&](double seconds, int y) { return QPoint(qRound(line->xOf(seconds)), y); };
@@ -779,7 +779,7 @@ private:
     }
     void offerUnfinished(bool isExam) const
     {
-        m_window->offerUnfinished([] { return QString("Tooth 36"); }, QDateTime::currentDateTime(), isExam);
+        m_window->resumeOffer().offer([] { return QString("Tooth 36"); }, QDateTime::currentDateTime(), isExam);
     }
     void takeAnotherTooth() const
     {

@@ -179,29 +179,19 @@ void MainWindow::connectParts()
     connect(m_console.get(), &ConsoleView::closed, this, &MainWindow::focusRoom);
     connect(m_console.get(), &ConsoleView::resized, this, &MainWindow::placeOverlays);
     connect(m_editing.get(), &LessonEditing::changed, this, &MainWindow::refresh);
-    connect(m_editing.get(), &LessonEditing::knownAttemptsRequested, this, &MainWindow::knownAttemptsRequested);
-    connect(m_editing.get(), &LessonEditing::unpackRequested, this, &MainWindow::unpackRequested);
     connect(m_navigation.get(), &Navigation::pageShown, this, &MainWindow::showPage);
     connect(m_navigation.get(), &Navigation::lessonsRequested, this, &MainWindow::lessonsRequested);
 
     connect(m_unsaved.get(), &UnsavedWork::foreignChangesLeft, m_editor, &lessoneditor::LessonEditor::closeDrafts);
-    connect(m_unsaved.get(), &UnsavedWork::recordingSaveRequested, this, &MainWindow::recordingSaveRequested);
     connect(m_unsaved.get(), &UnsavedWork::gradeRequested, this, [this] {
         m_navigation->goToRoom();
         emit gradeRequested();
     });
     connect(m_account.get(), &AccountController::changed, this, &MainWindow::refresh);
-    connect(m_account.get(), &AccountController::keepRequested, this, &MainWindow::keepRequested);
-    connect(m_account.get(), &AccountController::logoutRequested, this, &MainWindow::logoutRequested);
-    connect(m_resume.get(), &ResumeOffer::resumeRequested, this, &MainWindow::resumeRequested);
-    connect(m_resume.get(), &ResumeOffer::discardRequested, this, &MainWindow::discardRequested);
 
     connect(m_replay.get(), &ReplayView::changed, this, &MainWindow::refresh);
     connect(m_replay.get(), &ReplayView::stopRequested, this, &MainWindow::replayStopRequested);
-    connect(m_replay.get(), &ReplayView::besideRequested, this, &MainWindow::besideRequested);
-    connect(m_replay.get(), &ReplayView::expertRequested, this, &MainWindow::expertRequested);
     connect(m_exercise.get(), &ExerciseView::changed, this, &MainWindow::refresh);
-    connect(m_infraction.get(), &InfractionView::takeBackRequested, this, &MainWindow::takeBackRequested);
     connect(m_infraction.get(), &InfractionView::changed, this, [this] {
         if (m_navigation->isInRoom())
             focusRoom();
@@ -209,7 +199,6 @@ void MainWindow::connectParts()
     });
     connect(m_lesson.get(), &LessonController::changed, this, &MainWindow::refresh);
     connect(m_lesson.get(), &LessonController::gradeRequested, this, &MainWindow::gradeRequested);
-    connect(m_lesson.get(), &LessonController::attemptAgainRequested, this, &MainWindow::attemptAgainRequested);
     connect(m_lesson.get(), &LessonController::roomRequested, m_navigation.get(), &Navigation::goToRoom);
     connect(m_lesson.get(), &LessonController::radiographLocked, this, [this] {
         if (m_navigation->isAt(*m_xray))
@@ -227,7 +216,6 @@ void MainWindow::connectActions()
         on(m_actions->burs[k], [this, k] { m_bur.chooseBur(k); });
     for (int k = 0; k < m_actions->handpieces.size(); ++k)
         on(m_actions->handpieces[k], [this, k] { m_bur.chooseHandpiece(k); });
-    on(m_actions->fixture, [this] { emit fixtureRequested(m_actions->fixture->isChecked()); });
     on(m_actions->bringHome, [this] { m_commands.send(core::servo::BringHome{}); });
     on(m_actions->turnRound, [this] { m_view->turnRound(); });
     on(m_actions->resetView, [this] { m_view->resetCamera(); });
@@ -282,7 +270,7 @@ void MainWindow::connectFileActions()
     const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
     on(m_actions->openScan, [this] {
         m_files->open(m_actions->openScan->text(), FileDialogs::Kind::Scan,
-                      [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
+                      [this](const QString& path) { m_unsaved->leaveWork([this, path] { emit scanChosen(path); }); });
     });
     on(m_actions->openRecording, [this] {
         m_files->open(m_actions->openRecording->text(), FileDialogs::Kind::Recording,
@@ -312,7 +300,7 @@ void MainWindow::connectFileActions()
 void MainWindow::connectPageActions()
 {
     const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
-    on(m_actions->lessons, [this] { openLessons(); });
+    on(m_actions->lessons, [this] { m_navigation->openLessons(); });
     on(m_actions->chooseTooth, [this] { m_navigation->goTo(*m_chooser); });
     on(m_actions->mouth, [this] {
         const bool flatIsShown = !m_navigation->isAt(*m_chooser) || !m_chooser->isMouthShown();
@@ -351,38 +339,23 @@ void MainWindow::connectPages()
     using people::LoginPage;
     connect(m_chooser, &toothchooser::ToothChooser::toothChosen, this, [this](int fdi) {
         m_navigation->goToRoom();
-        leaveWork([this, fdi] { emit toothChosen(fdi); });
+        m_unsaved->leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_lessonsPage, &LessonsPage::lessonChosen, this, [this](const lessons::Lesson& lesson) {
         m_navigation->goToRoom();
-        leaveWork([this, lesson] { emit lessonChosen(lesson); });
+        m_unsaved->leaveWork([this, lesson] { emit lessonChosen(lesson); });
     });
     connect(m_lessonsPage, &LessonsPage::examAsked, this,
             [this](const kit::ConfirmOverlay::Question& card) { m_unsaved->ask("examQuestion", card); });
-    connect(m_lessonsPage, &LessonsPage::folderRequested, this, &MainWindow::lessonFolderRequested);
     connect(m_editor, &lessoneditor::LessonEditor::lessonSaved, this, &MainWindow::lessonsRequested);
-    connect(m_prediction, &scoring::ScorePredictionPage::answered, this, &MainWindow::forecastGiven);
-    connect(m_scorePage, &scoring::ScorePage::momentRequested, this, &MainWindow::momentRequested);
     connect(m_scorePage, &scoring::ScorePage::nextRequested, m_lessonsPage, &LessonsPage::startNext);
-    connect(m_scorePage, &scoring::ScorePage::keepRequested, this, &MainWindow::keepRequested);
-    connect(m_admin, &admin::AdminPage::partOpened, this, [this] { forgetUnread(); });
+    connect(m_admin, &admin::AdminPage::partOpened, this, [this] { hideReadError(); });
     connect(m_classes, &people::ClassPage::peopleRequested, this, [this] {
         m_admin->show(admin::AdminPage::People);
         m_navigation->goTo(*m_admin);
     });
     connect(m_login, &LoginPage::leaveRequested, this, &MainWindow::goBack);
-    connect(m_login, &LoginPage::loginRequested, this, &MainWindow::loginRequested);
-    connect(m_login, &LoginPage::codeRequested, this, &MainWindow::codeRequested);
-    connect(m_login, &LoginPage::schoolRequested, this, &MainWindow::schoolRequested);
-    connect(m_login, &LoginPage::guestRequested, this, &MainWindow::guestRequested);
-    connect(m_login, &LoginPage::passwordChangeRequested, this, &MainWindow::passwordChangeRequested);
-    connect(m_login, &LoginPage::againRequested, this, &MainWindow::openAgainRequested);
-    connect(m_login, &LoginPage::restoreRequested, this, &MainWindow::restoreRequested);
     HardnessController* const hardness = m_hardness.get();
-    connect(hardness, &HardnessController::trialRequested, this, &MainWindow::presetTrialRequested);
-    connect(hardness, &HardnessController::trialBlockChosen, this, &MainWindow::trialBlockChosen);
-    connect(hardness, &HardnessController::trialFelt, this, &MainWindow::presetFelt);
-    connect(hardness, &HardnessController::feelRequested, this, &MainWindow::feelRequested);
     connect(hardness, &HardnessController::pageRequested, this, [this] { m_navigation->goTo(*m_presets); });
     connect(hardness, &HardnessController::feelChanged, m_settingsPage, &settings::SettingsPage::refresh);
 }
@@ -608,7 +581,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
         return;
     std::function<void(const QString&)> chooseUnit;
     if (unitInDoubt)
-        chooseUnit = [this](const QString& unit) { leaveWork([this, unit] { emit scanUnitChosen(unit); }); };
+        chooseUnit = [this](const QString& unit) { m_unsaved->leaveWork([this, unit] { emit scanUnitChosen(unit); }); };
     m_notices.showScanNotes(notes, chooseUnit);
 }
 
@@ -676,7 +649,7 @@ void MainWindow::showBeside(core::session::UiChannels& links,
     m_replay->showBeside(links, tooth, generation, ideal, name);
 }
 
-void MainWindow::askForecast()
+void MainWindow::askPrediction()
 {
     m_busy->done();
     if (m_state.assignment)
@@ -761,7 +734,7 @@ void MainWindow::showError(const core::Error& error, text::FailedOperation faile
     m_notices.showError(error, failed, file);
 }
 
-void MainWindow::showNotKept(const core::Error& error)
+void MainWindow::showGradeNotSaved(const core::Error& error)
 {
     stopBusy();
     m_isStandIn = m_state.tooth == nullptr;
@@ -774,7 +747,7 @@ void MainWindow::showSaved(const QString& path)
     m_unsaved->setSaved();
 }
 
-void MainWindow::showUnanswered()
+void MainWindow::showDatabaseSilent()
 {
     if (!m_navigation->isAtLogin())  // the login page shows it itself
         m_notices.showDatabaseSilent();
@@ -782,7 +755,7 @@ void MainWindow::showUnanswered()
 
 void MainWindow::readAgain()
 {
-    forgetUnread();
+    hideReadError();
     if (m_navigation->isAt(*m_admin))
         m_admin->readAgain();
     else if (m_navigation->isAt(*m_history))
@@ -806,11 +779,11 @@ void MainWindow::openHome()
     const database::Role role = m_account->user().role();
     if (role == database::Role::Instructor) {
         m_actions->classes->trigger();
-        openClasses();  // a tour that begins before the page is filled ends here
+        m_navigation->openClasses();  // a tour that begins before the page is filled ends here
     } else if (role == database::Role::Admin)
         m_actions->school->trigger();
     else
-        openLessons();
+        m_navigation->openLessons();
 }
 
 void MainWindow::setWho(const database::Login& who)
@@ -858,7 +831,7 @@ void MainWindow::openFile(const QString& path)
     if (suffix == FileDialogs::suffixOf(FileDialogs::Kind::Recording))
         emit recordingOpenRequested(path);
     else if (FileDialogs::scanSuffixes().contains(suffix))
-        leaveWork([this, path] { emit scanChosen(path); });
+        m_unsaved->leaveWork([this, path] { emit scanChosen(path); });
     else
         m_notices.showWrongFile(path);
 }
@@ -875,8 +848,9 @@ void MainWindow::closeEvent(QCloseEvent* event)
         close();
         m_mayClose = false;  // another handler may have prevented it
     };
-    m_unsaved->leaveGrades(
-        [this, leave] { leaveWork([this, leave] { m_unsaved->leaveChanges(leave, m_account->absentUser()); }); });
+    m_unsaved->leaveGrades([this, leave] {
+        m_unsaved->leaveWork([this, leave] { m_unsaved->leaveChanges(leave, m_account->absentUser()); });
+    });
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event)
